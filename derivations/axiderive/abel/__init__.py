@@ -1,0 +1,1 @@
+"""Reduction of Abel integrals to a dozen master integrals."""

@@ -1,0 +1,195 @@
+"""The master integrals that are not functions SymPy already has.
+
+Each class states its definition once, knows its derivatives (`fdiff`, the only
+thing a certificate uses), its value where it vanishes, and how to evaluate
+itself with mpmath (`numeric`, at the working precision in force).
+"""
+
+from __future__ import annotations
+
+import mpmath as mp
+import sympy as sp
+
+Number = mp.mpf
+
+
+class Master(sp.Function):
+    """Common part: evaluation through `numeric`, inside the requested precision."""
+
+    @staticmethod
+    def numeric(*args: Number) -> Number:
+        raise TypeError("a master integral must say how it is evaluated")
+
+    def _eval_evalf(self, prec: int) -> sp.Float:
+        with mp.workprec(prec + 20):
+            values = [arg._to_mpmath(prec + 20) for arg in self.args]
+            # the Float must be made from the raw number: sp.Float(value) would fall back to 53 bits
+            return sp.Float._new(mp.mpf(self.numeric(*values))._mpf_, prec)
+
+
+class C0(Master):
+    """C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a.
+
+    One per break with a jump of f' that is not an odd polynomial; no form in
+    elementary functions and elliptic integrals was found.
+    """
+
+    nargs = 3
+
+    @classmethod
+    def eval(cls, b: sp.Expr, r: sp.Expr, a: sp.Expr) -> sp.Expr | None:
+        if b.is_zero:
+            return sp.pi / 2 * sp.acosh(a / r)
+        if a in (b, r):
+            return sp.S.Zero
+        return None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        b, r, a = self.args
+        if argindex != 3:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        return sp.acos(b / a) / sp.sqrt(a**2 - r**2)
+
+    @staticmethod
+    def numeric(b: Number, r: Number, a: Number) -> Number:
+        # sigma = sqrt(t^2 - b^2) = c sinh v (r < b) or c cosh v (r > b) removes both roots and stays smooth as r -> b
+        if r == b:
+            return mp.quad(lambda x: mp.atan(x) / (1 + x * x), [0, mp.sqrt((a - b) * (a + b)) / b])
+        c = mp.sqrt(abs((r - b) * (r + b)))
+        curve, top = (mp.cosh, mp.acosh) if r > b else (mp.sinh, mp.asinh)
+
+        def integrand(v: Number) -> Number:
+            sigma = c * curve(v)
+            return mp.atan(sigma / b) * sigma / mp.hypot(b, sigma)
+
+        end = top(mp.sqrt((a - b) * (a + b)) / c)
+        # one panel per unit of v: the integrand has singularities at distance pi/2 from the real axis
+        return mp.quad(integrand, mp.linspace(0, end, int(mp.ceil(end / 2)) + 1))
+
+
+class LegendreChi2(Master):
+    """chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1."""
+
+    nargs = 1
+
+    @classmethod
+    def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if x.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        (x,) = self.args
+        return sp.atanh(x) / x
+
+    @staticmethod
+    def numeric(x: Number) -> Number:
+        return mp.re(mp.polylog(2, x) - mp.polylog(2, -x)) / 2
+
+
+class ArctanIntegral(Master):
+    """Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)."""
+
+    nargs = 1
+
+    @classmethod
+    def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if x.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        (x,) = self.args
+        return sp.atan(x) / x
+
+    @staticmethod
+    def numeric(x: Number) -> Number:
+        if x > 1:
+            return ArctanIntegral.numeric(1 / x) + mp.pi / 2 * mp.log(x)
+        return mp.im(mp.polylog(2, mp.mpc(0, x)))
+
+
+class IncompleteBeta(Master):
+    """B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any real q.
+
+    SymPy's betainc lacks the value at z = 0, evaluation for q <= 0 and a readable LaTeX form.
+    """
+
+    nargs = 3
+
+    @classmethod
+    def eval(cls, z: sp.Expr, p: sp.Expr, q: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if z.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        z, p, q = self.args
+        if argindex != 1:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        return z ** (p - 1) * (1 - z) ** (q - 1)
+
+    @staticmethod
+    def numeric(z: Number, p: Number, q: Number) -> Number:
+        return mp.re(mp.betainc(p, q, 0, z))
+
+
+class StruveH(Master):
+    """Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0."""
+
+    nargs = 2
+    _sign = -1
+
+    @classmethod
+    def eval(cls, nu: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if z.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        nu, z = self.args
+        if argindex != 2:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        if nu == 0:
+            return 2 / sp.pi + self._sign * self.func(1, z)
+        return self.func(nu - 1, z) - nu / z * self
+
+    @staticmethod
+    def numeric(nu: Number, z: Number) -> Number:
+        return mp.struveh(nu, z)
+
+
+class StruveL(StruveH):
+    """Modified Struve function L_nu(z); L_0' = 2/pi + L_1 and (z L_1)' = z L_0."""
+
+    _sign = 1
+
+    @staticmethod
+    def numeric(nu: Number, z: Number) -> Number:
+        return mp.struvel(nu, z)
+
+
+class Dawson(Master):
+    """D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D."""
+
+    nargs = 1
+
+    @classmethod
+    def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if x.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return 1 - 2 * self.args[0] * self
+
+    @staticmethod
+    def numeric(x: Number) -> Number:
+        return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
+
+
+MASTERS: tuple[type[Master], ...] = (C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson)
+
+
+def gamma_normalised(argument: sp.Expr) -> sp.Expr:
+    """gamma(argument) with its rational shift moved into (0, 1]: gamma(7/4) -> 3/4*gamma(3/4).
+
+    SymPy leaves gamma shifts as they come, so equal results would print differently.
+    """
+    shift, rest = sp.expand(argument).as_coeff_Add()
+    steps = int(sp.ceiling(shift)) - 1
+    base = shift - steps + rest
+    value = sp.gamma(base)
+    for i in range(abs(steps)):
+        value = value * (base + i) if steps > 0 else value / (base - 1 - i)
+    return value

@@ -1,0 +1,116 @@
+"""What the catalogue is made of: quantities, cases and entries.
+
+An entry is frozen data.  Its key (`cone.p`) is the equation number in the
+handbook, the id in the evidence and, through its quantity, the name of a
+function.  Python, LaTeX and tests are views of the same entries.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+import sympy as sp
+
+from . import notation as nt
+
+if TYPE_CHECKING:
+    from .profiles.profile import Profile
+
+Status = Literal["closed", "integral", "root"]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One kind of result: its key suffix, function name, label, symbol and field arguments."""
+
+    suffix: str
+    function: str
+    label: str
+    symbol: sp.Symbol
+    arguments: tuple[sp.Symbol, ...]
+
+
+@dataclass(frozen=True)
+class Case:
+    """One formula and the open region on which it holds.
+
+    `chain` lists lengths in ascending order: (r, b, a) says 0 < r < b < a.
+    Lengths that are not in the chain are only positive.
+    """
+
+    chain: tuple[sp.Expr, ...]
+    expr: sp.Expr
+
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        return tuple(sp.StrictLessThan(lo, hi) for lo, hi in zip(self.chain, self.chain[1:], strict=False))
+
+
+@dataclass(frozen=True)
+class Primitive:
+    """Antiderivative in x of the integrand of (11.29) over one piece lo < x < hi of the profile.
+
+    The depth is the sum of its increments, so that `diff(expr, x)` proves it.
+    """
+
+    lo: sp.Expr
+    hi: sp.Expr
+    integrand: sp.Expr
+    expr: sp.Expr
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One quantity of one profile: definition, result and everything needed to prove and print it."""
+
+    key: str
+    profile: Profile
+    quantity: Quantity
+    status: Status
+    cases: tuple[Case, ...]
+    definition: sp.Expr
+    parameters: tuple[sp.Symbol, ...]
+    references: tuple[str, ...] = ()
+    primitives: dict[tuple[sp.Expr, ...], tuple[Primitive, ...]] = field(default_factory=dict, hash=False)
+    note: str = ""
+
+    @property
+    def suffix(self) -> str:
+        return self.quantity.suffix
+
+    def text(self) -> str:
+        """The result as canonical text: what must not change with hash seed or SymPy version."""
+        rows = [f"{' < '.join(map(sp.sstr, c.chain)) or 'always'}: {sp.sstr(c.expr)}" for c in self.cases]
+        return f"{self.key} [{self.status}]\n  " + "\n  ".join(rows)
+
+
+COMPACT = {
+    q.suffix: q
+    for q in (
+        Quantity("f", "profile", "Profile", nt.f, (nt.r,)),
+        Quantity("d", "depth", "Indentation depth", nt.d, (nt.a,)),
+        Quantity("F", "force", "Normal force", nt.F, (nt.a,)),
+        Quantity("p", "pressure", "Pressure", nt.p, (nt.r, nt.a)),
+        Quantity("w", "displacement", "Displacement outside", nt.w, (nt.r, nt.a)),
+        Quantity("k", "stiffness", "Contact stiffness", nt.stiffness, (nt.a,)),
+        Quantity("pm", "mean_pressure", "Mean pressure", nt.p_mean, (nt.a,)),
+        Quantity("ad", "radius_from_depth", "Contact radius from depth", nt.a, (nt.d,)),
+        Quantity("aF", "radius_from_force", "Contact radius from force", nt.a, (nt.F,)),
+        Quantity("Fd", "force_from_depth", "Force from depth", nt.F, (nt.d,)),
+        Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,)),
+    )
+}
+
+COMPLETE = {
+    q.suffix: q
+    for q in (
+        Quantity("f", "profile", "Profile", nt.f, (nt.r,)),
+        Quantity("F", "force", "Normal force", nt.F, (nt.d,)),
+        Quantity("p", "pressure", "Pressure", nt.p, (nt.r, nt.d)),
+        Quantity("w", "displacement", "Displacement outside", nt.w, (nt.r, nt.d)),
+        Quantity("k", "stiffness", "Contact stiffness", nt.stiffness, ()),
+        Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,)),
+        Quantity("dmin", "minimum_depth", "Least depth of complete contact", nt.d, ()),
+        Quantity("Fmin", "minimum_force", "Least force of complete contact", nt.F, ()),
+    )
+}

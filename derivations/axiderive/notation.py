@@ -1,0 +1,121 @@
+"""Every symbol once: name, LaTeX, dimension, domain and meaning.
+
+The SymPy symbols of the engine are attributes of this module (`notation.a`,
+`notation.E_star`); all of them are positive, which is what lets radicals be
+split.  `describe(symbol)` gives the record behind a symbol.
+
+Conventions fixed here for the whole catalogue: elliptic integrals take the
+parameter m = k**2 in code (as SymPy and mpmath do) and print the modulus k;
+`theta` is the inclination of the flank to the surface, in radians; lengths
+share one unit, forces are length unit squared times the unit of E_star.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """Exponents of length and force; a stress is force / length**2."""
+
+    length: sp.Expr
+    force: sp.Expr
+
+    @classmethod
+    def of(cls, length: object = 0, force: object = 0) -> Dimension:
+        return cls(sp.sympify(length), sp.sympify(force))
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        return Dimension(sp.expand(self.length + other.length), sp.expand(self.force + other.force))
+
+    def __pow__(self, exponent: object) -> Dimension:
+        e = sp.sympify(exponent)
+        return Dimension(sp.expand(self.length * e), sp.expand(self.force * e))
+
+
+NUMBER = Dimension.of()
+LENGTH = Dimension.of(1)
+FORCE = Dimension.of(0, 1)
+STRESS = Dimension.of(-2, 1)
+STIFFNESS = Dimension.of(-1, 1)
+
+
+@dataclass(frozen=True)
+class Notation:
+    """What the handbook, the docstrings and the error messages say about one symbol."""
+
+    symbol: sp.Symbol
+    latex: str
+    dimension: Dimension
+    unit: str
+    domain: str
+    meaning: str
+
+    @property
+    def name(self) -> str:
+        return str(self.symbol.name)
+
+
+_RECORDS: dict[str, Notation] = {}
+
+
+def _define(name: str, latex: str, dimension: Dimension, unit: str, domain: str, meaning: str) -> sp.Symbol:
+    symbol = sp.Symbol(name, positive=True)
+    _RECORDS[name] = Notation(symbol, latex, dimension, unit, domain, meaning)
+    return symbol
+
+
+def describe(symbol: sp.Symbol | sp.IndexedBase | str) -> Notation:
+    """The record of a symbol; `KeyError` if the notation does not know it."""
+    name = symbol if isinstance(symbol, str) else str(getattr(symbol, "label", symbol))
+    return _RECORDS[name]
+
+
+def known(name: str) -> bool:
+    return name in _RECORDS
+
+
+def all_notation() -> tuple[Notation, ...]:
+    """All records in order of definition (fields, loads, material, geometry, auxiliary)."""
+    return tuple(_RECORDS.values())
+
+
+# fields: where a quantity is asked for, or what is asked
+r = _define("r", "r", LENGTH, "m", "r >= 0", "distance from the axis")
+a = _define("a", "a", LENGTH, "m", "a > 0", "contact radius")
+d = _define("d", "d", LENGTH, "m", "d > 0", "indentation depth of the point r = 0")
+F = _define("F", r"F_{\mathrm N}", FORCE, "N", "F > 0", "normal force")
+p = _define("p", "p", STRESS, "Pa", "", "contact pressure, positive in compression")
+w = _define("w", "w", LENGTH, "m", "", "surface displacement into the half space")
+f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from its apex")
+g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
+p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
+stiffness = _define("stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd")
+
+# material
+E_star = _define("E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i")
+
+# geometry
+theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
+R = _define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")
+R1 = _define("R1", "R_1", LENGTH, "m", "R1 > 0", "radius of curvature of the inner part")
+R2 = _define("R2", "R_2", LENGTH, "m", "R2 > 0", "radius of curvature of the outer part")
+b = _define("b", "b", LENGTH, "m", "b > 0", "radius of the break between two parts of the profile")
+n = _define("n", "n", NUMBER, "1", "n > 0", "exponent of the profile")
+A = _define("A", "A", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "A > 0", "coefficient of a power-law profile")
+h = _define("h", "h", LENGTH, "m", "h > 0", "height of the profile")
+s = _define("s", "s", LENGTH, "m", "s > 0", "length scale of the profile")
+wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wavelength of the waviness")
+
+# auxiliary: integration variables, never arguments of a function
+t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
+x = _define("x", "x", LENGTH, "m", "", "lower limit of a primitive")
+u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
+j = sp.Symbol("j", integer=True, positive=True)
+N = sp.Symbol("N", integer=True, positive=True)
+_RECORDS["j"] = Notation(j, "j", NUMBER, "1", "", "summation index")
+_RECORDS["N"] = Notation(N, "N", NUMBER, "1", "", "degree of a polynomial profile")
+coefficients = sp.IndexedBase("A")
