@@ -19,14 +19,11 @@ def _is_natural(exponent: sp.Expr) -> bool:
     return bool(exponent.is_Integer and exponent >= 0)
 
 
-def _odd_moment(order: sp.Expr, lower: sp.Expr, sign: int, k: sp.Expr) -> Form:
-    """int y**order |y**2 - lower**2|**((k - 1)/2) dy for odd order, as a finite sum valid for every k."""
-    m = (int(order) - 1) // 2
-    half_power = (k - 1) / 2
-    width = sign * (a**2 - lower**2)
-    base = a if sign > 0 else lower
+def _odd_moment(order: sp.Expr, base: sp.Expr, sign: int, width: sp.Expr, k: sp.Expr) -> Form:
+    """Finite sum for an odd order and every k: y = base**2 + sign*v turns the moment into int v**((k-1)/2) (...) dv."""
+    m, half_power = (int(order) - 1) // 2, (k - 1) / 2
     total = sum(
-        sp.binomial(m, i) * base ** (2 * (m - i)) * (-sign) ** i * width**i / (half_power + 1 + i) for i in range(m + 1)
+        sp.binomial(m, i) * base ** (2 * (m - i)) * (sign * width) ** i / (half_power + 1 + i) for i in range(m + 1)
     )
     return Form.of(width ** (half_power + 1), total / 2)
 
@@ -50,7 +47,7 @@ def depth_moment(s: sp.Expr, b: sp.Expr = ZERO, k: sp.Expr = ZERO) -> Form:
         beta = gamma_normalised(p) * gamma_normalised(q) / gamma_normalised(p + q)
         return Form.of(ONE, a ** (s + k) * beta / 2)
     if q.is_Integer and q > 0:
-        return _odd_moment(s, b, +1, k)
+        return _odd_moment(s, a, -1, a**2 - b**2, k)
     return Form.of(IncompleteBeta(1 - b**2 / a**2, p, q), a ** (s + k) / 2)
 
 
@@ -64,9 +61,7 @@ def pressure_moment(s: sp.Expr, k: sp.Expr = ZERO) -> Form:
             form = form * (sp.Rational(i - 1, i) * r**2) + Form.of(root, a ** (i - 1) / sp.Integer(i))
         return form
     if s.is_Integer and s > 0 and s % 2 == 1:
-        m, width, half_power = (int(s) - 1) // 2, a**2 - r**2, (k - 1) / 2
-        total = sum(sp.binomial(m, i) * r ** (2 * (m - i)) * width**i / (half_power + 1 + i) for i in range(m + 1))
-        return Form.of(width ** (half_power + 1), total / 2)
+        return _odd_moment(s, r, +1, a**2 - r**2, k)
     if k == 0 and s in (-HALF, HALF):  # lemniscatic: t = r/cos(phi)^2
         amplitude = sp.asin(sp.sqrt(1 - r / a))
         first, second = sp.elliptic_f(amplitude, HALF), sp.elliptic_e(amplitude, HALF)

@@ -1,0 +1,30 @@
+"""The catalogue of profiles, in the order of the handbook."""
+
+from __future__ import annotations
+
+import difflib
+from importlib import import_module
+
+from .profile import Profile
+
+COMPACT_NAMES = (
+    "cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial", "sphere", "ellipsoid", "hyperboloid",
+    "truncated_cone", "truncated_paraboloid", "rounded_cone", "capped_paraboloid", "rounded_punch",
+    "rounded_curved_punch", "sphere_tipped_cone", "wavy_paraboloid", "gaussian",
+)  # fmt: skip
+COMPLETE_NAMES = ("flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic")
+NAMES = COMPACT_NAMES + COMPLETE_NAMES
+
+
+def load(name: str) -> Profile:
+    """The profile of that name; `KeyError` with the nearest name if there is none."""
+    if name not in NAMES:
+        near = difflib.get_close_matches(name, NAMES, n=1)
+        message = f"unknown profile {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
+        raise KeyError(message)
+    profile: Profile = import_module(f".{name}", __package__).PROFILE
+    return profile
+
+
+def catalogue() -> tuple[Profile, ...]:
+    return tuple(load(name) for name in NAMES)

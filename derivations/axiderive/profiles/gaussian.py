@@ -1,0 +1,22 @@
+"""Gaussian bump."""
+
+import sympy as sp
+
+from ..notation import a, h, r, s
+from .profile import Limit, Piece, Profile, Sketch
+
+# where z D(z), D Dawson's function, has its maximum: beyond it the depth would fall with a growing contact
+COMPACT_LIMIT = sp.Float("1.5019752682682", 14)
+
+PROFILE = Profile(
+    name="gaussian",
+    title="Gaussian bump",
+    subtitle="A smooth asperity of height h and width s; compact up to a/s = 1.50198, where the depth is largest.",
+    contact="compact",
+    parameters=(h, s),
+    pieces=(Piece(None, h * (1 - sp.exp(-(r**2) / s**2))),),
+    validity="h << s",
+    sources=("Popov, Heß & Willert 2019",),
+    sketch=Sketch(((h, 0.7), (s, 1.0)), a=1.0),
+    chain=(a, COMPACT_LIMIT * s),
+)

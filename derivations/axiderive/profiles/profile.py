@@ -1,0 +1,82 @@
+"""What a profile file holds: the shape f(r) and what the handbook says about it - data, no algebra."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Piece:
+    """f(r) = expr for r up to `upper` (None: to the end)."""
+
+    upper: sp.Expr | None
+    expr: sp.Expr
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A condition between parameters, checked by the generated functions: `left <= right` or `left < right`.
+
+    `reason` completes the sentence "... because" of the error message, with the next step.
+    """
+
+    left: sp.Expr
+    right: sp.Expr
+    strict: bool
+    reason: str
+
+    def relation(self) -> sp.Expr:
+        return (sp.StrictLessThan if self.strict else sp.LessThan)(self.left, self.right)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """`target` is reached from this profile when `symbol` tends to `value`; `mapping` names the target's parameters."""
+
+    target: str
+    symbol: sp.Symbol
+    value: sp.Expr
+    mapping: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """Numbers the picture is drawn with, and the names of the dimensions to show."""
+
+    values: tuple[tuple[sp.Symbol, float], ...]
+    a: float
+    d: float | None = None
+
+
+@dataclass(frozen=True)
+class Profile:
+    """One indenter profile."""
+
+    name: str
+    title: str
+    subtitle: str
+    contact: Literal["compact", "complete"]
+    parameters: tuple[sp.Symbol, ...]
+    pieces: tuple[Piece, ...]
+    validity: str
+    sources: tuple[str, ...]
+    sketch: Sketch
+    abbreviations: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    rules: tuple[Rule, ...] = ()
+    chain: tuple[sp.Expr, ...] = ()
+    """Ordering that always holds, e.g. (a, R) for the sphere: a < R."""
+    limits: tuple[Limit, ...] = ()
+    synonyms: tuple[str, ...] = ()
+    note: str = ""
+
+    @property
+    def breaks(self) -> tuple[sp.Expr, ...]:
+        return tuple(piece.upper for piece in self.pieces if piece.upper is not None)
+
+    @property
+    def truncated(self) -> bool:
+        """The tip is flat up to the first break: the contact radius never is smaller."""
+        return self.pieces[0].expr == 0 and bool(self.breaks)
