@@ -7,6 +7,7 @@ function.  Python, LaTeX and tests are views of the same entries.
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
@@ -42,8 +43,9 @@ class Case:
     chain: tuple[sp.Expr, ...]
     expr: sp.Expr
 
-    def conditions(self) -> tuple[sp.Expr, ...]:
-        return tuple(sp.StrictLessThan(lo, hi) for lo, hi in zip(self.chain, self.chain[1:], strict=False))
+    def below(self, low: sp.Expr, high: sp.Expr) -> bool:
+        """Whether the chain says low < high (both must be in it)."""
+        return self.chain.index(low) < self.chain.index(high)
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,12 @@ class Entry:
     definition: sp.Expr
     parameters: tuple[sp.Symbol, ...]
     references: tuple[str, ...] = ()
+    fixed_face: tuple[Case, ...] = ()
+    """Complete contact: the cases with the coefficient of the face written as C, independent of a."""
+    composed: tuple[str, str] | None = None
+    """Suffixes (outer, inner) when the result is best read and computed as outer(inner), as F(a(d))."""
+    partial: Entry | None = None
+    """Complete contact before the edge is reached: the compact entry whose a is the current contact radius."""
     primitives: dict[tuple[sp.Expr, ...], tuple[Primitive, ...]] = field(default_factory=dict, hash=False)
     note: str = ""
 
@@ -78,10 +86,40 @@ class Entry:
     def suffix(self) -> str:
         return self.quantity.suffix
 
+    def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:
+        """The distinct formulas with the fewest comparisons (low, high) that tell them apart, for print and code.
+
+        Cases that differ only in comparisons without influence fall together:
+        the displacement of a rounded cone needs a < b or b < a, not where r is.
+        """
+        groups: dict[sp.Expr, list[Case]] = {}
+        for case in self.cases:
+            groups.setdefault(case.expr, []).append(case)
+        out = []
+        for expr, own in groups.items():
+            others = [case for case in self.cases if case.expr != expr]
+            out.append((_distinguish(own, others), expr))
+        return tuple(out)
+
     def text(self) -> str:
         """The result as canonical text: what must not change with hash seed or SymPy version."""
         rows = [f"{' < '.join(map(sp.sstr, c.chain)) or 'always'}: {sp.sstr(c.expr)}" for c in self.cases]
         return f"{self.key} [{self.status}]\n  " + "\n  ".join(rows)
+
+
+def _distinguish(own: list[Case], others: list[Case]) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """The smallest set of comparisons that all of `own` fulfil and each of `others` violates somewhere."""
+    first = own[0].chain
+    shared = [
+        pair
+        for pair in itertools.combinations(first, 2)
+        if all(case.below(*pair) for case in own)
+    ]
+    for size in range(len(shared) + 1):
+        for chosen in itertools.combinations(shared, size):
+            if all(any(not other.below(*pair) for pair in chosen) for other in others):
+                return chosen
+    return tuple(shared)
 
 
 COMPACT = {
@@ -110,6 +148,7 @@ COMPLETE = {
         Quantity("w", "displacement", "Displacement outside", nt.w, (nt.r, nt.d)),
         Quantity("k", "stiffness", "Contact stiffness", nt.stiffness, ()),
         Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,)),
+        Quantity("rz", "zero_radius", "Ring of first zero pressure", nt.r_zero, ()),
         Quantity("dmin", "minimum_depth", "Least depth of complete contact", nt.d, ()),
         Quantity("Fmin", "minimum_force", "Least force of complete contact", nt.F, ()),
     )

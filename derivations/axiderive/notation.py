@@ -93,6 +93,7 @@ w = _define("w", "w", LENGTH, "m", "", "surface displacement into the half space
 f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from its apex")
 g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
 p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
+r_zero = _define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
 stiffness = _define("stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd")
 
 # material
@@ -114,6 +115,8 @@ wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "w
 t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
 x = _define("x", "x", LENGTH, "m", "", "lower limit of a primitive")
 u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
+psi = _define("psi", r"\\psi", NUMBER, "rad", "", "regularised angle of integration")
+C = _define("C", "C", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "", "coefficient h/a^n of a concave face, held fixed while the radius varies")
 j = sp.Symbol("j", integer=True, positive=True)
 N = sp.Symbol("N", integer=True, positive=True)
 _RECORDS["j"] = Notation(j, "j", NUMBER, "1", "", "summation index")

@@ -45,7 +45,17 @@ class Form(dict[sp.Expr, sp.Expr]):
             if any(power.exp.free_symbols for power in coefficient.atoms(sp.Pow)):
                 coefficient = sp.powsimp(coefficient, combine="exp")
             if coefficient != 0:
-                terms.append(coefficient * master)
+                terms.append(_absorb(coefficient, master))
         plain = sp.Add(*terms)
         pulled = sp.factor_terms(plain)
         return pulled if pulled.count_ops() < plain.count_ops() else plain
+
+
+def _absorb(coefficient: sp.Expr, master: sp.Expr) -> sp.Expr:
+    """coefficient * master with sqrt(P)/P written as 1/sqrt(P)."""
+    for factor in sp.Mul.make_args(master):
+        if factor.is_Pow and factor.exp == sp.S.Half:
+            multiplied = sp.factor(coefficient * factor.base)
+            if sp.count_ops(sp.denom(multiplied)) < sp.count_ops(sp.denom(coefficient)):
+                coefficient, master = multiplied, master / factor.base
+    return coefficient * master

@@ -3,7 +3,7 @@
 import sympy as sp
 
 from ..notation import a, b, h, r
-from .profile import Limit, Piece, Profile, Sketch
+from .profile import Piece, Profile, Sketch
 
 PROFILE = Profile(
     name="ellipsoid",

@@ -2,8 +2,8 @@
 
 import sympy as sp
 
-from ..notation import a, h, r, s
-from .profile import Limit, Piece, Profile, Sketch
+from ..notation import h, r, s
+from .profile import Piece, Profile, Sketch
 
 # where z D(z), D Dawson's function, has its maximum: beyond it the depth would fall with a growing contact
 COMPACT_LIMIT = sp.Float("1.5019752682682", 14)
@@ -18,5 +18,5 @@ PROFILE = Profile(
     validity="h << s",
     sources=("Popov, Heß & Willert 2019",),
     sketch=Sketch(((h, 0.7), (s, 1.0)), a=1.0),
-    chain=(a, COMPACT_LIMIT * s),
+    largest=COMPACT_LIMIT * s,
 )

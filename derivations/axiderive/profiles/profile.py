@@ -68,6 +68,8 @@ class Profile:
     rules: tuple[Rule, ...] = ()
     chain: tuple[sp.Expr, ...] = ()
     """Ordering that always holds, e.g. (a, R) for the sphere: a < R."""
+    largest: sp.Expr | None = None
+    """Largest contact radius, where it is not the end of `chain`: beyond it the contact is not compact."""
     limits: tuple[Limit, ...] = ()
     synonyms: tuple[str, ...] = ()
     note: str = ""

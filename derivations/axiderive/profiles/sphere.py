@@ -3,7 +3,7 @@
 import sympy as sp
 
 from ..notation import R, a, r
-from .profile import Limit, Piece, Profile, Sketch
+from .profile import Piece, Profile, Sketch
 
 PROFILE = Profile(
     name="sphere",

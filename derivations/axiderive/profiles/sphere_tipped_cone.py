@@ -17,7 +17,7 @@ PROFILE = Profile(
     ),
     abbreviations=((b, R * sp.sin(theta)),),
     validity="tan(theta) << 1",
-    sources=("Ciavarella 1999",),
+    sources=(),
     sketch=Sketch(((R, 1.2), (theta, 0.45)), a=1.0),
     chain=(b, R),
     synonyms=("sphero-conical indenter",),

@@ -1,0 +1,236 @@
+"""Atoms: the shapes every profile is a sum of, and their four Abel integrals.
+
+With k the exponent of grading (k = 0: homogeneous half space) an atom gives
+
+    depth         g(a)  = a**(1-k) int_0^a f'(r) (a^2 - r^2)**((k-1)/2) dr            (11.61), (11.29)
+    force         F^(a) = int_0^a t**k (g(a) - g(t)) dt                               (11.51), (11.20)
+    pressure      P^(r) = int_r^a g'(t) (t^2 - r^2)**((k-1)/2) dt                     (11.53), (11.23)
+    displacement  W^(r) = int_0^a t**k (g(a) - g(t)) (r^2 - t^2)**(-(1+k)/2) dt       (11.56)
+
+without prefactors.  Exchanging the order of integration leaves one algebraic
+integral for each (ENGINE: the three lemmas), so no iterated integral appears.
+A result that is not known in closed form is `None`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import sympy as sp
+
+from ..entry import Primitive
+from ..notation import a, r, x
+from .form import Form
+from .masters import ArctanIntegral, IncompleteBeta, LegendreChi2, gamma_normalised
+from .moments import (
+    ONE,
+    ZERO,
+    arccos_moment,
+    depth_moment,
+    elliptic_moment,
+    outside_kernel,
+    outside_moment,
+    pressure_moment,
+)
+from .order import Order
+
+
+class Atom(Protocol):
+    """Shape that is zero up to its break, with the four Abel integrals on a chain of lengths."""
+
+    def shape(self, order: Order) -> sp.Expr: ...
+    def depth(self, order: Order, k: sp.Expr) -> Form | None: ...
+    def primitives(self, order: Order) -> tuple[Primitive, ...]: ...
+    def force(self, order: Order, k: sp.Expr) -> Form | None: ...
+    def pressure(self, order: Order, k: sp.Expr) -> Form | None: ...
+    def displacement(self, order: Order, k: sp.Expr) -> Form | None: ...
+
+
+def _kernel(slope: sp.Expr) -> sp.Expr:
+    """Integrand of (11.29) in x for the slope f'(x)."""
+    return a * slope / sp.sqrt(a**2 - x**2)
+
+
+@dataclass(frozen=True)
+class PowerAtom:
+    """c (r**n - b**n) for r > b; carries every continuous piecewise polynomial and, with b = 0, every real power."""
+
+    c: sp.Expr
+    n: sp.Expr
+    b: sp.Expr = ZERO
+
+    def shape(self, order: Order) -> sp.Expr:
+        return self.c * (r**self.n - (self.b**self.n if self.b != 0 else ZERO)) if order.below(self.b, r) else ZERO
+
+    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        if not order.below(self.b, a):
+            return Form()
+        return depth_moment(self.n - 1, self.b, k) * (self.c * self.n * a ** (1 - k))
+
+    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+        if not order.below(self.b, a):
+            return ()
+        moment = depth_moment(self.n - 1, x).expr()
+        # int_x^a has the derivative -integrand; the power of x at x = 0 is the complete Beta function
+        integrand = _kernel(self.c * self.n * x ** (self.n - 1))
+        return (Primitive(self.b, a, integrand, -self.c * self.n * a * moment),)
+
+    def force(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        """F^ = n [a**(1+k) g + c b**n (a^2-b^2)**((1+k)/2)] / ((1+k)(1+k+n)): one contiguity step, no integral."""
+        if not order.below(self.b, a):
+            return Form()
+        scale = 1 / ((1 + k) * (1 + k + self.n))
+        form = self.depth(order, k) * (a ** (1 + k) * self.n * scale)
+        if self.b != 0:
+            form = form + Form.of((a**2 - self.b**2) ** ((1 + k) / 2), self.c * self.n * self.b**self.n * scale)
+        return form
+
+    def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        if not order.below(self.b, a):
+            return Form()
+        if self.b == 0:
+            growth = depth_moment(self.n - 1, ZERO, k)[ONE].subs(a, ONE) * self.c * self.n  # g = growth * a**n
+            return pressure_moment(self.n - 1, k) * (growth * self.n)
+        if k != 0 or not self.n.is_Integer:
+            return None
+        # g'(t) = c n [n A_{n-1}(t; b) + b**n / sqrt(t^2 - b^2)]
+        inside = order.below(r, self.b)
+        total = elliptic_moment(0, self.b, inside) * self.b**self.n
+        for master, coefficient in depth_moment(self.n - 1, self.b).items():
+            for (power,), factor in sp.Poly(sp.expand(coefficient * self.n), a).terms():
+                if isinstance(master, sp.acos):
+                    total = total + arccos_moment(power, self.b, inside) * factor
+                else:  # sqrt(t^2 - b^2) t**power = t**power (t^2 - b^2)/sqrt(t^2 - b^2)
+                    total = total + elliptic_moment(power + 2, self.b, inside) * factor
+                    total = total + elliptic_moment(power, self.b, inside) * (-factor * self.b**2)
+        return total * (self.c * self.n)
+
+    def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        if not order.below(self.b, a):
+            return Form()
+        if k == 0 and self.n.is_Integer and not self.n.free_symbols:
+            depth = Form({master * sp.asin(a / r): factor for master, factor in self.depth(order).items()})
+            form = depth + outside_moment(int(self.n) + 1, self.b) * (-self.c)
+            return form + outside_moment(1, self.b) * (self.c * self.b**self.n) if self.b != 0 else form
+        if self.b != 0:
+            return None
+        n = self.n
+        half = sp.S.Half
+        growth = self.c * n * gamma_normalised((1 + k) / 2) * gamma_normalised(n / 2) / gamma_normalised((1 + k + n) / 2)
+        tail = IncompleteBeta(a**2 / r**2, (n + k + 1) / 2, (1 - k) / 2)
+        return outside_kernel(k) * (growth * half * a**n) + Form.of(tail, -growth * half * half * r**n)
+
+
+@dataclass(frozen=True)
+class SphereAtom:
+    """c (R - sqrt(R**2 - r**2)) up to `cap`, constant beyond; without a cap a < R is understood."""
+
+    c: sp.Expr
+    R: sp.Expr
+    cap: sp.Expr | None = None
+
+    def _capped(self, order: Order) -> bool:
+        return self.cap is not None and order.below(self.cap, a)
+
+    def shape(self, order: Order) -> sp.Expr:
+        top = self.cap if self.cap is not None and order.below(self.cap, r) else r
+        return self.c * (self.R - sp.sqrt(self.R**2 - top**2))
+
+    def _angle(self, order: Order) -> sp.Expr:
+        """S_0 = int_0^min(a, cap) s / (sqrt(R^2 - s^2) sqrt(a^2 - s^2)) ds."""
+        if not self._capped(order):
+            return sp.atanh(a / self.R)
+        root_a, root_R = sp.sqrt(a**2 - self.cap**2), sp.sqrt(self.R**2 - self.cap**2)
+        return sp.log((a + self.R) / (root_a + root_R))
+
+    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        return Form.of(self._angle(order), self.c * a) if k == 0 else None
+
+    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+        integrand = _kernel(self.c * x / sp.sqrt(self.R**2 - x**2))
+        root_a, root_R = sp.sqrt(a**2 - x**2), sp.sqrt(self.R**2 - x**2)
+        if self._capped(order):
+            return (Primitive(ZERO, self.cap, integrand, -self.c * a * sp.log(root_a + root_R)),)
+        return (Primitive(ZERO, a, integrand, -self.c * a * sp.atanh(root_a / root_R)),)
+
+    def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """c S_1 with 2 S_1 = (a^2 + R^2) S_0 + [sqrt(R^2 - s^2) sqrt(a^2 - s^2)] over the range."""
+        if k != 0:
+            return None
+        end = -a * self.R
+        if self._capped(order):
+            end = sp.sqrt(a**2 - self.cap**2) * sp.sqrt(self.R**2 - self.cap**2) - a * self.R
+        return Form.of(self._angle(order), self.c * (self.R**2 + a**2) / 2) + Form.of(ONE, self.c * end / 2)
+
+    def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """int (atanh(t/R) + t R/(R^2 - t^2)) / sqrt(t^2 - r^2) dt by Landen's substitution t + sqrt(t^2 - r^2)."""
+        if k != 0 or self._capped(order):
+            return None
+        root_a, root_R = sp.sqrt(a**2 - r**2), sp.sqrt(self.R**2 - r**2)
+        form = Form.of(LegendreChi2((a + root_a) / (self.R + root_R)), self.c)
+        form = form + Form.of(LegendreChi2((a - root_a) / (self.R + root_R)), -self.c)
+        return form + Form.of(sp.atanh(root_a / root_R) / root_R, self.c * self.R)
+
+    def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """Lemma for W^ with f split as (R^2 - s^2)/sqrt(R^2 - s^2): two angles and one arc."""
+        if k != 0:
+            return None
+        q, capped = sp.sqrt(r**2 - a**2), self._capped(order)
+        form = Form.of(self._angle(order) * sp.asin(a / r), self.c * a) + outside_moment(1) * (-self.c * self.R)
+        form = form + Form.of(self._angle(order) * q, self.c)
+        if capped:
+            form = form + outside_moment(1, self.cap) * (self.c * sp.sqrt(self.R**2 - self.cap**2))
+        # (R^2 - r^2) int s ds / ((r^2 - s^2) sqrt(R^2 - s^2) sqrt(a^2 - s^2)) in y = sqrt((a^2 - s^2)/(R^2 - s^2))
+        start = a / self.R
+        stop = sp.sqrt(a**2 - self.cap**2) / sp.sqrt(self.R**2 - self.cap**2) if capped else ZERO
+        if order.below(r, self.R):
+            rho = sp.sqrt(self.R**2 - r**2)
+            arc = sp.atan(rho * start / q) - (sp.atan(rho * stop / q) if capped else ZERO)
+            return form + Form.of(rho, self.c * arc)
+        rho = sp.sqrt(r**2 - self.R**2)
+        if order.below(a, self.R):
+            arc = sp.atanh(rho * start / q) - (sp.atanh(rho * stop / q) if capped else ZERO)
+        else:  # acoth = atanh of the inverse
+            arc = sp.atanh(q / (rho * start)) - (sp.atanh(q / (rho * stop)) if capped else ZERO)
+        return form + Form.of(rho, -self.c * arc)
+
+
+@dataclass(frozen=True)
+class HyperboloidAtom:
+    """c (sqrt(r**2 + b**2) - b)."""
+
+    c: sp.Expr
+    b: sp.Expr
+
+    def shape(self, order: Order) -> sp.Expr:
+        return self.c * (sp.sqrt(r**2 + self.b**2) - self.b)
+
+    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        return Form.of(sp.atan(a / self.b), self.c * a) if k == 0 else None
+
+    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+        root_a, root_b = sp.sqrt(a**2 - x**2), sp.sqrt(self.b**2 + x**2)
+        return (Primitive(ZERO, a, _kernel(self.c * x / root_b), -self.c * a * sp.atan(root_a / root_b)),)
+
+    def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        if k != 0:
+            return None
+        return Form.of(sp.atan(a / self.b), self.c * (a**2 - self.b**2) / 2) + Form.of(ONE, self.c * a * self.b / 2)
+
+    def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        if k != 0:
+            return None
+        root_a, root_b = sp.sqrt(a**2 - r**2), sp.sqrt(self.b**2 + r**2)
+        form = Form.of(ArctanIntegral((a + root_a) / (self.b + root_b)), self.c)
+        form = form + Form.of(ArctanIntegral((a - root_a) / (self.b + root_b)), -self.c)
+        return form + Form.of(sp.atan(root_a / root_b) / root_b, self.c * self.b)
+
+    def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        if k != 0:
+            return None
+        q, root_b = sp.sqrt(r**2 - a**2), sp.sqrt(self.b**2 + r**2)
+        angle = sp.atan(a / self.b)
+        form = Form.of(angle * sp.asin(a / r), self.c * a) + Form.of(angle * q, self.c)
+        form = form + outside_moment(1) * (self.c * self.b)
+        return form + Form.of(sp.atan(a * root_b / (self.b * q)), -self.c * root_b)

@@ -1,0 +1,1 @@
+"""Contact problems as entries: normal contact, compact and complete."""

@@ -1,0 +1,175 @@
+"""Complete contact: the edge is fixed, the depth is free.
+
+With w1D = d - g the edge term of (11.107), E* w1D(a)/(pi sqrt(a^2 - r^2)),
+remains; a concave face needs a least depth and force.  A face -h (r/a)^n is
+reduced with its coefficient C = h/a^n held fixed, because the Abel integrals
+are taken over the radius.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..abel.form import Form
+from ..abel.masters import Master
+from ..abel.order import Order
+from ..abel.reduce import Reduced, parse
+from ..entry import COMPLETE, Case, Entry, Status
+from ..notation import C, E_star, F, a, d, n, r, r_zero
+from ..profiles.profile import Piece, Profile
+
+REFERENCES = {
+    "F": ("(11.13)", "(11.20)"),
+    "p": ("(11.15)", "(11.107)"),
+    "w": ("(11.12)", "(11.105)"),
+    "k": ("(11.14)",),
+    "dF": ("(11.14)", "(11.20)"),
+    "rz": (),
+    "dmin": (),
+    "Fmin": (),
+}
+
+
+def derive(profile: Profile) -> dict[str, Entry]:
+    """All entries of a profile in complete contact, keyed by suffix."""
+    face, coefficient = _fixed_face(profile)
+    reduced = parse(face)
+    fixed = _fixed_formulas(reduced)
+    cases = {name: Case(case.chain, case.expr.subs(C, coefficient)) for name, case in fixed.items()}
+    concave = coefficient != 0
+    if not concave and reduced.atoms:
+        return _with_partial(profile, cases, fixed)
+    entries = {name: _entry(profile, name, (case,), fixed_face=(fixed[name],)) for name, case in cases.items()}
+    if concave:
+        entries |= _threshold(profile, reduced, coefficient, cases)
+    return entries
+
+
+def _entry(
+    profile: Profile,
+    suffix: str,
+    cases: tuple[Case, ...],
+    status: Status = "closed",
+    fixed_face: tuple[Case, ...] = (),
+    partial: Entry | None = None,
+) -> Entry:
+    needs_modulus = suffix in ("F", "p", "k", "dF", "Fmin")
+    return Entry(
+        key=f"{profile.name}.{suffix}",
+        profile=profile,
+        quantity=COMPLETE[suffix],
+        status=status,
+        cases=cases,
+        definition=definitions()[suffix],
+        parameters=profile.parameters + ((E_star,) if needs_modulus else ()),
+        references=REFERENCES[suffix],
+        fixed_face=fixed_face,
+        partial=partial,
+    )
+
+
+def definitions() -> dict[str, sp.Expr]:
+    """The defining integrals of complete contact, with w1D(t) = d - g(t)."""
+    w1D, t = sp.Function("w1D"), sp.Symbol("t", positive=True)
+    edge = w1D(a) / sp.sqrt(a**2 - r**2)
+    pressure = E_star / sp.pi * (edge - sp.Integral(sp.Derivative(w1D(t), t) / sp.sqrt(t**2 - r**2), (t, r, a)))
+    force = 2 * E_star * sp.Integral(w1D(t), (t, 0, a))
+    return {
+        "F": force,
+        "p": pressure,
+        "w": 2 / sp.pi * sp.Integral(w1D(t) / sp.sqrt(r**2 - t**2), (t, 0, a)),
+        "k": sp.Derivative(F, d),
+        "dF": sp.Eq(force, F),
+        "rz": sp.Eq(sp.Derivative(sp.sqrt(a**2 - r**2) * sp.Function("p")(r), r), 0),
+        "dmin": sp.Eq(sp.Function("p")(r_zero), 0),
+        "Fmin": force,
+    }
+
+
+def _fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
+    """The face with C for its coefficient where that depends on a, and what C stands for."""
+    (piece,) = profile.pieces
+    if not piece.expr.has(a):
+        return profile.pieces, sp.S.Zero
+    factor, power = piece.expr.as_independent(r, as_Add=False)
+    return (Piece(None, -C * power),), -factor
+
+
+def _fixed_formulas(reduced: Reduced) -> dict[str, Case]:
+    """Force, pressure, displacement, stiffness and depth(F) with the coefficient of the face independent of a."""
+    inside, outside, edge = (r, a), (a, r), (a,)
+    g, force = reduced.depth(Order(edge)), reduced.force(Order(edge))
+    pressure, displacement = reduced.pressure(Order(inside)), reduced.displacement(Order(outside))
+    gap = Form.of(d) + g * -1
+    depth = Form.of(F, 1 / (2 * E_star * a)) + g + force * (-1 / a)
+    rim = Form({master / sp.sqrt(a**2 - r**2): factor for master, factor in gap.items()})
+    arc = Form({master * sp.asin(a / r): factor for master, factor in gap.items()})
+    return {
+        "F": Case(edge, ((gap * a + force) * (2 * E_star)).expr()),
+        "p": Case(inside, ((rim + pressure) * (E_star / sp.pi)).expr()),
+        "w": Case(outside, ((arc + displacement) * (2 / sp.pi)).expr()),
+        "k": Case(edge, 2 * E_star * a),
+        "dF": Case(edge, depth.expr()),
+    }
+
+
+def _with_partial(profile: Profile, cases: dict[str, Case], fixed: dict[str, Case]) -> dict[str, Entry]:
+    """A convex face touches first like the unbounded profile, with contact radius rho = a(d) < a."""
+    from dataclasses import replace
+
+    from .normal import derive as derive_compact
+
+    geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
+    unbounded = derive_compact(replace(profile, contact="compact", parameters=geometry))
+    rho = unbounded["ad"].cases[0].expr
+    full_force = unbounded["F"].cases[0].expr
+    entries = {}
+    for suffix, case in cases.items():
+        if suffix == "dF":
+            partial = Case((F, full_force), unbounded["dF"].cases[0].expr)
+            both = (partial, Case((full_force, F), case.expr))
+        else:
+            source = unbounded[suffix].cases[0]
+            moved = source.expr.subs(a, rho)
+            before = {"p": ((r, rho, a),), "w": ((rho, r, a), (rho, a, r))}.get(suffix, ((rho, a),))
+            after = {"p": ((r, a, rho),), "w": ((a, r, rho), (a, rho, r))}.get(suffix, ((a, rho),))
+            both = tuple(Case(chain, moved) for chain in before) + tuple(Case(chain, case.expr) for chain in after)
+        entries[suffix] = _entry(profile, suffix, both, fixed_face=(fixed[suffix],), partial=unbounded[suffix])
+    return entries
+
+
+def _threshold(profile: Profile, reduced: Reduced, coefficient: sp.Expr, cases: dict[str, Case]) -> dict[str, Entry]:
+    """Where and at which depth the pressure first vanishes on unloading.
+
+    sqrt(a^2 - r^2) p = E*/pi [d - g(a) + sqrt(a^2 - r^2) P^(r)] has its minimum over r at the centre for n <= 2
+    and on a ring for n > 2; there d is the least depth of complete contact.
+    """
+    chain = Order((r, a))
+    root = sp.sqrt(a**2 - r**2)
+    pressure = reduced.pressure(chain).expr()
+    depth = reduced.depth(Order((a,))).expr()
+    weighted = sp.expand(root * pressure)
+    slope = sp.diff(root * pressure, r)
+    if pressure.has(Master):
+        (master,) = pressure.atoms(Master)
+        level = sp.Symbol("level")
+        linear = sp.expand(slope.subs(master, level))
+        solved = -linear.coeff(level, 0) / linear.coeff(level, 1)
+        at_ring = sp.powsimp(sp.factor(sp.powsimp(sp.expand((root * pressure).subs(master, solved)))))
+        ring = Case((sp.Integer(2), n), sp.Eq(master, sp.powsimp(sp.factor(solved), combine="exp")).subs(r, r_zero))
+        centre = Case((sp.S.One, n, sp.Integer(2)), sp.S.Zero)
+        status: Status = "root"
+        ring_cases: tuple[Case, ...] = (centre, ring)
+    else:
+        stationary = sp.Poly(sp.cancel(sp.together(sp.expand(weighted).subs(root, sp.S.One)).diff(r) / r), r)
+        found = [z for z in sp.roots(stationary) if z.is_positive] if stationary.degree() else []
+        at_ring, status = weighted, "closed"
+        ring_cases = (Case((a,), found[0] if found else sp.S.Zero),)
+    least = sp.factor((depth - at_ring).subs(C, coefficient).subs(r, r_zero if status == "root" else ring_cases[0].expr))
+    least = sp.powsimp(least, combine="exp")
+    force = sp.factor(cases["F"].expr.subs(d, least))
+    return {
+        "rz": _entry(profile, "rz", ring_cases, status),
+        "dmin": _entry(profile, "dmin", (Case((a,), least),), "closed"),
+        "Fmin": _entry(profile, "Fmin", (Case((a,), force),), "closed"),
+    }
