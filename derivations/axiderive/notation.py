@@ -99,6 +99,9 @@ stiffness = _define("stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", S
 # material
 E_star = _define("E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i")
 
+k = _define("k", "k", NUMBER, "1", "-1 < k < 1", "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space")
+H = _define("H", "H", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H > 0", "foundation modulus of the graded half space, c_N(x) = H |x|^k")
+
 # geometry
 theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
 R = _define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")

@@ -15,72 +15,75 @@ from ..abel.masters import Master
 from ..abel.order import Order
 from ..abel.reduce import Reduced, parse
 from ..entry import COMPLETE, Case, Entry, Status
-from ..notation import C, E_star, F, a, d, n, r, r_zero
+from ..notation import C, F, a, d, n, r, r_zero, t
 from ..profiles.profile import Piece, Profile
+from .medium import HOMOGENEOUS, Medium
 
 REFERENCES = {
-    "F": ("(11.13)", "(11.20)"),
-    "p": ("(11.15)", "(11.107)"),
-    "w": ("(11.12)", "(11.105)"),
-    "k": ("(11.14)",),
-    "dF": ("(11.14)", "(11.20)"),
-    "rz": (),
-    "dmin": (),
-    "Fmin": (),
+    "F": (("(11.13)", "(11.20)"), ("(11.45)", "(11.51)")),
+    "p": (("(11.15)", "(11.107)"), ("(11.47)", "(11.53)")),
+    "w": (("(11.12)", "(11.105)"), ("(11.44)", "(11.56)")),
+    "k": (("(11.14)",), ("(11.46)",)),
+    "dF": (("(11.14)", "(11.20)"), ("(11.46)", "(11.51)")),
+    "rz": ((), ()),
+    "dmin": ((), ()),
+    "Fmin": ((), ()),
 }
 
 
-def derive(profile: Profile) -> dict[str, Entry]:
+def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All entries of a profile in complete contact, keyed by suffix."""
     face, coefficient = _fixed_face(profile)
-    reduced = parse(face)
-    fixed = _fixed_formulas(reduced)
+    reduced = parse(face, medium.k)
+    fixed = _fixed_formulas(reduced, medium)
     cases = {name: Case(case.chain, case.expr.subs(C, coefficient)) for name, case in fixed.items()}
     concave = coefficient != 0
     if not concave and reduced.atoms:
-        return _with_partial(profile, cases, fixed)
-    entries = {name: _entry(profile, name, (case,), fixed_face=(fixed[name],)) for name, case in cases.items()}
+        return _with_partial(profile, medium, cases, fixed)
+    entries = {name: _entry(profile, medium, name, (case,), fixed_face=(fixed[name],)) for name, case in cases.items()}
     if concave:
-        entries |= _threshold(profile, reduced, coefficient, cases)
+        entries |= _threshold(profile, medium, reduced, coefficient, cases)
     return entries
 
 
 def _entry(
     profile: Profile,
+    medium: Medium,
     suffix: str,
     cases: tuple[Case, ...],
     status: Status = "closed",
     fixed_face: tuple[Case, ...] = (),
     partial: Entry | None = None,
 ) -> Entry:
-    needs_modulus = suffix in ("F", "p", "k", "dF", "Fmin")
+    modulus = (medium.modulus,) if suffix in ("F", "p", "k", "dF", "Fmin") else ()
+    exponent = (medium.k,) if medium.k != 0 else ()
     return Entry(
-        key=f"{profile.name}.{suffix}",
+        key=medium.key(profile.name, medium.group, suffix),
         profile=profile,
         quantity=COMPLETE[suffix],
         status=status,
         cases=cases,
-        definition=definitions()[suffix],
-        parameters=profile.parameters + ((E_star,) if needs_modulus else ()),
-        references=REFERENCES[suffix],
+        definition=definitions(medium)[suffix],
+        parameters=profile.parameters + modulus + exponent,
+        references=REFERENCES[suffix][medium.k != 0],
         fixed_face=fixed_face,
         partial=partial,
     )
 
 
-def definitions() -> dict[str, sp.Expr]:
+def definitions(medium: Medium) -> dict[str, sp.Expr]:
     """The defining integrals of complete contact, with w1D(t) = d - g(t)."""
-    w1D, t = sp.Function("w1D"), sp.Symbol("t", positive=True)
-    edge = w1D(a) / sp.sqrt(a**2 - r**2)
-    pressure = E_star / sp.pi * (edge - sp.Integral(sp.Derivative(w1D(t), t) / sp.sqrt(t**2 - r**2), (t, r, a)))
-    force = 2 * E_star * sp.Integral(w1D(t), (t, 0, a))
+    w1D, k = sp.Function("w1D"), medium.k
+    edge = w1D(a) * (a**2 - r**2) ** ((k - 1) / 2)
+    sunk = sp.Integral(sp.Derivative(w1D(t), t) * (t**2 - r**2) ** ((k - 1) / 2), (t, r, a))
+    force = medium.force_scale * sp.Integral(t**k * w1D(t), (t, 0, a))
     return {
         "F": force,
-        "p": pressure,
-        "w": 2 / sp.pi * sp.Integral(w1D(t) / sp.sqrt(r**2 - t**2), (t, 0, a)),
+        "p": medium.pressure_scale * (edge - sunk),
+        "w": medium.displacement_scale * sp.Integral(t**k * w1D(t) * (r**2 - t**2) ** (-(1 + k) / 2), (t, 0, a)),
         "k": sp.Derivative(F, d),
         "dF": sp.Eq(force, F),
-        "rz": sp.Eq(sp.Derivative(sp.sqrt(a**2 - r**2) * sp.Function("p")(r), r), 0),
+        "rz": sp.Eq(sp.Derivative((a**2 - r**2) ** ((1 - k) / 2) * sp.Function("p")(r), r), 0),
         "dmin": sp.Eq(sp.Function("p")(r_zero), 0),
         "Fmin": force,
     }
@@ -95,32 +98,33 @@ def _fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
     return (Piece(None, -C * power),), -factor
 
 
-def _fixed_formulas(reduced: Reduced) -> dict[str, Case]:
+def _fixed_formulas(reduced: Reduced, medium: Medium) -> dict[str, Case]:
     """Force, pressure, displacement, stiffness and depth(F) with the coefficient of the face independent of a."""
     inside, outside, edge = (r, a), (a, r), (a,)
     g, force = reduced.depth(Order(edge)), reduced.force(Order(edge))
     pressure, displacement = reduced.pressure(Order(inside)), reduced.displacement(Order(outside))
+    stiffness = medium.stiffness()
     gap = Form.of(d) + g * -1
-    depth = Form.of(F, 1 / (2 * E_star * a)) + g + force * (-1 / a)
-    rim = Form({master / sp.sqrt(a**2 - r**2): factor for master, factor in gap.items()})
-    arc = Form({master * sp.asin(a / r): factor for master, factor in gap.items()})
+    depth = Form.of(F, 1 / stiffness) + g + force * (-medium.force_scale / stiffness)
     return {
-        "F": Case(edge, ((gap * a + force) * (2 * E_star)).expr()),
-        "p": Case(inside, ((rim + pressure) * (E_star / sp.pi)).expr()),
-        "w": Case(outside, ((arc + displacement) * (2 / sp.pi)).expr()),
-        "k": Case(edge, 2 * E_star * a),
+        "F": Case(edge, (gap * stiffness + force * medium.force_scale).expr()),
+        "p": Case(inside, (gap.times(medium.punch_pressure()) + pressure * medium.pressure_scale).expr()),
+        "w": Case(outside, (gap.times(medium.punch_displacement()) + displacement * medium.displacement_scale).expr()),
+        "k": Case(edge, stiffness),
         "dF": Case(edge, depth.expr()),
     }
 
 
-def _with_partial(profile: Profile, cases: dict[str, Case], fixed: dict[str, Case]) -> dict[str, Entry]:
+def _with_partial(
+    profile: Profile, medium: Medium, cases: dict[str, Case], fixed: dict[str, Case]
+) -> dict[str, Entry]:
     """A convex face touches first like the unbounded profile, with contact radius rho = a(d) < a."""
     from dataclasses import replace
 
     from .normal import derive as derive_compact
 
     geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
-    unbounded = derive_compact(replace(profile, contact="compact", parameters=geometry))
+    unbounded = derive_compact(replace(profile, contact="compact", parameters=geometry), medium)
     rho = unbounded["ad"].cases[0].expr
     full_force = unbounded["F"].cases[0].expr
     entries = {}
@@ -134,18 +138,20 @@ def _with_partial(profile: Profile, cases: dict[str, Case], fixed: dict[str, Cas
             before = {"p": ((r, rho, a),), "w": ((rho, r, a), (rho, a, r))}.get(suffix, ((rho, a),))
             after = {"p": ((r, a, rho),), "w": ((a, r, rho), (a, rho, r))}.get(suffix, ((a, rho),))
             both = tuple(Case(chain, moved) for chain in before) + tuple(Case(chain, case.expr) for chain in after)
-        entries[suffix] = _entry(profile, suffix, both, fixed_face=(fixed[suffix],), partial=unbounded[suffix])
+        entries[suffix] = _entry(profile, medium, suffix, both, fixed_face=(fixed[suffix],), partial=unbounded[suffix])
     return entries
 
 
-def _threshold(profile: Profile, reduced: Reduced, coefficient: sp.Expr, cases: dict[str, Case]) -> dict[str, Entry]:
+def _threshold(
+    profile: Profile, medium: Medium, reduced: Reduced, coefficient: sp.Expr, cases: dict[str, Case]
+) -> dict[str, Entry]:
     """Where and at which depth the pressure first vanishes on unloading.
 
     sqrt(a^2 - r^2) p = E*/pi [d - g(a) + sqrt(a^2 - r^2) P^(r)] has its minimum over r at the centre for n <= 2
     and on a ring for n > 2; there d is the least depth of complete contact.
     """
     chain = Order((r, a))
-    root = sp.sqrt(a**2 - r**2)
+    root = (a**2 - r**2) ** ((1 - medium.k) / 2)
     pressure = reduced.pressure(chain).expr()
     depth = reduced.depth(Order((a,))).expr()
     weighted = sp.expand(root * pressure)
@@ -169,7 +175,7 @@ def _threshold(profile: Profile, reduced: Reduced, coefficient: sp.Expr, cases: 
     least = sp.powsimp(least, combine="exp")
     force = sp.factor(cases["F"].expr.subs(d, least))
     return {
-        "rz": _entry(profile, "rz", ring_cases, status),
-        "dmin": _entry(profile, "dmin", (Case((a,), least),), "closed"),
-        "Fmin": _entry(profile, "Fmin", (Case((a,), force),), "closed"),
+        "rz": _entry(profile, medium, "rz", ring_cases, status),
+        "dmin": _entry(profile, medium, "dmin", (Case((a,), least),), "closed"),
+        "Fmin": _entry(profile, medium, "Fmin", (Case((a,), force),), "closed"),
     }

@@ -1,7 +1,8 @@
 """Normal contact without adhesion: every quantity of every profile as an entry.
 
 Prefactors and definitions are those of chapter 11: depth (11.29), force
-(11.20), pressure (11.23), displacement (11.26) with r > a, stiffness (11.18).
+(11.20), pressure (11.23), displacement (11.26) with r > a, stiffness (11.18);
+on the power-law graded half space (11.61), (11.51), (11.53), (11.56), (11.46).
 """
 
 from __future__ import annotations
@@ -14,36 +15,42 @@ from ..abel.form import Form
 from ..abel.order import Chain, Order, insert
 from ..abel.reduce import Reduced, parse
 from ..entry import COMPACT, Case, Entry, Primitive, Status
-from ..notation import E_star, F, N, a, coefficients, d, f, g, j, psi, r, t, u
+from ..notation import F, N, a, coefficients, d, f, g, j, psi, r, t, u
 from ..profiles.profile import Piece, Profile
 from . import complete
 from .inverse import closed_inverse
+from .medium import HOMOGENEOUS, Medium
 
 REFERENCES = {
-    "d": ("(11.29)",),
-    "F": ("(11.20)",),
-    "p": ("(11.23)",),
-    "w": ("(11.26)",),
-    "k": ("(11.18)",),
-    "pm": (),
-    "ad": ("(11.16)",),
-    "aF": ("(11.20)",),
-    "Fd": ("(11.16)", "(11.20)"),
-    "dF": ("(11.16)", "(11.20)"),
+    "d": (("(11.29)",), ("(11.61)",)),
+    "F": (("(11.20)",), ("(11.51)",)),
+    "p": (("(11.23)",), ("(11.53)",)),
+    "w": (("(11.26)",), ("(11.56)",)),
+    "k": (("(11.18)",), ("(11.46)",)),
+    "pm": ((), ()),
+    "ad": (("(11.16)",), ("(11.48)",)),
+    "aF": (("(11.20)",), ("(11.51)",)),
+    "Fd": (("(11.16)", "(11.20)"), ("(11.48)", "(11.51)")),
+    "dF": (("(11.16)", "(11.20)"), ("(11.48)", "(11.51)")),
 }
 
 
-def definitions() -> dict[str, sp.Expr]:
+def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
     """The defining integrals, with f(r) the profile and g(t) the depth of an earlier contact of radius t."""
-    f_, g_ = sp.Function(f.name), sp.Function(g.name)
+    f_, g_, k = sp.Function(f.name), sp.Function(g.name), medium.k
     slope = sp.Derivative(g_(t), t)
-    depth = a * sp.Integral(sp.Derivative(f_(r), r) / sp.sqrt(a**2 - r**2), (r, 0, a))
-    force = 2 * E_star * sp.Integral(g_(a) - g_(t), (t, 0, a))
+    depth = a ** (1 - k) * sp.Integral(sp.Derivative(f_(r), r) * (a**2 - r**2) ** ((k - 1) / 2), (r, 0, a))
+    force = medium.force_scale * sp.Integral(t**k * (g_(a) - g_(t)), (t, 0, a))
+    if k == 0:
+        displacement = 2 / sp.pi * sp.Integral(slope * sp.asin(t / r), (t, 0, a))
+    else:
+        kernel = t**k * (g_(a) - g_(t)) * (r**2 - t**2) ** (-(1 + k) / 2)
+        displacement = medium.displacement_scale * sp.Integral(kernel, (t, 0, a))
     return {
         "d": depth,
         "F": force,
-        "p": E_star / sp.pi * sp.Integral(slope / sp.sqrt(t**2 - r**2), (t, r, a)),
-        "w": 2 / sp.pi * sp.Integral(slope * sp.asin(t / r), (t, 0, a)),
+        "p": medium.pressure_scale * sp.Integral(slope * (t**2 - r**2) ** ((k - 1) / 2), (t, r, a)),
+        "w": displacement,
         "k": sp.Derivative(F, d),
         "pm": F / (sp.pi * a**2),
         "ad": sp.Eq(g_(a), d),
@@ -53,7 +60,7 @@ def definitions() -> dict[str, sp.Expr]:
     }
 
 
-def derive(profile: Profile) -> dict[str, Entry]:
+def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All entries of a profile, keyed by suffix.
 
     Raises
@@ -64,8 +71,8 @@ def derive(profile: Profile) -> dict[str, Entry]:
         If the profile does not start at zero or has a jump.
     """
     if profile.contact == "complete":
-        return complete.derive(profile)
-    return _Compact(profile).entries()
+        return complete.derive(profile, medium)
+    return _Compact(profile, medium).entries()
 
 
 @dataclass
@@ -73,10 +80,11 @@ class _Compact:
     """The derivation of one compact profile."""
 
     profile: Profile
+    medium: Medium
 
     def __post_init__(self) -> None:
         self.pieces, self.summed = _summand(self.profile.pieces)
-        self.reduced: Reduced = parse(self.pieces)
+        self.reduced: Reduced = parse(self.pieces, self.medium.k)
         self.chains = self._contact_chains()
 
     def _contact_chains(self) -> tuple[Chain, ...]:
@@ -96,8 +104,8 @@ class _Compact:
 
     def entries(self) -> dict[str, Entry]:
         depth, primitives = self._depth()
-        force = tuple(Case(c, self._close(self.reduced.force(Order(c)) * (2 * E_star))) for c in self.chains)
-        mean = tuple(Case(c, self._close(self.reduced.force(Order(c)) * (2 * E_star / (sp.pi * a**2)))) for c in self.chains)
+        force = self._force(self.medium.force_scale)
+        mean = self._force(self.medium.force_scale / (sp.pi * a**2))
         pressure_status, pressure = self._pressure(depth)
         outside_status, outside = self._displacement(depth)
         entries = {
@@ -105,10 +113,13 @@ class _Compact:
             "F": self._entry("F", "closed", force),
             "p": self._entry("p", pressure_status, pressure),
             "w": self._entry("w", outside_status, outside),
-            "k": self._entry("k", "closed", (Case((a,), 2 * E_star * a),)),
+            "k": self._entry("k", "closed", (Case((a,), self.medium.stiffness()),)),
             "pm": self._entry("pm", "closed", mean),
         }
         return entries | self._inverses(depth, force)
+
+    def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
+        return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
 
     def _entry(
         self,
@@ -118,16 +129,17 @@ class _Compact:
         primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
         composed: tuple[str, str] | None = None,
     ) -> Entry:
-        material = () if suffix in ("d", "w", "ad") else (E_star,)
+        exponent = (self.medium.k,) if self.medium.k != 0 else ()
+        material = exponent if suffix in ("d", "w", "ad") else (self.medium.modulus, *exponent)
         return Entry(
-            key=f"{self.profile.name}.{suffix}",
+            key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
             quantity=COMPACT[suffix],
             status=status,
             cases=cases,
-            definition=definitions()[suffix],
+            definition=definitions(self.medium)[suffix],
             parameters=self.profile.parameters + material,
-            references=REFERENCES[suffix],
+            references=REFERENCES[suffix][self.medium.k != 0],
             primitives=primitives or {},
             composed=composed,
         )
@@ -147,24 +159,28 @@ class _Compact:
             for chain in insert(regime.chain, r, below=a):
                 form = self.reduced.pressure(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self._close(form * (E_star / sp.pi))))
+                    cases.append(Case(chain, self._close(form * self.medium.pressure_scale)))
                 else:
                     status = "integral"
                     cases.append(Case(chain, self._pressure_integral(chain, regime, cases)))
         return status, tuple(cases)
 
     def _pressure_integral(self, chain: Chain, regime: Case, earlier: list[Case]) -> sp.Expr:
-        """(11.23) in u = sqrt(t^2 - r^2), which removes the root at t = r; what lies below a break is known already."""
+        """(11.23), (11.53) in u = (t^2 - r^2)^((1 + k)/2), which removes the singularity at t = r.
+
+        What lies below a break is known already.
+        """
+        k = self.medium.k
         crossed = [b for b in self.profile.breaks if chain.index(r) < chain.index(b) < chain.index(a)]
         lower, known = sp.S.Zero, sp.S.Zero
         if crossed:
             b = crossed[-1]
             inner = next(case for case in earlier if case.chain.index(r) < case.chain.index(a) < case.chain.index(b))
-            lower, known = sp.sqrt(b**2 - r**2), inner.expr.subs(a, b)
-        radius = sp.sqrt(r**2 + u**2)
+            lower, known = (b**2 - r**2) ** ((1 + k) / 2), inner.expr.subs(a, b)
+        radius = sp.sqrt(r**2 + u ** (2 / (1 + k)))
         slope = sp.diff(regime.expr, a).subs(a, radius)
-        integral = sp.Integral(slope / radius, (u, lower, sp.sqrt(a**2 - r**2)))
-        return known + E_star / sp.pi * integral
+        integral = sp.Integral(slope / radius, (u, lower, (a**2 - r**2) ** ((1 + k) / 2)))
+        return known + self.medium.pressure_scale / (1 + k) * integral
 
     def _displacement(self, depth: tuple[Case, ...]) -> tuple[Status, tuple[Case, ...]]:
         status: Status = "closed"
@@ -173,13 +189,20 @@ class _Compact:
             for chain in insert(regime.chain, r, above=a):
                 form = self.reduced.displacement(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self._close(form * (2 / sp.pi))))
-                else:  # (11.26) in t = r sin(psi)
+                    cases.append(Case(chain, self._close(form * self.medium.displacement_scale)))
+                else:
                     status = "integral"
-                    slope = sp.diff(regime.expr, a).subs(a, r * sp.sin(psi))
-                    integral = sp.Integral(slope * r * sp.cos(psi) * psi, (psi, 0, sp.asin(a / r)))
-                    cases.append(Case(chain, 2 / sp.pi * integral))
+                    cases.append(Case(chain, self._displacement_integral(regime)))
         return status, tuple(cases)
+
+    def _displacement_integral(self, regime: Case) -> sp.Expr:
+        """(11.26) resp. (11.56) in t = r sin(psi)."""
+        k, earlier = self.medium.k, r * sp.sin(psi)
+        if k == 0:
+            kernel = sp.diff(regime.expr, a).subs(a, earlier) * r * sp.cos(psi) * psi
+        else:
+            kernel = sp.tan(psi) ** k * (regime.expr - regime.expr.subs(a, earlier))
+        return self.medium.displacement_scale * sp.Integral(kernel, (psi, 0, sp.asin(a / r)))
 
     def _inverses(self, depth: tuple[Case, ...], force: tuple[Case, ...]) -> dict[str, Entry]:
         radius_d, radius_F = closed_inverse(depth, d), closed_inverse(force, F)

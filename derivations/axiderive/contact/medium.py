@@ -1,0 +1,57 @@
+"""The elastic half space, and the flat punch on it: the building block of every contact.
+
+Homogeneous and power-law graded media differ in a modulus and an exponent only,
+c_N(x) = modulus * |x|^k (11.65), so that every rule is stated once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..abel.form import Form
+from ..abel.moments import outside_kernel
+from ..notation import E_star, H, a, k, r
+
+
+@dataclass(frozen=True)
+class Medium:
+    """A half space; the formulas are those of a flat punch of radius a pressed in by a unit depth."""
+
+    modulus: sp.Symbol
+    k: sp.Expr
+    group: str
+    """Prefix of the keys: cone.d on the homogeneous, cone.fgm.d on the graded half space."""
+
+    @property
+    def force_scale(self) -> sp.Expr:
+        """F = force_scale * F^."""
+        return 2 * self.modulus
+
+    @property
+    def pressure_scale(self) -> sp.Expr:
+        return self.modulus / sp.pi
+
+    @property
+    def displacement_scale(self) -> sp.Expr:
+        return 2 * sp.cos(sp.pi * self.k / 2) / sp.pi
+
+    def stiffness(self) -> sp.Expr:
+        """dF/dd of a contact of radius a, (11.14), (11.46)."""
+        return self.force_scale * a ** (1 + self.k) / (1 + self.k)
+
+    def punch_pressure(self) -> sp.Expr:
+        """(11.15), (11.47)."""
+        return self.pressure_scale * (a**2 - r**2) ** ((self.k - 1) / 2)
+
+    def punch_displacement(self) -> Form:
+        """(11.12), (11.44), for r > a."""
+        return outside_kernel(self.k) * self.displacement_scale
+
+    def key(self, *parts: str) -> str:
+        return ".".join(part for part in parts if part)
+
+
+HOMOGENEOUS = Medium(E_star, sp.S.Zero, "")
+GRADED = Medium(H, k, "fgm")
