@@ -1,0 +1,1 @@
+"""Exact certificates: derivative identity, end value and sign of every radicand."""

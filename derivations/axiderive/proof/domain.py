@@ -1,0 +1,93 @@
+"""Where a formula holds: an ordering of lengths, and what it says about the sign of a polynomial.
+
+On 0 < r < b < a every point is r, b = r + b', a = r + b' + a' with positive
+increments; a polynomial whose coefficients in the increments all have one sign
+has that sign everywhere.  Increments bear the name of their length.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy as sp
+from sympy.polys.rings import PolyElement
+
+
+class NotProvedError(ValueError):
+    """A step of a certificate that fails; the message is the reason in one sentence."""
+
+
+class Domain:
+    """Positive symbols with lower bounds; a chain (r, b, a) says 0 < r < b < a.
+
+    Several chains may share symbols as long as the largest lower bound of every
+    symbol is unique (a < r and a < R leave r and R uncompared).  A number may
+    start a chain: (1, n).
+    """
+
+    def __init__(self, *chains: Iterable[sp.Expr]) -> None:
+        pairs = set()
+        for chain in chains:
+            members = tuple(map(sp.sympify, chain))
+            pairs |= set(zip(members, members[1:], strict=False))
+        self._pairs = frozenset(pairs)
+        self.symbols = frozenset(member for pair in pairs for member in pair if member.is_Symbol)
+        self._parents = {symbol: self._largest_lower_bound(symbol) for symbol in self.symbols}
+        self.memo: dict[tuple[str, sp.Expr], Any] = {}
+
+    def _bounds(self, symbol: sp.Expr) -> set[sp.Expr]:
+        lower = {low for low, high in self._pairs if high == symbol}
+        return lower.union(*(self._bounds(low) for low in lower)) if lower else lower
+
+    def _largest_lower_bound(self, symbol: sp.Expr) -> sp.Expr:
+        bounds = self._bounds(symbol)
+        if symbol in bounds:
+            message = f"{symbol} would be less than itself"
+            raise NotProvedError(message)
+        largest = [bound for bound in bounds if bounds - {bound} <= self._bounds(bound)]
+        if bounds and not largest:
+            message = f"the order of the lower bounds {', '.join(sorted(map(str, bounds)))} of {symbol} is not known"
+            raise NotProvedError(message)
+        return largest[0] if largest else sp.S.Zero
+
+    def parent(self, symbol: sp.Expr) -> sp.Expr:
+        """The largest lower bound; 0 for a symbol that is only positive."""
+        return self._parents.get(symbol, sp.S.Zero)
+
+    def children(self, symbol: sp.Expr) -> list[sp.Expr]:
+        return sorted((high for high, low in self._parents.items() if low == symbol), key=str)
+
+    def shift(self, symbol: sp.Expr) -> sp.Expr:
+        """The symbol in terms of increments."""
+        parent = self.parent(symbol)
+        return symbol + (self.shift(parent) if parent.is_Symbol else parent)
+
+    def sign(self, polynomial: PolyElement) -> int:
+        """+1 or -1 if all coefficients in the increments have that sign, 0 if that does not decide."""
+        ring = polynomial.ring
+        moved = [(ring(s), ring.from_expr(self.shift(s))) for s in ring.symbols if self.parent(s) != 0]
+        shifted = polynomial.compose(moved) if moved and len(polynomial) > 1 else polynomial
+        if shifted and all(c > 0 for c in shifted.values()):
+            return 1
+        return -1 if shifted and all(c < 0 for c in shifted.values()) else 0
+
+    def at(self, symbol: sp.Expr, value: sp.Expr) -> Domain:
+        """The face symbol = value of this domain; value is the lower bound, 0 or the only upper neighbour."""
+        pairs = [(self.parent(high), high) for high in self._parents if self.parent(high) != 0]
+        if value == 0:
+            if self.parent(symbol) != 0:
+                message = f"{symbol} cannot tend to 0 above {self.parent(symbol)}"
+                raise NotProvedError(message)
+            return Domain(*(pair for pair in pairs if symbol not in pair))
+        renamed = ((value if low == symbol else low, value if high == symbol else high) for low, high in pairs)
+        return Domain(*((low, high) for low, high in renamed if low != high))
+
+    def ends(self, symbol: sp.Expr) -> Iterator[tuple[sp.Expr, Domain]]:
+        """Boundary values the symbol may tend to while all others stay fixed."""
+        parent = self.parent(symbol)
+        if not parent.is_Number or parent == 0:
+            yield parent, self.at(symbol, parent)
+        upper = self.children(symbol)
+        if len(upper) == 1:
+            yield upper[0], self.at(symbol, upper[0])

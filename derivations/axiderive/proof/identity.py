@@ -1,0 +1,107 @@
+"""Identities between functions of the tower, and values at an end of the domain.
+
+Two elements that differ only in the spelling of functions (addition laws of
+atanh, atan) are compared by one more derivative and an end value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from ..abel.masters import IncompleteBeta
+from ..notation import a
+from .domain import Domain, NotProvedError
+from .functions import as_given, canonical, tower
+from .tower import Element, Tower
+
+DEPTH = 6
+INFINITE = (sp.zoo, sp.nan, sp.oo, -sp.oo)
+
+
+def is_zero(expr: sp.Expr, domain: Domain, depth: int = DEPTH) -> bool:
+    """Whether the expression is shown to vanish on the whole domain.
+
+    If a function survives linearly, with a coefficient c without zeros, then
+    the expression is zero iff its quotient by c is constant and zero at one end.
+    """
+    expr = canonical(expr, domain)
+    arithmetic = tower(domain, expr)
+    element = arithmetic.collect(arithmetic.convert(expr))
+    if not element:
+        return True
+    if depth == 0:
+        return False
+    for variable, coefficient in _linear_functions(arithmetic, element):
+        if arithmetic.sign(coefficient) == 0:
+            continue
+        inverse = arithmetic.power(coefficient, sp.S.NegativeOne)
+        quotient = as_given(arithmetic.expr(arithmetic.collect(arithmetic.mul(element, inverse))), domain)
+        if not is_zero(sp.diff(quotient, variable), domain, depth - 1):
+            return False
+        return _zero_at_an_end(quotient, variable, domain, depth - 1)
+    return False
+
+
+def _zero_at_an_end(expr: sp.Expr, variable: sp.Symbol, domain: Domain, depth: int) -> bool:
+    for value, face in domain.ends(variable):
+        try:
+            return is_zero(at(expr, variable, value), face, depth)
+        except NotProvedError:
+            continue
+    return False
+
+
+def _linear_functions(arithmetic: Tower, element: Element) -> Iterator[tuple[sp.Symbol, Element]]:
+    """Functions that occur linearly, as (variable to differentiate by, coefficient); lengths of the chain first."""
+    ring, ordered = arithmetic.ring, arithmetic.domain.symbols
+    for symbol, function in sorted(arithmetic.functions.items(), key=lambda item: not item[1].free_symbols & ordered):
+        generator = ring(symbol)
+        if max(polynomial.degree(generator) for polynomial in element.values()) != 1:
+            continue
+        coefficient = {m: p.diff(generator) for m, p in element.items() if p.degree(generator) == 1}
+        variables = sorted(function.free_symbols, key=lambda s: (s not in ordered, s != a, str(s)))
+        if variables:
+            yield variables[0], coefficient
+
+
+def at(expr: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> sp.Expr:
+    """The value at an end, by substitution; fails unless every part is finite and continuous there."""
+    for node in sp.preorder_traversal(expr):
+        if (node.is_Pow or node.is_Function) and node.has(symbol):
+            _require_finite(node.subs(symbol, value), node, symbol, value)
+    return expr.subs(symbol, value)
+
+
+def _require_finite(result: sp.Expr, node: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> None:
+    vanishing_base = result.is_Pow and result.base == 0
+    open_beta = isinstance(result, IncompleteBeta) and result.args[0] == 1 and not result.args[2].is_positive
+    if result.has(*INFINITE) or vanishing_base or open_beta:
+        message = f"{node} is not shown to be finite as {symbol} tends to {value}"
+        raise NotProvedError(message)
+
+
+def logarithmic(expr: sp.Expr, domain: Domain) -> sp.Expr:
+    """atanh and log through logarithms of irreducible factors: singularities that cancel disappear."""
+    expr = canonical(expr, domain)
+    rewritten = {}
+    for function in expr.atoms(sp.log, sp.atanh):
+        (x,) = function.args
+        if isinstance(function, sp.log):
+            rewritten[function] = _split_log(x, domain)
+        else:
+            rewritten[function] = _split_log(1 + x, domain) - _split_log(1 - x**2, domain) / 2
+    return expr.xreplace(rewritten)
+
+
+def _split_log(argument: sp.Expr, domain: Domain) -> sp.Expr:
+    """log of a positive element as the sum over its factors."""
+    argument = canonical(argument, domain)
+    arithmetic = tower(domain, argument)
+    element = arithmetic.convert(argument)
+    if arithmetic.sign(element) <= 0:
+        message = f"{argument} is not shown to be positive"
+        raise NotProvedError(message)
+    factors, rest = arithmetic.primitive(element)
+    return sp.log(arithmetic.expr(rest)) + sp.Add(*(e * sp.log(f.as_expr()) for f, e in factors.items()))

@@ -1,0 +1,122 @@
+"""Integration rules of high precision for integrands whose singular points are known.
+
+A panel that starts at a singular point of the integrand, always the zero of
+its variable so that distances to it are exact, is integrated by the double
+exponential rule; every other panel is cut until its singular points keep a
+distance and then gets a Gauss-Legendre rule of fixed order.  Nothing here
+estimates an error: what a rule delivers is measured against closed forms.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterable
+from functools import lru_cache
+
+import mpmath as mp
+
+Number = mp.mpf
+Integrand = Callable[[Number], Number]
+Rule = tuple[tuple[Number, Number], ...]
+
+# a panel is cut until every singular point lies outside the Bernstein ellipse of this parameter
+NARROWEST_ELLIPSE = 2.7
+# above it the growth of the integrand, not its nearest singular point, decides the order
+WIDEST_ELLIPSE = 6.0
+DEEPEST_CUT = 200
+
+
+def _legendre_root(order: int, guess: float) -> tuple[Number, Number]:
+    """A zero of P_order and the weight that belongs to it, by Newton's iteration from a float."""
+    x = mp.mpf(guess)
+    for _ in range(20):
+        previous, current = mp.mpf(1), x
+        for k in range(2, order + 1):
+            previous, current = current, ((2 * k - 1) * x * current - (k - 1) * previous) / k
+        slope = order * (x * current - previous) / (x * x - 1)
+        step = current / slope
+        x -= step
+        if abs(step) < mp.mpf(10) ** (-mp.mp.dps // 2 - 5):
+            # the next step would be the square of this one
+            return x, 2 / ((1 - x * x) * slope**2)
+    message = f"Newton's iteration for the zeros of P_{order} did not settle at {mp.mp.dps} digits"
+    raise ArithmeticError(message)
+
+
+@lru_cache(maxsize=64)
+def gauss_rule(order: int, prec: int) -> Rule:
+    """Nodes and weights on (0, 1)."""
+    with mp.workprec(prec + 20):
+        half = [
+            _legendre_root(order, math.cos(math.pi * (i + 0.75) / (order + 0.5))) for i in range((order + 1) // 2)
+        ]
+        rule = [((1 - x) / 2, weight / 2) for x, weight in half]
+        mirrored = [((1 + x) / 2, weight / 2) for x, weight in half[: order // 2]]
+    return tuple(rule + mirrored)
+
+
+@lru_cache(maxsize=16)
+def exponential_rule(digits: int, prec: int) -> Rule:
+    """Double exponential rule on (0, 1), exact distances to the singular end 0, good for x**(-1/2) and log(x)."""
+    with mp.workprec(prec + 20):
+        # the strip of analyticity is taken as |Im t| < 1 instead of pi/2: singular points wait beyond the far end
+        step = mp.mpf(2 * math.pi / ((digits + 4) * math.log(10)))
+        nodes = []
+        for direction in (1, -1):
+            reach = (2 if direction > 0 else 1) * (digits + 6) * math.log(10)
+            count = int(math.asinh(reach / math.pi) / step)
+            for i in range(0 if direction > 0 else 1, count + 1):
+                t = direction * i * step
+                q = mp.exp(-mp.pi * mp.sinh(t))
+                weight = step * mp.pi * mp.cosh(t) * q / (1 + q) ** 2
+                nodes.append((q / (1 + q), weight))
+    return tuple(nodes)
+
+
+def ellipse(lo: float, hi: float, point: complex) -> float:
+    """Parameter of the Bernstein ellipse of (lo, hi) through the point; 1 on the interval itself."""
+    z = (2 * point - lo - hi) / (hi - lo)
+    root = cmath.sqrt(z * z - 1)
+    return max(abs(z + root), abs(z - root))
+
+
+def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0) -> list[tuple[float, float, float]]:
+    """Panels with their ellipse; a panel that starts at 0 disregards a singular point there."""
+    others = [z for z in singular if not (z == 0 and 0 in (lo, hi))]
+    if not others:
+        return [(lo, hi, WIDEST_ELLIPSE)]
+    near = min(others, key=lambda z: ellipse(lo, hi, z))
+    parameter = ellipse(lo, hi, near)
+    if parameter >= NARROWEST_ELLIPSE:
+        return [(lo, hi, min(parameter, WIDEST_ELLIPSE))]
+    if depth > DEEPEST_CUT:
+        message = f"singular point {near} on the panel ({lo}, {hi}); split the integral there"
+        raise ArithmeticError(message)
+    # geometric panels of ratio 4 towards the singular point
+    position = (near.real - lo) / (hi - lo)
+    cut = lo + (hi - lo) * (0.5 if 0.3 < position < 0.7 else 0.25 if position <= 0.3 else 0.75)
+    return _panels(lo, cut, singular, depth + 1) + _panels(cut, hi, singular, depth + 1)
+
+
+def integrate(f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int) -> Number:
+    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f, 0 among them if it is one.
+
+    Only an end of the interval may be a singular point, and only if it is 0.
+    """
+    if lo == hi:
+        return mp.mpf(0)
+    points = tuple(singular)
+    prec = int(mp.mp.prec)
+    total = mp.mpf(0)
+    panels = _panels(float(lo), float(hi), points)
+    ends = [lo, *(mp.mpf(right) for _, right, _ in panels[:-1]), hi]
+    for (left, right, parameter), start, end in zip(panels, ends, ends[1:], strict=False):
+        if 0 in points and 0 in (left, right):
+            length = end if left == 0 else start
+            total += abs(length) * mp.fsum(w * f(length * x) for x, w in exponential_rule(digits, prec))
+            continue
+        order = 8 * math.ceil((digits + 4) / (16 * math.log10(parameter)))
+        length = end - start
+        total += length * mp.fsum(w * f(start + length * x) for x, w in gauss_rule(order, prec))
+    return total

@@ -1,0 +1,138 @@
+"""A profile at given parameter values, as the quadrature sees it: pieces of f, f' and (r f')', breaks, singular points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..profiles.profile import Profile
+
+Number = mp.mpf
+Values = Mapping[Any, Any]
+
+
+def number(value: sp.Expr) -> Number:
+    """An exact number at the working precision; a number of mpmath is taken as it is."""
+    if isinstance(value, mp.mpf):
+        return value
+    value = sp.sympify(value)
+    if value.is_Rational:
+        return mp.mpf(int(value.p)) / int(value.q)
+    return value._to_mpmath(int(mp.mp.prec) + 20) + mp.mpf(0)
+
+
+def concrete(expr: sp.Expr, values: Values) -> sp.Expr:
+    """The sum of a polynomial profile written out for the degree and the coefficients at hand."""
+    if nt.N not in values:
+        return expr
+    spelled = expr.subs(nt.N, values[nt.N]).doit()
+    terms = {term: values[nt.coefficients][int(term.indices[0]) - 1] for term in spelled.atoms(sp.Indexed)}
+    return spelled.xreplace(terms)
+
+
+def numeric_symbols(values: Values) -> tuple[sp.Symbol, ...]:
+    return tuple(sorted((s for s in values if isinstance(s, sp.Symbol)), key=lambda s: str(s.name)))
+
+
+@lru_cache(maxsize=2048)
+def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., Number]:
+    function: Callable[..., Number] = sp.lambdify(arguments, expr, "mpmath")
+    return function
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """One piece lo < s < hi of the profile with its derivatives and their singular points in the complex plane."""
+
+    lo: Number
+    hi: Number
+    height: Callable[[Number], Number]
+    slope: Callable[[Number], Number]
+    bend: Callable[[Number], Number]
+    """(s f')' = f' + s f''."""
+    singular: tuple[complex, ...]
+    wavelength: float
+    """Length over which an exponential, trigonometric or high power term changes by a factor or a radian; inf if none does."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """The profile up to a: what g, F, p and w are integrals of."""
+
+    stretches: tuple[Stretch, ...]
+    kinks: tuple[tuple[Number, Number], ...]
+    """(b, jump of f' at b)."""
+
+    def height(self, s: Number) -> Number:
+        return next(piece for piece in self.stretches if s <= piece.hi).height(s)
+
+
+def _singular_points(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr]) -> tuple[complex, ...]:
+    """Zeros in r of everything that is raised to a power other than a natural number."""
+    points: set[complex] = set()
+    for power in expr.atoms(sp.Pow):
+        if power.exp.is_Integer and power.exp > 0 or not power.base.has(nt.r):
+            continue
+        exponent = power.exp.xreplace(values)
+        if exponent.is_Integer and exponent >= 0:
+            continue
+        base = sp.Poly(power.base.xreplace(values), nt.r)
+        points.update(complex(z) for z in base.nroots(n=20))
+    return tuple(sorted(points, key=lambda z: (abs(z), z.real, z.imag)))
+
+
+def _wavelength(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr], end: Number) -> float:
+    """Of an argument c*r the length 1/c, of c*r**2 the length 1/sqrt(c), of a high power r**n the length 2*a/n."""
+    degrees = (float(e) for e in (p.exp.xreplace(values) for p in expr.atoms(sp.Pow) if p.base == nt.r) if e.is_number)
+    shortest = min((2 * float(end) / degree for degree in degrees if degree > 6), default=float("inf"))
+    for term in expr.atoms(sp.sin, sp.cos, sp.exp):
+        argument = term.args[0].xreplace(values)
+        degree = sp.degree(argument, nt.r)
+        if degree > 0:
+            shortest = min(shortest, abs(float(sp.LC(argument, nt.r))) ** (-1 / int(degree)))
+    return shortest
+
+
+@lru_cache(maxsize=1024)
+def _pieces(profile: Profile) -> tuple[tuple[sp.Expr | None, sp.Expr, sp.Expr, sp.Expr], ...]:
+    rows = []
+    for piece in profile.pieces:
+        slope = sp.diff(piece.expr, nt.r)
+        rows.append((piece.upper, piece.expr, slope, slope + nt.r * sp.diff(slope, nt.r)))
+    return tuple(rows)
+
+
+def shape(profile: Profile, values: Values) -> Shape:
+    """The profile at these parameter values up to r = a, at the working precision."""
+    symbols = tuple(s for s in numeric_symbols(values) if s != nt.r)
+    arguments = [number(values[s]) for s in symbols]
+    exact = {s: sp.Float(str(v), 25) if isinstance(v := values[s], mp.mpf) else v for s in symbols}
+    end = number(values[nt.a])
+
+    def bound(expr: sp.Expr) -> Callable[[Number], Number]:
+        f = _compiled(expr, (nt.r, *symbols))
+        return lambda s: f(s, *arguments)
+
+    stretches: list[Stretch] = []
+    kinks: list[tuple[Number, Number]] = []
+    lo = mp.mpf(0)
+    for upper, *exprs in _pieces(profile):
+        exprs = [concrete(expr, values) for expr in exprs]
+        height, slope, bend = exprs
+        hi = end if upper is None else min(end, bound(upper)(mp.mpf(0)))
+        stretch = Stretch(
+            lo, hi, bound(height), bound(slope), bound(bend), _singular_points(bend, exact), _wavelength(height, exact, end)
+        )
+        if stretches:
+            kinks.append((lo, stretch.slope(lo) - stretches[-1].slope(lo)))
+        stretches.append(stretch)
+        lo = hi
+        if hi == end:
+            break
+    return Shape(tuple(stretches), tuple(kinks))
