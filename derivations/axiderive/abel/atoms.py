@@ -22,7 +22,7 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import a, r, x
 from .form import Form
-from .masters import ArctanIntegral, IncompleteBeta, LegendreChi2, gamma_normalised
+from .masters import ArctanIntegral, CapMoment, Hypergeometric, IncompleteBeta, LegendreChi2, gamma_normalised
 from .moments import (
     ONE,
     ZERO,
@@ -50,6 +50,18 @@ class Atom(Protocol):
 def _kernel(slope: sp.Expr) -> sp.Expr:
     """Integrand of (11.29) in x for the slope f'(x)."""
     return a * slope / sp.sqrt(a**2 - x**2)
+
+
+def _radical_depth(curvature: sp.Expr, z: sp.Expr, k: sp.Expr) -> Form:
+    """Depth for f' = curvature r (1 - z r^2/a^2)**(-1/2) by Euler's integral, z = a^2/R^2 or -a^2/b^2."""
+    half = sp.S.Half
+    return Form.of(Hypergeometric(half, ONE, (3 + k) * half, z), curvature * a**2 / (1 + k))
+
+
+def _radical_force(curvature: sp.Expr, z: sp.Expr, k: sp.Expr) -> Form:
+    half = sp.S.Half
+    scale = 2 * curvature * a ** (3 + k) / ((1 + k) ** 2 * (3 + k))
+    return Form.of(Hypergeometric(half, sp.Integer(2), (5 + k) * half, z), scale)
 
 
 @dataclass(frozen=True)
@@ -144,8 +156,12 @@ class SphereAtom:
         root_a, root_R = sp.sqrt(a**2 - self.cap**2), sp.sqrt(self.R**2 - self.cap**2)
         return sp.log((a + self.R) / (root_a + root_R))
 
-    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        return Form.of(self._angle(order), self.c * a) if k == 0 else None
+    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        if k == 0:
+            return Form.of(self._angle(order), self.c * a)
+        if self._capped(order):
+            return Form.of(CapMoment(k, self.cap, self.R, a), self.c * a ** (1 - k))
+        return _radical_depth(self.c / self.R, a**2 / self.R**2, k)
 
     def primitives(self, order: Order) -> tuple[Primitive, ...]:
         integrand = _kernel(self.c * x / sp.sqrt(self.R**2 - x**2))
@@ -155,9 +171,14 @@ class SphereAtom:
         return (Primitive(ZERO, a, integrand, -self.c * a * sp.atanh(root_a / root_R)),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        """c S_1 with 2 S_1 = (a^2 + R^2) S_0 + [sqrt(R^2 - s^2) sqrt(a^2 - s^2)] over the range."""
+        """c S_1/(1 + k) with (2 + k) S_1 = (a^2 + (1 + k) R^2) S_0 + [sqrt(R^2 - s^2) (a^2 - s^2)**((1 + k)/2)]."""
+        if k != 0 and not self._capped(order):
+            return _radical_force(self.c / self.R, a**2 / self.R**2, k)
         if k != 0:
-            return None
+            moment = Form.of(CapMoment(k, self.cap, self.R, a), a**2 + (1 + k) * self.R**2)
+            rim = sp.sqrt(self.R**2 - self.cap**2) * (a**2 - self.cap**2) ** ((1 + k) / 2)
+            ends = Form.of(rim) + Form.of(ONE, -self.R * a ** (1 + k))
+            return (moment + ends) * (self.c / ((1 + k) * (2 + k)))
         end = -a * self.R
         if self._capped(order):
             end = sp.sqrt(a**2 - self.cap**2) * sp.sqrt(self.R**2 - self.cap**2) - a * self.R
@@ -206,16 +227,18 @@ class HyperboloidAtom:
     def shape(self, order: Order) -> sp.Expr:
         return self.c * (sp.sqrt(r**2 + self.b**2) - self.b)
 
-    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        return Form.of(sp.atan(a / self.b), self.c * a) if k == 0 else None
+    def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        if k != 0:
+            return _radical_depth(self.c / self.b, -(a**2) / self.b**2, k)
+        return Form.of(sp.atan(a / self.b), self.c * a)
 
     def primitives(self, order: Order) -> tuple[Primitive, ...]:
         root_a, root_b = sp.sqrt(a**2 - x**2), sp.sqrt(self.b**2 + x**2)
         return (Primitive(ZERO, a, _kernel(self.c * x / root_b), -self.c * a * sp.atan(root_a / root_b)),)
 
-    def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+    def force(self, order: Order, k: sp.Expr = ZERO) -> Form:
         if k != 0:
-            return None
+            return _radical_force(self.c / self.b, -(a**2) / self.b**2, k)
         return Form.of(sp.atan(a / self.b), self.c * (a**2 - self.b**2) / 2) + Form.of(ONE, self.c * a * self.b / 2)
 
     def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:

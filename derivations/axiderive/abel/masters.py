@@ -178,7 +178,68 @@ class Dawson(Master):
         return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
 
 
-MASTERS: tuple[type[Master], ...] = (C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson)
+class Hypergeometric(Master):
+    """Gauss's 2F1(p, q; c; z) for z < 1, (11.93)."""
+
+    nargs = 4
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        p, q, c, z = self.args
+        if argindex != 4:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        return p * q / c * self.func(p + 1, q + 1, c + 1, z)
+
+    @staticmethod
+    def numeric(p: Number, q: Number, c: Number, z: Number) -> Number:
+        return mp.hyp2f1(p, q, c, z)
+
+
+class Kummer(Master):
+    """Confluent 1F1(p; c; z)."""
+
+    nargs = 3
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        p, c, z = self.args
+        if argindex != 3:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        return p / c * self.func(p + 1, c + 1, z)
+
+    @staticmethod
+    def numeric(p: Number, c: Number, z: Number) -> Number:
+        return mp.hyp1f1(p, c, z)
+
+
+class CapMoment(Master):
+    """J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a, b < R.
+
+    The slope in a follows from the derivative of sqrt(R^2 - s^2) (a^2 - s^2)**((k-1)/2), which
+    lowers k by two.
+    """
+
+    nargs = 4
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        k, b, R, a = self.args
+        if argindex != 4:
+            raise sp.function.ArgumentIndexError(self, argindex)
+        half = (k - 1) / 2
+        boundary = sp.sqrt(R**2 - b**2) * (a**2 - b**2) ** half - R * a ** (k - 1)
+        return -a * (boundary + k * self) / (R**2 - a**2)
+
+    @staticmethod
+    def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
+        def integrand(v: Number) -> Number:  # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
+            width = mp.exp(v)
+            return width ** ((k + 1) / 2) / mp.sqrt(R * R - a * a + width) / 2
+
+        ends = mp.log((a - b) * (a + b)), 2 * mp.log(a)
+        return mp.quad(integrand, mp.linspace(*ends, int(mp.ceil(ends[1] - ends[0])) + 1))
+
+
+MASTERS: tuple[type[Master], ...] = (
+    C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson, Hypergeometric, Kummer, CapMoment,
+)  # fmt: skip
 
 
 def gamma_normalised(argument: sp.Expr) -> sp.Expr:

@@ -12,7 +12,7 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import a, r
 from .form import Form
-from .masters import Dawson, StruveH, StruveL
+from .masters import Dawson, Kummer, StruveH, StruveL, gamma_normalised
 from .moments import ONE, ZERO
 from .order import Order
 
@@ -41,13 +41,18 @@ class CosineAtom(_SingleScale):
         return self.h * (1 - sp.cos(self.q * r))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        return Form.of(StruveH(0, self.q * a), sp.pi / 2 * self.h * self.q * a) if k == 0 else None
+        """int_0^a sin(q s) (a^2 - s^2)**((k-1)/2) ds = sqrt(pi)/2 Gamma((1+k)/2) (2a/q)**(k/2) H_{k/2}(q a)."""
+        return Form.of(StruveH(k / 2, self.q * a), self._scale(k) * a ** (1 - k / 2))
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        if k != 0:
-            return None
-        form = Form.of(StruveH(0, self.q * a), sp.pi / 2 * self.h * self.q * a**2)
-        return form + Form.of(StruveH(1, self.q * a), -sp.pi / 2 * self.h * a)
+        """(1 + k) F^ = a**(1+k) g - scale a**(1 + k/2) H_{1 + k/2}(q a)/q, by (z**nu H_nu)' = z**nu H_{nu-1}."""
+        whole = Form.of(StruveH(k / 2, self.q * a), a ** (2 + k / 2))
+        rest = Form.of(StruveH(1 + k / 2, self.q * a), -(1 + k) * a ** (1 + k / 2) / self.q)
+        return (whole + rest) * (self._scale(k) / (1 + k))
+
+    def _scale(self, k: sp.Expr) -> sp.Expr:
+        beta = gamma_normalised((1 + k) / 2) * sp.sqrt(sp.pi) / 2
+        return beta * self.h * self.q * (2 / self.q) ** (k / 2)
 
 
 @dataclass(frozen=True)
@@ -61,11 +66,16 @@ class GaussianAtom(_SingleScale):
         return self.h * (1 - sp.exp(-(r**2) / self.s**2))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        return Form.of(Dawson(a / self.s), 2 * self.h * a / self.s) if k == 0 else None
+        if k == 0:
+            return Form.of(Dawson(a / self.s), 2 * self.h * a / self.s)
+        z = a**2 / self.s**2
+        return Form.of(Kummer(ONE, (3 + k) / 2, -z), 2 * self.h * z / (1 + k))
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         if k != 0:
-            return None
+            z = a**2 / self.s**2
+            scale = 4 * self.h * z * a ** (1 + k) / ((1 + k) ** 2 * (3 + k))
+            return Form.of(Kummer(sp.Integer(2), (5 + k) / 2, -z), scale)
         return Form.of(Dawson(a / self.s), self.h * (2 * a**2 / self.s + self.s)) + Form.of(ONE, -self.h * a)
 
 

@@ -150,29 +150,35 @@ def _threshold(
     sqrt(a^2 - r^2) p = E*/pi [d - g(a) + sqrt(a^2 - r^2) P^(r)] has its minimum over r at the centre for n <= 2
     and on a ring for n > 2; there d is the least depth of complete contact.
     """
-    chain = Order((r, a))
-    root = (a**2 - r**2) ** ((1 - medium.k) / 2)
-    pressure = reduced.pressure(chain).expr()
+    k, (exponent,) = medium.k, [atom.n for atom in reduced.atoms]
+    form = reduced.pressure(Order((r, a)))
     depth = reduced.depth(Order((a,))).expr()
-    weighted = sp.expand(root * pressure)
-    slope = sp.diff(root * pressure, r)
-    if pressure.has(Master):
-        (master,) = pressure.atoms(Master)
+    z, q = sp.symbols("z q", positive=True)  # z = 1 - r^2/a^2 and q = r^2/a^2, kept apart so that powers merge
+
+    def scaled(expr: sp.Expr) -> sp.Expr:
+        return sp.powsimp(sp.expand(expr.subs(a**2 - r**2, a**2 * z).subs(1 - r**2 / a**2, z).subs(r, a * sp.sqrt(q))))
+
+    weighted = scaled(a ** (1 - k) * z ** ((1 - k) / 2) * form.expr())
+    slope = sp.diff(weighted, z) - sp.diff(weighted, q)
+    masters = weighted.atoms(Master)
+    if masters:
+        (master,) = masters
         level = sp.Symbol("level")
         linear = sp.expand(slope.subs(master, level))
-        solved = -linear.coeff(level, 0) / linear.coeff(level, 1)
-        at_ring = sp.powsimp(sp.factor(sp.powsimp(sp.expand((root * pressure).subs(master, solved)))))
-        ring = Case((sp.Integer(2), n), sp.Eq(master, sp.powsimp(sp.factor(solved), combine="exp")).subs(r, r_zero))
-        centre = Case((sp.S.One, n, sp.Integer(2)), sp.S.Zero)
+        solved = sp.factor(sp.powsimp(sp.cancel(-linear.coeff(level, 0) / linear.coeff(level, 1))))
+        at_ring = sp.cancel(sp.powsimp(sp.expand(weighted.subs(master, solved))))
+        ring = sp.Eq(master, solved).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2})
         status: Status = "root"
-        ring_cases: tuple[Case, ...] = (centre, ring)
+        ring_cases = (Case((1 - k, exponent, sp.Integer(2)), sp.S.Zero), Case((sp.Integer(2), exponent), ring))
+        radius: sp.Expr = r_zero
     else:
-        stationary = sp.Poly(sp.cancel(sp.together(sp.expand(weighted).subs(root, sp.S.One)).diff(r) / r), r)
-        found = [z for z in sp.roots(stationary) if z.is_positive] if stationary.degree() else []
+        stationary = sp.Poly(sp.expand(slope).subs(z, 1 - q), q)
+        found = sp.solve(stationary.as_expr(), q) if stationary.degree() > 0 else []
+        radius = a * sp.sqrt(sp.factor(found[0])) if found else sp.S.Zero
         at_ring, status = weighted, "closed"
-        ring_cases = (Case((a,), found[0] if found else sp.S.Zero),)
-    least = sp.factor((depth - at_ring).subs(C, coefficient).subs(r, r_zero if status == "root" else ring_cases[0].expr))
-    least = sp.powsimp(least, combine="exp")
+        ring_cases = (Case((a,), radius),)
+    least = (depth - at_ring).subs(C, coefficient).subs(z, 1 - q).subs(q, radius**2 / a**2)
+    least = sp.powsimp(sp.factor(sp.powsimp(sp.expand(least))), combine="exp")
     force = sp.factor(cases["F"].expr.subs(d, least))
     return {
         "rz": _entry(profile, medium, "rz", ring_cases, status),

@@ -175,8 +175,9 @@ class _Compact:
         lower, known = sp.S.Zero, sp.S.Zero
         if crossed:
             b = crossed[-1]
-            inner = next(case for case in earlier if case.chain.index(r) < case.chain.index(a) < case.chain.index(b))
-            lower, known = (b**2 - r**2) ** ((1 + k) / 2), inner.expr.subs(a, b)
+            lower = (b**2 - r**2) ** ((1 + k) / 2)
+            inner = [case.expr for case in earlier if case.chain.index(r) < case.chain.index(a) < case.chain.index(b)]
+            known = inner[0].subs(a, b) if inner else sp.S.Zero  # nothing presses below the first break of a flat face
         radius = sp.sqrt(r**2 + u ** (2 / (1 + k)))
         slope = sp.diff(regime.expr, a).subs(a, radius)
         integral = sp.Integral(slope / radius, (u, lower, (a**2 - r**2) ** ((1 + k) / 2)))
@@ -192,17 +193,26 @@ class _Compact:
                     cases.append(Case(chain, self._close(form * self.medium.displacement_scale)))
                 else:
                     status = "integral"
-                    cases.append(Case(chain, self._displacement_integral(regime)))
+                    cases.append(Case(chain, self._displacement_integral(chain, regime, cases)))
         return status, tuple(cases)
 
-    def _displacement_integral(self, regime: Case) -> sp.Expr:
-        """(11.26) resp. (11.56) in t = r sin(psi)."""
-        k, earlier = self.medium.k, r * sp.sin(psi)
+    def _displacement_integral(self, chain: Chain, regime: Case, earlier: list[Case]) -> sp.Expr:
+        """(11.26) resp. (11.56) in t = r sin(psi); what lies below a break is known already."""
+        k, scale, radius = self.medium.k, self.medium.displacement_scale, r * sp.sin(psi)
         if k == 0:
-            kernel = sp.diff(regime.expr, a).subs(a, earlier) * r * sp.cos(psi) * psi
+            kernel = sp.diff(regime.expr, a).subs(a, radius) * r * sp.cos(psi) * psi
         else:
-            kernel = sp.tan(psi) ** k * (regime.expr - regime.expr.subs(a, earlier))
-        return self.medium.displacement_scale * sp.Integral(kernel, (psi, 0, sp.asin(a / r)))
+            kernel = sp.tan(psi) ** k * (regime.expr - regime.expr.subs(a, radius))
+        crossed = [b for b in self.profile.breaks if chain.index(b) < chain.index(a)]
+        if not crossed:
+            return scale * sp.Integral(kernel, (psi, 0, sp.asin(a / r)))
+        b = crossed[-1]
+        inner = [case.expr for case in earlier if case.below(a, b) and case.below(b, r)]
+        known = inner[0].subs(a, b) if inner else sp.S.Zero
+        if k != 0:  # the flat punch of radius b takes part in the growth from b to a
+            growth = regime.expr - regime.expr.subs(a, b)
+            known = known + growth * self.medium.punch_displacement().expr().subs(a, b)
+        return known + scale * sp.Integral(kernel, (psi, sp.asin(b / r), sp.asin(a / r)))
 
     def _inverses(self, depth: tuple[Case, ...], force: tuple[Case, ...]) -> dict[str, Entry]:
         radius_d, radius_F = closed_inverse(depth, d), closed_inverse(force, F)
@@ -217,19 +227,26 @@ class _Compact:
             if not radius:
                 entries[suffix] = self._entry(suffix, "root", equation, composed=route)
                 continue
+            value = equation[0].expr.rhs
             cases = tuple(
-                Case(inverse.chain, _tidy(case.expr.subs(a, inverse.expr)))
+                Case(inverse.chain, _compose(case.expr, inverse.expr, value))
                 for inverse, case in zip(radius, outer, strict=True)
             )
-            short = all(len(case.expr.atoms(sp.Add)) <= len(own.expr.atoms(sp.Add)) for case, own in zip(cases, outer, strict=True))
+            short = all(_is_monomial(inverse.expr, value) for inverse in radius)
             entries[suffix] = self._entry(suffix, "closed", cases, composed=None if short else route)
         return entries
 
 
-def _tidy(expr: sp.Expr) -> sp.Expr:
-    """Merge the powers of a composed monomial, (d/k)**(1/n) raised to n + 1; every radicand here is positive."""
-    expr = expr.replace(sp.Abs, lambda inside: inside)
-    if expr.has(sp.Add) and not expr.has(sp.gamma):
+def _is_monomial(expr: sp.Expr, value: sp.Symbol) -> bool:
+    power = expr.as_independent(value, as_Add=False)[1]
+    base = power.as_base_exp()[0]
+    return bool(base == value or (base.is_Mul and base.as_independent(value, as_Add=False)[1] == value))
+
+
+def _compose(outer: sp.Expr, inner: sp.Expr, value: sp.Symbol) -> sp.Expr:
+    """outer(a = inner); the powers of a monomial are merged: (d/k)**(1/n) raised to n + 1."""
+    expr = outer.subs(a, inner).replace(sp.Abs, lambda inside: inside)  # every radicand here is positive
+    if not _is_monomial(inner, value):
         return expr
     return sp.powdenest(sp.powsimp(expr, combine="exp"), force=True)
 
