@@ -102,6 +102,10 @@ E_star = _define("E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plan
 k = _define("k", "k", NUMBER, "1", "-1 < k < 1", "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space")
 H = _define("H", "H", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H > 0", "foundation modulus of the graded half space, c_N(x) = H |x|^k")
 
+dgamma = _define("dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area")
+mu = _define("mu", r"\mu", NUMBER, "1", "mu >= 0", "coefficient of friction")
+G_star = _define("G_star", "G^{*}", STRESS, "Pa", "G_star > 0", "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)")
+
 # geometry
 theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
 R = _define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")
@@ -114,11 +118,30 @@ h = _define("h", "h", LENGTH, "m", "h > 0", "height of the profile")
 s = _define("s", "s", LENGTH, "m", "s > 0", "length scale of the profile")
 wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wavelength of the waviness")
 
+# adhesive and tangential fields
+c = _define("c", "c", LENGTH, "m", "0 <= c <= a", "radius of the stick zone")
+retraction = _define("retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess")
+a_c = _define("a_c", r"a_{\mathrm c}", LENGTH, "m", "", "contact radius at pull-off")
+H_x = _define("H_x", "H_x", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H_x > 0", "tangential foundation modulus, c_T(x) = H_x |x|^k")
+F_x = _define("F_x", "F_x", FORCE, "N", "", "tangential force")
+tau = _define("tau", r"\tau", STRESS, "Pa", "", "tangential traction")
+u_0 = _define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the rigid body")
+
+# plane problem
+P = _define("P", "P", Dimension.of(-1, 1), "N/m", "P > 0", "line load, force per length of the strip of contact")
+L = _define("L", "L", LENGTH, "m", "L > a", "distance of the reference point from the middle of the contact")
+x_zero = _define("x_zero", "x_0", LENGTH, "m", "", "distance from the middle where the pressure first vanishes on unloading")
+slope = _define("slope", r"\frac{\mathrm dw}{\mathrm dx}", NUMBER, "1", "", "slope of the surface outside the contact")
+tilt = _define("tilt", r"\varphi", NUMBER, "rad", "", "inclination of the punch, deeper on the side of positive x")
+width = _define("width", r"\ell", LENGTH, "m", "", "width of the contact")
+e = sp.Symbol("e", real=True)
+_RECORDS["e"] = Notation(e, "e", LENGTH, "m", "-a < e < a", "eccentricity: the load acts at x = e")
+
 # auxiliary: integration variables, never arguments of a function
 t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
-x = _define("x", "x", LENGTH, "m", "", "lower limit of a primitive")
+x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
 u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
-psi = _define("psi", r"\\psi", NUMBER, "rad", "", "regularised angle of integration")
+psi = _define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
 C = _define("C", "C", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "", "coefficient h/a^n of a concave face, held fixed while the radius varies")
 j = sp.Symbol("j", integer=True, positive=True)
 N = sp.Symbol("N", integer=True, positive=True)

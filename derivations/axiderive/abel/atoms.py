@@ -129,7 +129,9 @@ class PowerAtom:
             return None
         n = self.n
         half = sp.S.Half
-        growth = self.c * n * gamma_normalised((1 + k) / 2) * gamma_normalised(n / 2) / gamma_normalised((1 + k + n) / 2)
+        growth = (
+            self.c * n * gamma_normalised((1 + k) / 2) * gamma_normalised(n / 2) / gamma_normalised((1 + k + n) / 2)
+        )
         tail = IncompleteBeta(a**2 / r**2, (n + k + 1) / 2, (1 - k) / 2)
         return outside_kernel(k) * (growth * half * a**n) + Form.of(tail, -growth * half * half * r**n)
 

@@ -35,9 +35,7 @@ class Form(dict[sp.Expr, sp.Expr]):
     def times(self, factor: Form | sp.Expr) -> Form:
         """Product with another combination, or with a function that belongs to the master, not to the coefficient."""
         other = factor if isinstance(factor, Form) else Form.of(factor)
-        return Form.total(
-            Form.of(mine * its, c * its_c) for mine, c in self.items() for its, its_c in other.items()
-        )
+        return Form.total(Form.of(mine * its, c * its_c) for mine, c in self.items() for its, its_c in other.items())
 
     def expr(self) -> sp.Expr:
         """Sum with factored coefficients, common factors outside; the same text in every SymPy since 1.12.

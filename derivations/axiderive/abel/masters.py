@@ -229,7 +229,9 @@ class CapMoment(Master):
 
     @staticmethod
     def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
-        def integrand(v: Number) -> Number:  # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
+        def integrand(
+            v: Number,
+        ) -> Number:  # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
             width = mp.exp(v)
             return width ** ((k + 1) / 2) / mp.sqrt(R * R - a * a + width) / 2
 

@@ -68,7 +68,9 @@ def pressure_moment(s: sp.Expr, k: sp.Expr = ZERO) -> Form:
         if s == -HALF:
             return Form.of(first, sp.sqrt(2 / r))
         return (
-            Form.of(first, sp.sqrt(2 * r)) + Form.of(second, -2 * sp.sqrt(2 * r)) + Form.of(sp.sqrt(a**2 - r**2), 2 / sp.sqrt(a))
+            Form.of(first, sp.sqrt(2 * r))
+            + Form.of(second, -2 * sp.sqrt(2 * r))
+            + Form.of(sp.sqrt(a**2 - r**2), 2 / sp.sqrt(a))
         )
     return Form.of(IncompleteBeta(1 - r**2 / a**2, (1 + k) / 2, (-s - k) / 2), r ** (s + k) / 2)
 

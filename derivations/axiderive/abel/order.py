@@ -26,7 +26,9 @@ class Order:
         return self.chain.index(low) < self.chain.index(high)
 
 
-def insert(chain: Chain, length: sp.Expr, above: sp.Expr | None = None, below: sp.Expr | None = None) -> Iterator[Chain]:
+def insert(
+    chain: Chain, length: sp.Expr, above: sp.Expr | None = None, below: sp.Expr | None = None
+) -> Iterator[Chain]:
     """All chains with `length` put in, above and below the given members."""
     start = chain.index(above) + 1 if above is not None else 0
     stop = chain.index(below) if below is not None else len(chain)

@@ -160,5 +160,3 @@ def _verify(atoms: Sequence[Atom], piece: Piece, lower: sp.Expr) -> None:
     if sp.expand(_split_roots(rebuilt) - _split_roots(piece.expr)) != 0:
         message = f"the atoms add up to {rebuilt}, not to {piece.expr}, on the piece from r = {lower}"
         raise AssertionError(message)
-
-

@@ -15,7 +15,7 @@ from ..abel.masters import Master
 from ..abel.order import Order
 from ..abel.reduce import Reduced, parse
 from ..entry import COMPLETE, Case, Entry, Status
-from ..notation import C, F, a, d, n, r, r_zero, t
+from ..notation import C, F, a, d, r, r_zero, t
 from ..profiles.profile import Piece, Profile
 from .medium import HOMOGENEOUS, Medium
 
@@ -115,9 +115,7 @@ def _fixed_formulas(reduced: Reduced, medium: Medium) -> dict[str, Case]:
     }
 
 
-def _with_partial(
-    profile: Profile, medium: Medium, cases: dict[str, Case], fixed: dict[str, Case]
-) -> dict[str, Entry]:
+def _with_partial(profile: Profile, medium: Medium, cases: dict[str, Case], fixed: dict[str, Case]) -> dict[str, Entry]:
     """A convex face touches first like the unbounded profile, with contact radius rho = a(d) < a."""
     from dataclasses import replace
 
