@@ -137,6 +137,21 @@ width = _define("width", r"\ell", LENGTH, "m", "", "width of the contact")
 e = sp.Symbol("e", real=True)
 _RECORDS["e"] = Notation(e, "e", LENGTH, "m", "-a < e < a", "eccentricity: the load acts at x = e")
 
+# viscoelastic half space: time, loading and material laws
+time = _define("time", "t", NUMBER, "s", "t >= 0", "time since first contact")
+v = _define("v", "v", LENGTH, "m/s", "v > 0", "speed of indentation, d = v t")
+E = _define("E", "E", STRESS, "Pa", "E > 0", "effective (plane-strain) modulus of the viscoelastic law")
+E_inf = _define("E_inf", r"E_\infty", STRESS, "Pa", "E_inf > 0", "long-time effective modulus")
+E_1 = _define("E_1", "E_1", STRESS, "Pa", "E_1 >= 0", "relaxing part of the effective modulus")
+eta = _define("eta", r"\eta", STRESS, "Pa s", "eta > 0", "effective viscosity")
+relaxation = _define("relaxation", r"\tau", NUMBER, "s", "tau > 0", "relaxation time")
+alpha = _define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of power-law creep")
+t_0 = _define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
+
+# prescribed pressure
+p_0 = _define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")
+sigma = _define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed pressure")
+
 # auxiliary: integration variables, never arguments of a function
 t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
 x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")

@@ -141,7 +141,9 @@ class _Builder:
             return Case(_moved(case.chain), expr.subs(a, a_c))
         expr = sp.powsimp(sp.factor_terms(sp.powsimp(expr)))
         if not (expr.has(n) or self.medium.k != 0 or expr.has(sp.gamma)):
-            return Case((), sp.powsimp(sp.powdenest(sp.expand_power_base(expr.subs(a, radius), force=True), force=True)))
+            return Case(
+                (), sp.powsimp(sp.powdenest(sp.expand_power_base(expr.subs(a, radius), force=True), force=True))
+            )
         return Case(_moved(case.chain), sp.factor_terms(sp.factor(expr)).subs(a, a_c))
 
 

@@ -94,7 +94,7 @@ def _fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
     (piece,) = profile.pieces
     if not piece.expr.has(a):
         return profile.pieces, sp.S.Zero
-    factor, power = piece.expr.as_independent(r, as_Add=False)
+    factor, power = sp.expand_power_base(piece.expr).as_independent(r, as_Add=False)
     return (Piece(None, -C * power),), -factor
 
 
@@ -151,7 +151,8 @@ def _threshold(
     k, (exponent,) = medium.k, [atom.n for atom in reduced.atoms]
     form = reduced.pressure(Order((r, a)))
     depth = reduced.depth(Order((a,))).expr()
-    z, q = sp.symbols("z q", positive=True)  # z = 1 - r^2/a^2 and q = r^2/a^2, kept apart so that powers merge
+    # z = 1 - r^2/a^2 and q = r^2/a^2 = ratio^2, kept apart so that powers merge
+    z, q, ratio = sp.symbols("z q ratio", positive=True)
 
     def scaled(expr: sp.Expr) -> sp.Expr:
         return sp.powsimp(sp.expand(expr.subs(a**2 - r**2, a**2 * z).subs(1 - r**2 / a**2, z).subs(r, a * sp.sqrt(q))))
@@ -165,7 +166,8 @@ def _threshold(
         linear = sp.expand(slope.subs(master, level))
         solved = sp.factor(sp.powsimp(sp.cancel(-linear.coeff(level, 0) / linear.coeff(level, 1))))
         at_ring = sp.cancel(sp.powsimp(sp.expand(weighted.subs(master, solved))))
-        ring = sp.Eq(master, solved).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2})
+        shown = sp.powsimp(solved.subs(q, ratio**2), combine="exp")  # 1.12 and 1.13 merge powers of q differently
+        ring = sp.Eq(master, shown).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2, ratio: r_zero / a})
         status: Status = "root"
         ring_cases = (Case((1 - k, exponent, sp.Integer(2)), sp.S.Zero), Case((sp.Integer(2), exponent), ring))
         radius: sp.Expr = r_zero

@@ -245,10 +245,16 @@ def _is_monomial(expr: sp.Expr, value: sp.Symbol) -> bool:
 
 def _compose(outer: sp.Expr, inner: sp.Expr, value: sp.Symbol) -> sp.Expr:
     """outer(a = inner); the powers of a monomial are merged: (d/k)**(1/n) raised to n + 1."""
-    expr = outer.subs(a, inner).replace(sp.Abs, lambda inside: inside)  # every radicand here is positive
+    # every radicand here is positive; SymPy 1.12 leaves sqrt(x**2) where later ones say |x|
+    expr = outer.subs(a, inner).replace(sp.Abs, lambda inside: inside)
+    expr = expr.replace(_is_root_of_square, lambda root: root.base.base)
     if not _is_monomial(inner, value):
         return expr
     return sp.powdenest(sp.powsimp(expr, combine="exp"), force=True)
+
+
+def _is_root_of_square(expr: sp.Expr) -> bool:
+    return bool(expr.is_Pow and expr.exp == sp.S.Half and expr.base.is_Pow and expr.base.exp == 2)
 
 
 def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
