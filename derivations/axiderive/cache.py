@@ -1,0 +1,70 @@
+"""Content-addressed store of finished derivations and verifications: JSON files with their own checksum."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass
+from functools import cache as remember
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from .writing import write_atomic
+
+
+def canonical(value: object) -> str:
+    """JSON text that depends on the value alone."""
+    return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+
+
+def digest(value: object) -> str:
+    return hashlib.sha256(canonical(value).encode()).hexdigest()
+
+
+@remember
+def source_digest(*modules: str) -> str:
+    """SHA-256 over the source of modules and packages (with everything below them) of axiderive."""
+    hasher = hashlib.sha256()
+    for module in sorted(modules):
+        for path in _sources(module):
+            hasher.update(f"{module}:{path.name}:".encode())
+            hasher.update(path.read_bytes())
+    return hasher.hexdigest()
+
+
+def _sources(module: str) -> list[Path]:
+    spec = find_spec(module)
+    if spec is None or spec.origin is None:
+        return []
+    origin = Path(spec.origin)
+    if spec.submodule_search_locations is None:
+        return [origin]
+    return sorted(p for p in origin.parent.rglob("*") if p.is_file() and "__pycache__" not in p.parts)
+
+
+@dataclass(frozen=True)
+class Cache:
+    """Folder of values by key; `fresh` ignores what is stored, and still stores."""
+
+    folder: Path
+    fresh: bool = False
+
+    def path(self, key: str) -> Path:
+        return self.folder / key[:2] / f"{key}.json"
+
+    def get(self, key: str) -> Any | None:
+        """The stored value, or None where there is none or the file is damaged."""
+        if self.fresh:
+            return None
+        try:
+            record = json.loads(self.path(key).read_bytes())
+            value = record["value"]
+            intact = record["key"] == key and record["sha256"] == digest(value)
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+        return value if intact else None
+
+    def put(self, key: str, value: object) -> None:
+        record = {"key": key, "sha256": digest(value), "value": value}
+        write_atomic(self.path(key), (json.dumps(record, ensure_ascii=False, indent=1) + "\n").encode())

@@ -1,0 +1,149 @@
+"""One profile, derived and verified: the unit of work that is cached and handed to a process."""
+
+from __future__ import annotations
+
+import time
+import traceback
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .cache import Cache, digest, source_digest
+
+if TYPE_CHECKING:
+    from .entry import Entry
+    from .profiles.profile import Profile
+
+FORMAT = 1
+DERIVING = (
+    "axiderive.notation",
+    "axiderive.entry",
+    "axiderive.abel",
+    "axiderive.contact",
+    "axiderive.srepr",
+    "axiderive.records",
+)
+VERIFYING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.verification")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How hard the definitions are integrated, and where."""
+
+    digits: int = 50
+    points: int = 24
+    seed: int = 17
+
+    def record(self) -> dict[str, int]:
+        return {"digits": self.digits, "points": self.points, "seed": self.seed}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a task brings back, in plain data so that it crosses processes as it is stored."""
+
+    name: str
+    entries: dict[str, Any]
+    evidence: dict[str, Any]
+    seconds: float
+    cached: bool = False
+    error: str = ""
+    trace: str = ""
+
+    @property
+    def failures(self) -> list[dict[str, str]]:
+        found: list[dict[str, str]] = self.evidence.get("failures", [])
+        return found
+
+
+def project_root() -> Path:
+    """The checkout this engine lives in, or the current folder if it is installed elsewhere."""
+    checkout = Path(__file__).resolve().parents[2]
+    return checkout if (checkout / "pyproject.toml").is_file() else Path.cwd()
+
+
+def derivation_key(profile: Profile) -> str:
+    from .records import profile_record
+
+    return digest([FORMAT, "derivation", _version("sympy"), source_digest(*DERIVING), profile_record(profile)])
+
+
+def verification_key(profile: Profile, entries: dict[str, Any], settings: Settings) -> str:
+    versions = [_version(name) for name in ("sympy", "mpmath", "python-flint")]
+    return digest(
+        [FORMAT, "verification", versions, source_digest(*VERIFYING), settings.record(), profile.name, entries]
+    )
+
+
+def stored(profile: Profile, cache: Cache, settings: Settings) -> Outcome | None:
+    """The outcome if both its halves are in the cache."""
+    derivation = cache.get(derivation_key(profile))
+    if derivation is None:
+        return None
+    verification = cache.get(verification_key(profile, derivation["entries"], settings))
+    if verification is None:
+        return None
+    seconds = derivation["seconds"] + verification["seconds"]
+    return Outcome(profile.name, derivation["entries"], verification["evidence"], seconds, cached=True)
+
+
+def task(name: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
+    """Derive and verify one profile; what is finished is in the cache before the next step begins."""
+    from .profiles import load
+
+    start = time.perf_counter()
+    entries: dict[str, Any] = {}
+    try:
+        profile, cache = load(name), Cache(Path(folder), fresh)
+        entries = _derived(profile, cache)
+        evidence = _verified(profile, entries, cache, settings)
+    except OSError:
+        raise
+    except Exception as error:  # a defect in one profile must not take the others with it
+        kind = type(error).__name__
+        return Outcome(
+            name, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
+        )
+    return Outcome(name, entries, evidence, time.perf_counter() - start)
+
+
+def read_entries(profile: Profile, records: dict[str, Any]) -> dict[str, Entry]:
+    from .records import read_entry
+
+    return {suffix: read_entry(record, profile) for suffix, record in records.items()}
+
+
+def _derived(profile: Profile, cache: Cache) -> dict[str, Any]:
+    from .contact.normal import derive
+    from .records import entry_record
+
+    key = derivation_key(profile)
+    found = cache.get(key)
+    if found is None:
+        start = time.perf_counter()
+        entries = {suffix: entry_record(entry) for suffix, entry in derive(profile).items()}
+        found = {"entries": entries, "seconds": round(time.perf_counter() - start, 3)}
+        cache.put(key, found)
+    return dict(found["entries"])
+
+
+def _verified(profile: Profile, entries: dict[str, Any], cache: Cache, settings: Settings) -> dict[str, Any]:
+    from .verification import verify
+
+    key = verification_key(profile, entries, settings)
+    found = cache.get(key)
+    if found is None:
+        start = time.perf_counter()
+        # what is verified is what was stored, not what was in memory
+        evidence = verify(profile, read_entries(profile, entries), settings)
+        found = {"evidence": evidence, "seconds": round(time.perf_counter() - start, 3)}
+        cache.put(key, found)
+    return dict(found["evidence"])
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "missing"

@@ -1,0 +1,320 @@
+"""The machinery of a build: stored text, cache, atomic writing, processes, and what a build returns."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from axiderive import cache as cache_module
+from axiderive import pool, profiles, writing
+from axiderive.build import differences, only_profiles
+from axiderive.cache import Cache, digest
+from axiderive.contact.normal import derive
+from axiderive.notation import a, b, r
+from axiderive.records import entry_record, profile_record, read_entry
+from axiderive.srepr import ReadingError, from_text, to_text
+from axiderive.work import Settings, derivation_key, verification_key
+
+
+@pytest.mark.parametrize("name", profiles.NAMES)
+def test_every_entry_survives_storage(name):
+    """What is published is what was read back, so reading back must not change a single argument."""
+    profile = profiles.load(name)
+    for entry in derive(profile).values():
+        back = read_entry(json.loads(json.dumps(entry_record(entry))), profile)
+        assert back == entry
+        assert back.primitives == entry.primitives
+        assert back.text() == entry.text()
+
+
+@pytest.mark.parametrize(
+    "expr",
+    [
+        sp.Mul(2, a + b, evaluate=False),
+        sp.Add(a, a, evaluate=False),
+        sp.sqrt(8) * a ** sp.Rational(-7, 3),
+        sp.Integral(sp.sqrt(r + a) / r, (r, a, b)),
+        sp.Function("g")(a),
+        sp.Piecewise((a, a < b), (b, True)),
+        sp.Float("1.5", 50),
+        sp.Symbol("odd name(); import os"),
+    ],
+    ids=str,
+)
+def test_stored_text_returns_the_expression_unevaluated(expr):
+    assert from_text(to_text(expr)) == expr
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "__import__('os').system('true')",
+        "Symbol('a').__class__",
+        "open('/etc/passwd')",
+        "Lambda(Symbol('x'), Symbol('x'))",
+        "Symbol('a', positive=print)",
+        "Integer(True)",
+        "Integer(1.5)",
+        "Add(*[1])",
+        "(lambda: 1)()",
+        "Add(Integer(1), Integer(2)",
+        "",
+        "(" * 3000,
+    ],
+)
+def test_foreign_text_is_refused(text):
+    with pytest.raises(ReadingError):
+        from_text(text)
+
+
+def test_functions_without_a_place_in_the_list_are_refused_on_writing():
+    """Otherwise a result would be stored that cannot be read."""
+    with pytest.raises(ReadingError, match="fresnels"):
+        to_text(sp.fresnels(a))
+
+
+KEY = digest("a key")
+
+
+def test_cache_returns_what_was_put(tmp_path):
+    store = Cache(tmp_path)
+    assert store.get(KEY) is None
+    store.put(KEY, {"text": "θ", "list": [1, None]})
+    assert store.get(KEY) == {"text": "θ", "list": [1, None]}
+    assert Cache(tmp_path, fresh=True).get(KEY) is None
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda content: content[: len(content) // 2],
+        lambda content: b"",
+        lambda content: content.replace(b"3.5", b"3.6"),
+        lambda content: b"\xff" + content,
+        lambda content: b"[]",
+        lambda content: content.replace(b'"sha256"', b'"sha25"'),
+        lambda content: content.replace(KEY.encode(), digest("another key").encode()),
+    ],
+    ids=["truncated", "empty", "altered", "not text", "not a record", "no checksum", "other key"],
+)
+def test_damaged_cache_files_count_as_missing(tmp_path, damage):
+    store = Cache(tmp_path)
+    store.put(KEY, {"value": 3.5})
+    path = store.path(KEY)
+    path.write_bytes(damage(path.read_bytes()))
+    assert store.get(KEY) is None
+
+
+def test_keys_follow_everything_a_result_depends_on(monkeypatch):
+    cone, sphere = profiles.load("cone"), profiles.load("sphere")
+    assert derivation_key(cone) == derivation_key(cone)
+    assert derivation_key(cone) != derivation_key(sphere)
+    base = verification_key(cone, {}, Settings())
+    others = [Settings(digits=51), Settings(points=25), Settings(seed=18)]
+    keys = {
+        base,
+        *(verification_key(cone, {}, settings) for settings in others),
+        verification_key(cone, {"d": 1}, Settings()),
+    }
+    assert len(keys) == 5
+    before = derivation_key(cone)
+    monkeypatch.setattr("axiderive.work.version", lambda package: "1.99")
+    assert derivation_key(cone) != before
+    assert profile_record(cone) != profile_record(sphere)
+
+
+def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
+    package = tmp_path / "some_engine"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    (package / "part.py").write_text("x = 1\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    first = cache_module.source_digest.__wrapped__("some_engine")
+    (package / "part.py").write_text("x = 2\n")
+    assert cache_module.source_digest.__wrapped__("some_engine") != first
+
+
+FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}
+
+
+def _catalogue(root: Path) -> dict[str, bytes]:
+    files = {path.relative_to(root).as_posix(): path.read_bytes() for path in root.rglob("*") if path.is_file()}
+    return dict(sorted(files.items()))
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A catalogue as an earlier build left it, with a stale file and files that are not ours."""
+    root = tmp_path / "catalogue"
+    old = {"axicontact/index.json": "old", "axicontact/normal/cone.py": "old\n", "axicontact/normal/kone.py": "stale"}
+    for path, text in {**old, "axicontact/notes.txt": "mine", "mine/own.py": "mine"}.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    return root
+
+
+def test_publishing_replaces_adds_and_removes_only_what_is_generated(root):
+    written, removed = writing.publish(FILES, root, prune=True)
+    assert written == sorted(FILES)
+    assert removed == ["axicontact/normal/kone.py"]
+    assert _catalogue(root) == dict(sorted({**FILES, "axicontact/notes.txt": b"mine", "mine/own.py": b"mine"}.items()))
+    assert writing.publish(FILES, root, prune=True) == ([], [])
+
+
+def test_nothing_is_removed_where_no_catalogue_was(tmp_path):
+    (tmp_path / "evidence").mkdir()
+    (tmp_path / "evidence" / "of_something_else.json").write_text("{}")
+    writing.publish(FILES, tmp_path, prune=True)
+    assert (tmp_path / "evidence" / "of_something_else.json").exists()
+
+
+def test_a_failing_disk_leaves_the_old_catalogue(root, monkeypatch):
+    before = _catalogue(root)
+    calls = []
+
+    def fsync(descriptor):
+        calls.append(descriptor)
+        if len(calls) == 3:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    with pytest.raises(writing.WritingError, match=r"cannot write .*No space left on device.*"):
+        writing.publish(FILES, root, prune=True)
+    assert _catalogue(root) == before
+
+
+def test_a_file_that_may_not_grow_leaves_the_old_catalogue(root):
+    """The same with the kernel's refusal: no file may be longer than 64 bytes."""
+    script = f"""
+import resource
+from pathlib import Path
+from axiderive.writing import WritingError, publish
+resource.setrlimit(resource.RLIMIT_FSIZE, (64, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
+try:
+    publish({{**{FILES!r}, "handbook/long.tex": b"x" * 1000}}, Path({str(root)!r}), prune=True)
+except WritingError as error:
+    print(error)
+"""
+    before = _catalogue(root)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
+    assert "File too large" in done.stdout
+    assert _catalogue(root) == before
+
+
+def test_a_folder_that_cannot_be_is_refused_before_the_work(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(writing.WritingError, match="cannot write a catalogue to .*--out"):
+        writing.ensure_writable(tmp_path / "file" / "catalogue")
+
+
+def test_leftovers_of_a_killed_build_are_cleared(root):
+    process = subprocess.Popen([sys.executable, "-c", ""])
+    process.wait()
+    dead, alive = root / f".staging-{process.pid}", root / f".staging-{os.getppid()}"
+    dead.mkdir()
+    alive.mkdir()
+    writing.publish(FILES, root, prune=True)
+    assert not dead.exists()
+    assert alive.exists()
+
+
+def test_an_atomic_write_that_fails_leaves_no_trace(tmp_path, monkeypatch):
+    target = tmp_path / "file"
+    writing.write_atomic(target, b"old")
+    monkeypatch.setattr(os, "replace", lambda *paths: (_ for _ in ()).throw(OSError(errno.EIO, "broken")))
+    with pytest.raises(OSError, match="broken"):
+        writing.write_atomic(target, b"new")
+    assert _catalogue(tmp_path) == {"file": b"old"}
+
+
+def test_differences_name_changed_new_and_stale_files(root):
+    lines = differences(FILES, root, ["axicontact/normal/kone.py"])
+    text = "\n".join(lines)
+    assert "-old\n+new" in text
+    assert "--- /dev/null\n+++ built/evidence/cone.json" in text
+    assert "--- committed/axicontact/normal/kone.py" in text
+    writing.publish(FILES, root, prune=True)
+    assert differences(FILES, root) == []
+
+
+def test_a_partial_build_keeps_the_other_profiles(tmp_path):
+    def index(*names):
+        rows = {"profiles": [{"name": n} for n in names], "entries": [{"profile": n, "key": f"{n}.p"} for n in names]}
+        return json.dumps(rows).encode()
+
+    shared = {"axicontact/__init__.py": b"all", "handbook/handbook.tex": b"all"}
+    writing.publish({**shared, "axicontact/index.json": index("cone", "sphere", "gone")}, tmp_path, prune=False)
+    part = {"axicontact/__init__.py": b"part", "axicontact/extra.py": b"x", "axicontact/normal/paraboloid.py": b"y"}
+    files = only_profiles({**part, "axicontact/index.json": index("paraboloid")}, ["paraboloid"], tmp_path)
+    assert sorted(files) == ["axicontact/extra.py", "axicontact/index.json", "axicontact/normal/paraboloid.py"]
+    merged = json.loads(files["axicontact/index.json"])
+    assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
+    assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]
+
+
+def _hash_seed_and_number(number):
+    return os.environ.get("PYTHONHASHSEED"), os.getpid(), number
+
+
+def _die(number):
+    os._exit(9)
+
+
+def test_workers_have_a_fixed_hash_seed_and_all_tasks_return():
+    results = list(pool.run(_hash_seed_and_number, [(i,) for i in range(4)], jobs=2))
+    assert sorted(number for _, _, number in results) == [0, 1, 2, 3]
+    assert {seed for seed, _, _ in results} == {"0"}
+    assert os.getpid() not in {pid for _, pid, _ in results}
+
+
+def test_a_dead_worker_is_an_error_not_a_hang():
+    with pytest.raises(pool.WorkerError, match="--jobs 1"):
+        list(pool.run(_die, [(1,), (2,)], jobs=2))
+
+
+INTERRUPTED = """
+import sys, time
+from axiderive import pool
+if __name__ == "__main__":
+    print("ready", flush=True)
+    try:
+        list(pool.run(time.sleep, [(60,), (60,), (60,)], jobs=2))
+    except KeyboardInterrupt:
+        print("stopped", flush=True)
+        sys.exit(130)
+"""
+
+
+def _children(pid: int) -> list[int]:
+    return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="looks for processes in /proc")
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_no_worker_outlives_the_build(tmp_path, how):
+    script = tmp_path / "script.py"
+    script.write_text(INTERRUPTED)
+    process = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 30
+    while len(_children(process.pid)) < 3:  # two workers and the tracker of multiprocessing
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    time.sleep(1)
+    children = _children(process.pid)
+    process.send_signal(how)
+    output, errors = process.communicate(timeout=30)
+    if how == signal.SIGINT:
+        assert (process.returncode, output, errors) == (130, "ready\nstopped\n", "")
+    deadline = time.monotonic() + 30
+    while any(Path(f"/proc/{child}/exe").exists() for child in children):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
