@@ -1,0 +1,144 @@
+"""The command `axicontact`: build, list, show, check.
+
+Nothing heavy is imported before a command needs it: `list` and `show` answer
+from the stored index without SymPy or NumPy.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from .exits import ENVIRONMENT, FAILED, INCOMPLETE, INTERRUPTED, CommandError
+from .show import FORMS, TOPICS
+
+MOST_JOBS = 4
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit code."""
+    arguments = _parser().parse_args(argv)
+    try:
+        code: int = arguments.run(arguments)
+        sys.stdout.flush()
+    except CommandError as error:
+        print(f"axicontact: {error}", file=sys.stderr)
+        return error.code
+    except KeyboardInterrupt:
+        print("\naxicontact: interrupted; finished profiles are kept, the same command continues", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # the reader (head, less) has gone: nothing is left to say, not even at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except ImportError as error:
+        print(f"axicontact: {error}; deriving needs more than NumPy: pip install 'axicontact[derive]'", file=sys.stderr)
+        return ENVIRONMENT
+    except OSError as error:
+        print(f"axicontact: {error}", file=sys.stderr)
+        return ENVIRONMENT
+    return code
+
+
+def _parser() -> argparse.ArgumentParser:
+    from . import __version__
+
+    parser = argparse.ArgumentParser(
+        prog="axicontact", description="Closed forms of elastic contact: derived, proved, checked."
+    )
+    parser.add_argument("--version", action="version", version=f"axicontact {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="command")
+
+    build = commands.add_parser("build", help="derive, prove, check and write the catalogue")
+    build.set_defaults(run=_build)
+    build.add_argument("--only", type=_names, default=[], metavar="A,B", help="these profiles only")
+    build.add_argument(
+        "--jobs",
+        type=_positive,
+        default=min(os.cpu_count() or 1, MOST_JOBS),
+        metavar="N",
+        help="processes (%(default)s)",
+    )
+    build.add_argument("--out", type=Path, metavar="DIR", help="folder of the catalogue (catalogue/ of the checkout)")
+    build.add_argument("--no-pdf", action="store_true", help="leave the handbook as LaTeX")
+    build.add_argument("--fresh", action="store_true", help="ignore what earlier builds stored")
+    build.add_argument(
+        "--check", action="store_true", help="write nothing; fail with a diff if the catalogue would change"
+    )
+    build.add_argument("--no-install", action="store_true", help="never install LaTeX")
+    build.add_argument("--strict", action="store_true", help=f"end with code {INCOMPLETE} if there is no PDF")
+    build.add_argument("--quiet", action="store_true", help="say nothing but failures")
+    _numerical(build)
+
+    listing = commands.add_parser("list", help="what the catalogue holds")
+    listing.set_defaults(run=_list)
+    listing.add_argument("topic", nargs="?", choices=TOPICS, default=TOPICS[0])
+    listing.add_argument("--json", action="store_true", help="for programs")
+
+    show = commands.add_parser("show", help="a profile or one of its formulas")
+    show.set_defaults(run=_show)
+    show.add_argument("key", help="cone, or cone.p")
+    show.add_argument("--as", dest="form", choices=FORMS, default=FORMS[0])
+
+    check = commands.add_parser("check", help="verify the stored formulas again, without deriving them")
+    check.set_defaults(run=_check)
+    check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p; default all")
+    _numerical(check)
+    return parser
+
+
+def _numerical(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--digits", type=_positive, default=50, help="digits of the numerical checks (%(default)s)")
+    parser.add_argument("--points", type=_positive, default=24, help="points per formula (%(default)s)")
+    parser.add_argument("--seed", type=int, default=17, help="seed of the points (%(default)s)")
+    parser.add_argument("-v", "--verbose", action="store_true", help="say more")
+
+
+def _positive(text: str) -> int:
+    number = int(text) if text.isdecimal() else 0
+    if number < 1:
+        message = f"{text!r} is not a whole number above 0"
+        raise argparse.ArgumentTypeError(message)
+    return number
+
+
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def _build(arguments: argparse.Namespace) -> int:
+    from .commands import build
+
+    return build(arguments)
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from .index import load
+    from .show import listing
+
+    print(listing(load(), arguments.topic, as_json=arguments.json))
+    return 0
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    from .index import load
+    from .show import shown
+
+    print(shown(load(), arguments.key, arguments.form).rstrip())
+    return 0
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from .check import check
+    from .work import Settings, project_root
+
+    settings = Settings(arguments.digits, arguments.points, arguments.seed)
+    folder = project_root() / "catalogue" / "evidence"
+    return 0 if check(arguments.keys, folder, settings, verbose=arguments.verbose) else FAILED
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

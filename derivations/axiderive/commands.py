@@ -1,0 +1,120 @@
+"""The command `axicontact build`: build the catalogue, write or compare it, make the PDF, and say what happened."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import sys
+import time
+from pathlib import Path
+
+from . import pdf, profiles
+from .build import Catalogue, differences, only_profiles
+from .build import build as build_catalogue
+from .cache import Cache, digest
+from .exits import FAILED, INCOMPLETE, CommandError
+from .index import nearest
+from .progress import Progress, failure_lines, summary
+from .work import Settings, project_root
+from .writing import GENERATED_SUFFIXES, ensure_writable, publish, stale_files, write_atomic
+
+LONGEST_DIFF = 200
+MOST_REMARKS = 5
+
+
+def build(arguments: argparse.Namespace) -> int:
+    for name in arguments.only:
+        if name not in profiles.NAMES:
+            raise nearest(name, "profile", profiles.NAMES)
+    names = arguments.only or list(profiles.NAMES)
+    root = arguments.out or project_root() / "catalogue"
+    cache = Cache(project_root() / ".cache", arguments.fresh)
+    settings = Settings(arguments.digits, arguments.points, arguments.seed)
+    started = time.perf_counter()
+    if not arguments.check:
+        ensure_writable(root)
+    with Progress(len(names), quiet=arguments.quiet).running() as progress:
+        catalogue = build_catalogue(
+            names, cache=cache, settings=settings, jobs=arguments.jobs, report=progress.finished
+        )
+    failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
+    partial = bool(arguments.only) and (root / "axicontact" / "index.json").exists()
+    files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
+    progress.say(summary(catalogue))
+    if not any(path.startswith("evidence/") for path in catalogue.files):
+        print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
+        return FAILED
+    if arguments.check:
+        code = _compare(files, root, partial=partial, progress=progress, verbose=arguments.verbose)
+    else:
+        written, removed = publish(files, root, prune=not partial)
+        code = _handbook(root, cache, arguments, progress)
+        _report_written(catalogue, root, (len(written), len(removed)), time.perf_counter() - started, progress)
+    if failures:
+        print("\n".join(failures), file=sys.stderr)
+        return FAILED
+    return code
+
+
+def _compare(files: dict[str, bytes], root: Path, *, partial: bool, progress: Progress, verbose: bool) -> int:
+    lines = differences(files, root, [] if partial else stale_files(files, root))
+    if not lines:
+        progress.say(f"{root} is what a build writes ({len(files)} files)")
+        return 0
+    print("\n".join(lines if verbose else lines[:LONGEST_DIFF]))
+    if not verbose and len(lines) > LONGEST_DIFF:
+        print(f"... {len(lines) - LONGEST_DIFF} more lines of difference; all of them with -v")
+    print(f"axicontact: {root} is not what a build writes; run axicontact build and commit the result", file=sys.stderr)
+    return FAILED
+
+
+def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress: Progress) -> int:
+    """Make handbook.pdf unless it is there already, made from the same sources."""
+    if arguments.no_pdf:
+        return 0
+    folder = root / "handbook"
+    sources = {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and path.suffix in GENERATED_SUFFIXES
+    }
+    target = folder / "handbook.pdf"
+    key = digest(["pdf", {path: hashlib.sha256(content).hexdigest() for path, content in sources.items()}])
+    made = cache.get(key)
+    if made is not None and target.is_file() and hashlib.sha256(target.read_bytes()).hexdigest() == made:
+        return 0
+    try:
+        pdf.ensure_latex(install=not arguments.no_install, say=progress.say)
+        content, warnings = pdf.compile_pdf(sources)
+    except pdf.NoLatexError as error:
+        progress.say(str(error))
+        return INCOMPLETE if arguments.strict else 0
+    except pdf.LatexError as error:
+        message = f"the handbook does not compile, everything else is written\n{error}"
+        raise CommandError(message) from error
+    write_atomic(target, content)
+    cache.put(key, hashlib.sha256(content).hexdigest())
+    for warning in warnings if arguments.verbose else warnings[:MOST_REMARKS]:
+        progress.say(f"handbook: {warning}")
+    if len(warnings) > MOST_REMARKS and not arguments.verbose:
+        progress.say(f"handbook: {len(warnings) - MOST_REMARKS} more remarks of LaTeX, shown with -v")
+    return 0
+
+
+def _report_written(
+    catalogue: Catalogue, root: Path, counts: tuple[int, int], seconds: float, progress: Progress
+) -> None:
+    files = catalogue.files
+    modules = sum(1 for path in files if path.startswith("axicontact/normal/") and not path.endswith("__init__.py"))
+    functions = sum(files[path].count(b"\ndef ") for path in files if path.startswith("axicontact/normal/"))
+    evidence = sum(1 for path in files if path.startswith("evidence/"))
+    rows = [
+        f"{root}/axicontact  {modules} modules, {functions} functions (NumPy only)",
+        f"{root}/handbook    {'handbook.pdf' if (root / 'handbook' / 'handbook.pdf').exists() else 'LaTeX only, no PDF'}",
+        f"{root}/evidence    {evidence} files",
+    ]
+    changed, removed = counts
+    progress.say("\nwrote  " + "\n       ".join(rows))
+    progress.say(f"       {changed} files changed, {removed} removed, {seconds:.1f} s in all")
+    example = "rounded_punch" if "axicontact/normal/rounded_punch.py" in files else catalogue.outcomes[0].name
+    progress.say(f"next   axicontact show {example}    |    axicontact show {example}.F --as python")

@@ -1,0 +1,100 @@
+"""Reader of the compact index: standard library only, so that `list` and `show` are instant."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from .exits import ENVIRONMENT, USAGE, CommandError
+
+Row = dict[str, Any]
+
+
+class UnknownNameError(CommandError):
+    """A profile, key or topic that does not exist; the message has the nearest one."""
+
+    code = USAGE
+
+
+class NoCatalogueError(CommandError):
+    """There is no catalogue to read."""
+
+    code = ENVIRONMENT
+
+
+def nearest(name: str, kind: str, known: Iterable[str]) -> UnknownNameError:
+    near = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
+    hint = f"; did you mean {near[0]!r}?" if near else "; see axicontact list"
+    return UnknownNameError(f"unknown {kind} {name!r}{hint}")
+
+
+@dataclass(frozen=True)
+class Index:
+    """The index of one generated package."""
+
+    folder: Path
+    data: dict[str, list[Row]]
+
+    @property
+    def profiles(self) -> list[Row]:
+        return self.data["profiles"]
+
+    @property
+    def entries(self) -> list[Row]:
+        return self.data["entries"]
+
+    def profile(self, name: str) -> Row:
+        for row in self.profiles:
+            if row["name"] == name:
+                return row
+        raise nearest(name, "profile", [row["name"] for row in self.profiles])
+
+    def select(self, key: str) -> list[Row]:
+        """The entry of that key, or all entries of the profile of that name."""
+        found = [row for row in self.entries if key in (row["key"], row["profile"])]
+        if found:
+            return found
+        name, dot, suffix = key.partition(".")
+        if dot and any(row["name"] == name for row in self.profiles):
+            raise nearest(key, "key", self.profile(name)["keys"])
+        profiles = [row["name"] for row in self.profiles]
+        if dot:
+            near = difflib.get_close_matches(name, profiles, n=1, cutoff=0.5)
+            candidates = [f"{near[0]}.{suffix}", near[0]] if near else []
+            raise nearest(key, "key", [c for c in candidates if c in profiles or c in (r["key"] for r in self.entries)])
+        raise nearest(key, "profile or key", profiles)
+
+    def source(self, entry: Row) -> str:
+        """Text of the generated function behind an entry."""
+        path = self.folder / "normal" / f"{entry['profile']}.py"
+        text = path.read_text()
+        for node in ast.parse(text).body:
+            if isinstance(node, ast.FunctionDef) and node.name == entry["function"]:
+                first = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+                return "\n".join(text.splitlines()[first - 1 : node.end_lineno]) + "\n"
+        message = f"{path} has no function {entry['function']}; run axicontact build"
+        raise NoCatalogueError(message)
+
+
+def load() -> Index:
+    """The index of the installed package, or of the checkout this engine lives in."""
+    spec = find_spec("axicontact")
+    folders = [Path(place) for place in (spec.submodule_search_locations or ())] if spec else []
+    folders.append(Path(__file__).parents[2] / "catalogue" / "axicontact")
+    for folder in folders:
+        path = folder / "index.json"
+        try:
+            return Index(folder, json.loads(path.read_bytes()))
+        except FileNotFoundError:
+            continue
+        except ValueError as error:
+            message = f"{path} is damaged ({error}); run axicontact build"
+            raise NoCatalogueError(message) from error
+    message = "there is no catalogue yet; run axicontact build"
+    raise NoCatalogueError(message)

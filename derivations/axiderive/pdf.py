@@ -1,0 +1,160 @@
+"""The handbook's LaTeX made into a PDF, and TeX's complaints made readable."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+PACKAGES = ("texlive-latex-recommended", "texlive-pictures", "texlive-fonts-recommended", "tex-gyre")
+INSTALL = f"apt-get install --no-install-recommends {' '.join(PACKAGES)}"
+NEEDED = ("tikz.sty", "tgpagella.sty", "tgheros.sty", "mathpazo.sty", "booktabs.sty")
+# without -halt-on-error a bad label kept pdflatex looping for minutes
+PDFLATEX = ("pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error")
+TIMEOUT = 120
+MOST_PASSES = 4
+WIDEST_OVERFULL_PT = 2.0
+
+
+class LatexError(RuntimeError):
+    """The handbook does not compile; the message has one line per problem, with the key it belongs to."""
+
+
+class NoLatexError(RuntimeError):
+    """pdflatex or one of its packages is missing; the message has the command that installs them."""
+
+
+def ensure_latex(*, install: bool, say: Callable[[str], None]) -> None:
+    """Install the Debian packages if they are missing and this process may; `NoLatexError` otherwise."""
+    if _has_latex():
+        return
+    sudo = "" if os.geteuid() == 0 else "sudo "
+    hint = f"no PDF, because pdflatex or its packages are missing; to get it: {sudo}{INSTALL}"
+    if not install or os.geteuid() != 0 or shutil.which("apt-get") is None:
+        raise NoLatexError(hint)
+    say(f"first run: installing pdflatex ({len(PACKAGES)} Debian packages, 114 MB) ...")
+    environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+    for command in (["apt-get", "update", "-qq"], [*INSTALL.split(), "--yes", "-qq"]):
+        done = subprocess.run(
+            command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+        )
+        if done.returncode:
+            last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+            message = f"{hint} (tried: {' '.join(command[:2])} said {last!r})"
+            raise NoLatexError(message)
+    if not _has_latex():
+        raise NoLatexError(hint)
+
+
+def _has_latex() -> bool:
+    if shutil.which("pdflatex") is None or shutil.which("kpsewhich") is None:
+        return False
+    found = subprocess.run(
+        ["kpsewhich", *NEEDED], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    )
+    return len(found.stdout.split()) == len(NEEDED)
+
+
+def main_file(sources: Mapping[str, bytes]) -> str:
+    """The one source with a document class."""
+    for path, content in sources.items():
+        if path.endswith(".tex") and b"\\documentclass" in content:
+            return path
+    message = "the handbook has no file with a \\documentclass"
+    raise LatexError(message)
+
+
+def compile_pdf(sources: Mapping[str, bytes]) -> tuple[bytes, list[str]]:
+    """PDF of the handbook and the warnings of the last pass.
+
+    Passes are repeated until the .aux files no longer change.
+    """
+    main = main_file(sources)
+    with tempfile.TemporaryDirectory(prefix="axicontact-tex-") as name:
+        folder = Path(name)
+        for path, content in sources.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_bytes(content)
+        before: dict[str, bytes] | None = None
+        for _ in range(MOST_PASSES):
+            _one_pass(folder, main, sources)
+            after = {path.name: path.read_bytes() for path in sorted(folder.rglob("*.aux"))}
+            if after == before:
+                break
+            before = after
+        job = Path(main).stem
+        log = (folder / f"{job}.log").read_text(errors="replace")
+        return (folder / f"{job}.pdf").read_bytes(), problems(log, sources)
+
+
+def _one_pass(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:
+    # long lines of the log stay whole, so that its messages can be read
+    environment = {**os.environ, "max_print_line": "10000", "openout_any": "p"}
+    try:
+        done = subprocess.run(
+            [*PDFLATEX, main],
+            cwd=folder,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            timeout=TIMEOUT,
+            check=False,
+        )
+    except subprocess.TimeoutExpired as error:
+        message = f"pdflatex was stopped after {TIMEOUT} s"
+        raise LatexError(message) from error
+    log = folder / f"{Path(main).stem}.log"
+    if done.returncode:
+        found = problems(log.read_text(errors="replace"), sources) if log.exists() else []
+        raise LatexError("\n".join(found or [f"pdflatex ended with code {done.returncode} and left no log"]))
+
+
+def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
+    """Errors, overfull lines and dangling references in a log, each with the key of the entry it is in."""
+    found = [*_errors(log, sources), *_overfull_lines(log, sources)]
+    for match in re.finditer(r"^LaTeX Warning: (?:Hyper )?[Rr]eference `([^']+)' on page (\d+) undefined", log, re.M):
+        found.append(f"reference {match[1]} (page {match[2]}) does not exist")
+    if "LaTeX Font Warning: Font shape" in log:
+        found.append(f"a font shape was substituted; the fonts come with: {INSTALL}")
+    if missing := re.search(r"LaTeX Error: File `([^']+)' not found", log):
+        found.append(f"LaTeX package {missing[1]} is missing; {INSTALL}")
+    if runaway := re.search(r"^! (?!LaTeX Error)(.+)\.$", log, re.M):
+        found.append(f"{runaway[1]}: a brace does not close")
+    return found
+
+
+def _errors(log: str, sources: Mapping[str, bytes]) -> Iterator[str]:
+    for match in re.finditer(r"^(?:\./)?([^\s:]+\.\w+):(\d+): (.+)$", log, re.M):
+        path, line, text = match[1], int(match[2]), match[3]
+        if "==> Fatal" in text:
+            continue
+        if "Undefined control" in text and (culprit := re.search(r"(\\[A-Za-z@]+) *$", log[match.end() :], re.M)):
+            text += f" {culprit[1]}"
+        yield f"{path}:{line}: [{_key_at(sources, path, line)}] {text}"
+
+
+def _overfull_lines(log: str, sources: Mapping[str, bytes]) -> Iterator[str]:
+    current = _file_tracker(log)
+    for match in re.finditer(r"^Overfull \\hbox \(([\d.]+)pt too wide\)[^\n]*?lines? (\d+)", log, re.M):
+        excess, path, line = float(match[1]), current(match.start()), int(match[2])
+        if excess > WIDEST_OVERFULL_PT:
+            yield f"{path}:{line}: [{_key_at(sources, path, line)}] line is {excess * 0.3515:.1f} mm too wide"
+
+
+def _file_tracker(log: str) -> Callable[[int], str]:
+    """Which source TeX was reading at a place of the log: it writes `(./file.tex` when one is opened."""
+    opened = [(m.start(), m[1]) for m in re.finditer(r"\((?:\./)?([\w/-]+\.tex)", log)]
+    return lambda place: next((path for start, path in reversed(opened) if start <= place), "handbook.tex")
+
+
+def _key_at(sources: Mapping[str, bytes], path: str, line: int) -> str:
+    """The key in the last `%% key` comment above a line."""
+    for text in reversed(sources.get(path, b"").decode().splitlines()[:line]):
+        if match := re.match(r"%% (\S+)", text):
+            return match[1]
+    return "preamble"

@@ -1,0 +1,93 @@
+"""What a build says while it runs and at its end: a bar on a terminal, one line per profile elsewhere."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from .show import table
+
+if TYPE_CHECKING:
+    from .build import Catalogue, Failure
+    from .work import Outcome
+
+HEAD = ["profile", "formulas", "closed", "integral", "root", "certified", "worst residual", "time"]
+
+
+class Progress:
+    """Counts finished profiles; `--quiet` says nothing but failures."""
+
+    def __init__(self, total: int, *, quiet: bool) -> None:
+        self.total, self.quiet, self.done = total, quiet, 0
+        self._bar: Any = None
+        self._task: Any = None
+
+    @contextmanager
+    def running(self) -> Iterator[Progress]:
+        if self.quiet or not sys.stderr.isatty() or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
+            yield self
+            return
+        from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
+        from rich.progress import Progress as Bar
+
+        columns = (TextColumn("deriving"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"))
+        from rich.console import Console
+
+        with Bar(*columns, TimeElapsedColumn(), console=Console(stderr=True), transient=True) as self._bar:
+            self._task = self._bar.add_task("", total=self.total)
+            yield self
+
+    def finished(self, outcome: Outcome) -> None:
+        self.done += 1
+        if self._bar is not None:
+            self._bar.update(self._task, advance=1, description=outcome.name)
+        elif not outcome.cached:
+            count = f"{self.done:>{len(str(self.total))}}/{self.total}"
+            state = f"{len(outcome.entries):3} formulas" if not outcome.error else "failed"
+            self.say(f"{count}  {outcome.name:22} {state}  {outcome.seconds:6.1f} s")
+
+    def say(self, text: str) -> None:
+        if not self.quiet:
+            print(text, file=sys.stderr, flush=True)
+
+
+def summary(catalogue: Catalogue) -> str:
+    """The table of profiles, with a line of totals."""
+    rows = [_row(outcome) for outcome in catalogue.outcomes if not outcome.error]
+    if not rows:
+        return ""
+    total = [f"{len(rows)} profiles", *(sum(row[i] for row in rows) for i in range(1, 6))]
+    total += [max((row[6] for row in rows if row[6]), key=float, default=""), sum(row[7] for row in rows)]
+    cells = [[*map(str, row[:7]), f"{row[7]:.1f} s"] for row in [*rows, total]]
+    widths = [max(len(row[i]) for row in [HEAD, *cells]) for i in range(len(HEAD))]
+    aligned = [
+        [row[0], *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True))]
+        for row in [HEAD, *cells]
+    ]
+    return table(aligned)
+
+
+def _row(outcome: Outcome) -> list[Any]:
+    statuses = [record["status"] for record in outcome.entries.values()]
+    evidence = outcome.evidence.get("entries", {})
+    certified = sum(1 for found in evidence.values() if found.get("certified"))
+    worst = max((found["residual"] for found in evidence.values() if found.get("residual")), key=float, default="")
+    counts = [statuses.count(status) for status in ("closed", "integral", "root")]
+    return [outcome.name, len(statuses), *counts, certified, worst, outcome.seconds]
+
+
+def failure_lines(failures: Sequence[Failure], *, seed: int, verbose: bool) -> list[str]:
+    """Short: what failed, and how to see it again."""
+    lines = []
+    for failure in failures:
+        again = "axicontact check" if "." in failure.key else "axicontact build --fresh --jobs 1 --only"
+        option = f" --seed {seed}" if "." in failure.key else ""
+        lines.append(f"{failure.key}: {failure.message}\n    again: {again} {failure.key}{option} -v")
+        if verbose and failure.trace:
+            lines.append(failure.trace.rstrip())
+    if lines:
+        lines.append(f"{len(failures)} left out of the catalogue")
+    return lines

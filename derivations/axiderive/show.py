@@ -1,0 +1,112 @@
+"""What `axicontact list` and `axicontact show` print."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .index import Index, Row
+
+TOPICS = ("profiles", "physics", "quantities", "units")
+FORMS = ("text", "latex", "python", "json")
+
+
+def listing(index: Index, topic: str, *, as_json: bool = False) -> str:
+    rows = _rows(index, topic)
+    if as_json:
+        return json.dumps(rows, indent=1, ensure_ascii=False)
+    return table([list(rows[0]), *([_cell(value) for value in row.values()] for row in rows)]) if rows else ""
+
+
+def _rows(index: Index, topic: str) -> list[Row]:
+    if topic == "units":
+        return [{k: row[k] for k in ("name", "unit", "domain", "meaning")} for row in index.data["units"]]
+    if topic == "physics":
+        return [{**row, "formulas": len(index.entries)} for row in index.data["physics"]]
+    if topic == "quantities":
+        first = {(row["quantity"], row["function"]): row for row in index.entries}
+        names = {"quantity": "suffix", "function": "function", "label": "label", "symbol": "symbol", "unit": "unit"}
+        return [{new: row[old] for old, new in names.items()} for row in first.values()]
+    return [
+        {
+            "name": row["name"],
+            "profile f(r)": [f"{piece['text']} ({piece['conditions'] or 'else'})" for piece in row["shape"]]
+            if len(row["shape"]) > 1
+            else row["shape"][0]["text"],
+            "parameters": row["parameters"],
+            "contact": row["contact"],
+            "formulas": len(row["keys"]),
+        }
+        for row in index.profiles
+    ]
+
+
+def shown(index: Index, key: str, form: str) -> str:
+    """The entry, or all entries of a profile, in one of `FORMS`."""
+    entries = index.select(key)
+    whole = key == entries[0]["profile"]
+    if form == "json":
+        profile = index.profile(entries[0]["profile"])
+        return json.dumps(
+            {"profile": profile, "entries": entries} if whole else entries[0], indent=1, ensure_ascii=False
+        )
+    if form == "python":
+        return "\n\n".join(index.source(entry) for entry in entries)
+    if form == "latex":
+        return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['latex']}" for e in entries for c in e["cases"])
+    head = [_profile_text(index.profile(key))] if whole else []
+    return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
+
+
+def _profile_text(profile: Row) -> str:
+    shape = "\n".join(f"  f(r) = {piece['text']}{_when(piece['conditions'])}" for piece in profile["shape"])
+    rows = [f"{profile['title']} ({profile['name']}): {profile['subtitle']}", shape]
+    rows += [f"  rule     {rule}" for rule in profile["rules"]]
+    rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
+    rows.append(f"  sources  {', '.join(profile['sources'])}")
+    return "\n".join(rows)
+
+
+def _entry_text(entry: Row, *, brief: bool) -> str:
+    unit = f" [{entry['unit']}]" if entry["unit"] else ""
+    rows = [f"{entry['key']}  {entry['label']}{unit}"]
+    if entry["composed"]:
+        outer, inner = (f"{entry['profile']}.{suffix}" for suffix in entry["composed"])
+        rows.append(f"  computed as {outer} at {inner}")
+    equation = entry["status"] == "root"
+    head = "solve" if equation else f"{entry['symbol']} ="
+    rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
+    if brief:
+        return "\n".join(rows)
+    details = {
+        "status": {
+            "root": "no closed form; solved by iteration",
+            "integral": "definite integral; closed form not found",
+        }.get(entry["status"], "closed form"),
+        "defined": entry["definition"]["text"],
+        "python": entry["python"],
+        "domain": "; ".join(entry["domain"]),
+        "sources": ", ".join(entry["sources"]),
+        "evidence": entry["evidence"],
+        "note": entry["note"],
+    }
+    rows += [f"  {name:9} {text}" for name, text in details.items() if text]
+    return "\n".join(rows)
+
+
+def _when(conditions: str) -> str:
+    return f"    ({conditions})" if conditions else ""
+
+
+def _cell(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def table(rows: Sequence[Sequence[str]]) -> str:
+    """Rows as columns; the last column is not padded."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
+    )
