@@ -151,14 +151,13 @@ def _threshold(
     k, (exponent,) = medium.k, [atom.n for atom in reduced.atoms]
     form = reduced.pressure(Order((r, a)))
     depth = reduced.depth(Order((a,))).expr()
-    # z = 1 - r^2/a^2 and q = r^2/a^2 = ratio^2, kept apart so that powers merge
-    z, q, ratio = sp.symbols("z q ratio", positive=True)
+    z, q = sp.symbols("z q", positive=True)  # z = 1 - r^2/a^2 and q = r^2/a^2, kept apart so that powers merge
 
     def scaled(expr: sp.Expr) -> sp.Expr:
         return sp.powsimp(sp.expand(expr.subs(a**2 - r**2, a**2 * z).subs(1 - r**2 / a**2, z).subs(r, a * sp.sqrt(q))))
 
     weighted = scaled(a ** (1 - k) * z ** ((1 - k) / 2) * form.expr())
-    slope = sp.diff(weighted, z) - sp.diff(weighted, q)
+    slope = (sp.diff(weighted, z) - sp.diff(weighted, q)).subs(1 - z, q)
     masters = weighted.atoms(Master)
     if masters:
         (master,) = masters
@@ -166,8 +165,7 @@ def _threshold(
         linear = sp.expand(slope.subs(master, level))
         solved = sp.factor(sp.powsimp(sp.cancel(-linear.coeff(level, 0) / linear.coeff(level, 1))))
         at_ring = sp.cancel(sp.powsimp(sp.expand(weighted.subs(master, solved))))
-        shown = sp.powsimp(solved.subs(q, ratio**2), combine="exp")  # 1.12 and 1.13 merge powers of q differently
-        ring = sp.Eq(master, shown).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2, ratio: r_zero / a})
+        ring = sp.Eq(master, _in_ratio(solved, q)).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2})
         status: Status = "root"
         ring_cases = (Case((1 - k, exponent, sp.Integer(2)), sp.S.Zero), Case((sp.Integer(2), exponent), ring))
         radius: sp.Expr = r_zero
@@ -185,3 +183,9 @@ def _threshold(
         "dmin": _entry(profile, medium, "dmin", (Case((a,), least),), "closed"),
         "Fmin": _entry(profile, medium, "Fmin", (Case((a,), force),), "closed"),
     }
+
+
+def _in_ratio(expr: sp.Expr, q: sp.Symbol) -> sp.Expr:
+    """Powers of q = (r_zero/a)**2 as one power of r_zero/a, which SymPy 1.12 to 1.14 would merge each in its own way."""
+    ratio = sp.Symbol("ratio", positive=True)
+    return sp.powsimp(expr.subs(q, ratio**2), combine="exp").subs(ratio, r_zero / a)
