@@ -61,9 +61,10 @@ def canonical(expr: sp.Expr, domain: Domain) -> sp.Expr:
     if key not in domain.memo:
         args = [canonical(arg, domain) for arg in expr.args]
         if expr.is_Function and not isinstance(expr, sp.Abs):
-            spelled = _respelled(expr.func, [_normal(arg, domain) for arg in args], domain)
+            spelled = _respelled(expr.func, [normal(arg, domain) for arg in args], domain)
             domain.memo[key] = spelled
-            domain.memo.setdefault(("as given", spelled), expr)
+            factor, function = spelled.as_coeff_Mul()
+            domain.memo.setdefault(("as given", function), expr / factor)
         else:
             domain.memo[key] = expr.func(*args)
     return domain.memo[key]
@@ -75,7 +76,8 @@ def as_given(expr: sp.Expr, domain: Domain) -> sp.Expr:
     return expr.xreplace(given)
 
 
-def _normal(arg: sp.Expr, domain: Domain) -> sp.Expr:
+def normal(arg: sp.Expr, domain: Domain) -> sp.Expr:
+    """The tower's canonical form of an expression whose functions are in canonical spelling."""
     arithmetic = tower(domain, arg)
     return arithmetic.expr(arithmetic.collect(arithmetic.convert(arg)))
 

@@ -13,7 +13,7 @@ import sympy as sp
 from ..abel.masters import IncompleteBeta
 from ..notation import a
 from .domain import Domain, NotProvedError
-from .functions import as_given, canonical, tower
+from .functions import as_given, canonical, normal, tower
 from .tower import Element, Tower
 
 DEPTH = 6
@@ -40,7 +40,8 @@ def is_zero(expr: sp.Expr, domain: Domain, depth: int = DEPTH) -> bool:
         quotient = as_given(arithmetic.expr(arithmetic.collect(arithmetic.mul(element, inverse))), domain)
         if not is_zero(sp.diff(quotient, variable), domain, depth - 1):
             return False
-        return _zero_at_an_end(quotient, variable, domain, depth - 1)
+        if _zero_at_an_end(quotient, variable, domain, depth - 1):
+            return True
     return False
 
 
@@ -62,8 +63,7 @@ def _linear_functions(arithmetic: Tower, element: Element) -> Iterator[tuple[sp.
             continue
         coefficient = {m: p.diff(generator) for m, p in element.items() if p.degree(generator) == 1}
         variables = sorted(function.free_symbols, key=lambda s: (s not in ordered, s != a, str(s)))
-        if variables:
-            yield variables[0], coefficient
+        yield from ((variable, coefficient) for variable in variables)
 
 
 def at(expr: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> sp.Expr:
@@ -84,7 +84,6 @@ def _require_finite(result: sp.Expr, node: sp.Expr, symbol: sp.Expr, value: sp.E
 
 def logarithmic(expr: sp.Expr, domain: Domain) -> sp.Expr:
     """atanh and log through logarithms of irreducible factors: singularities that cancel disappear."""
-    expr = canonical(expr, domain)
     rewritten = {}
     for function in expr.atoms(sp.log, sp.atanh):
         (x,) = function.args
@@ -92,11 +91,16 @@ def logarithmic(expr: sp.Expr, domain: Domain) -> sp.Expr:
             rewritten[function] = _split_log(x, domain)
         else:
             rewritten[function] = _split_log(1 + x, domain) - _split_log(1 - x**2, domain) / 2
-    return expr.xreplace(rewritten)
+    return normal(canonical(expr.xreplace(rewritten), domain), domain)
 
 
 def _split_log(argument: sp.Expr, domain: Domain) -> sp.Expr:
-    """log of a positive element as the sum over its factors."""
+    """log of a product of positive factors, as it is written, as a sum over irreducible factors."""
+    parts = (factor.as_base_exp() for factor in sp.Mul.make_args(argument))
+    return sp.Add(*(exponent * _log_of_sum(base, domain) for base, exponent in parts))
+
+
+def _log_of_sum(argument: sp.Expr, domain: Domain) -> sp.Expr:
     argument = canonical(argument, domain)
     arithmetic = tower(domain, argument)
     element = arithmetic.convert(argument)

@@ -219,11 +219,11 @@ class Tower:
         content = self.ring.from_expr(sp.gcd_list([sp.QQ.to_sympy(p.content()) for p in element.values()]))
         for number, polynomial in enumerate(element.values()):
             common = polynomial.monic() if number == 0 else common.gcd(polynomial)
-        _, factors = self.factors(common * content)
+        unit, factors = self.factors(common * content)
         if any(self.polynomial_sign(factor) <= 0 for factor in (*factors, *lowest)):
             message = f"the factors of {self.expr(element)} are not shown to be positive"
             raise NotProvedError(message)
-        inverse = self._single_power({frozenset(lowest.items()): common * content}, sp.S.NegativeOne)
+        inverse = self._single_power({frozenset(lowest.items()): common * content * unit}, sp.S.NegativeOne)
         for factor, multiplicity in factors.items():
             lowest[factor] = lowest.get(factor, sp.S.Zero) + multiplicity
         return lowest, self.collect(self.mul(element, inverse))
