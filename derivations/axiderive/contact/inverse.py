@@ -1,7 +1,7 @@
 """Closed inverses a(d) and a(F), where the forward formula allows one.
 
-Three shapes are recognised: a monomial in a; alpha a^2 + beta a sqrt(a^2 - b^2),
-a quadratic for a^2; and a depressed cubic in S = sqrt(a^2 - b^2) with positive
+Four shapes are recognised: a monomial in a; a multiple of S = sqrt(a^2 - b^2);
+alpha a^2 + beta a S, a quadratic for a^2; and a depressed cubic in S with positive
 coefficients, which has one real root in sinh form.  The right root is chosen by
 the certificate's witness, never by trying.
 """
@@ -55,6 +55,8 @@ def _invert(expr: sp.Expr, value: sp.Symbol) -> sp.Expr | None:
     if any(power % 2 for power, _ in terms):
         return None
     in_S = sp.Poly(sp.expand(polynomial.as_expr().subs(a, sp.sqrt(_S**2 + b**2))), _S)
+    if in_S.monoms() == [(1,)]:
+        return sp.sqrt(b**2 + sp.factor(value / in_S.LC()) ** 2)
     if {m for (m,) in in_S.monoms()} == {1, 3}:
         return _cubic(in_S.coeff_monomial(_S**3), in_S.coeff_monomial(_S), b, value)
     return None

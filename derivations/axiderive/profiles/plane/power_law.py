@@ -1,0 +1,23 @@
+"""Power law of any positive exponent."""
+
+from ...notation import A, n, x
+from ..profile import Limit, Piece, Profile, Sketch
+
+PROFILE = Profile(
+    name="power_law",
+    title="Power law",
+    subtitle="Every self-similar profile: P ~ a^n. Wedge, parabola and quartic are n = 1, 2, 4.",
+    contact="compact",
+    parameters=(A, n),
+    pieces=(Piece(None, A * x**n),),
+    validity="small slopes, n A a^(n-1) << 1",
+    sources=(),
+    sketch=Sketch(((A, 0.45), (n, 1.5)), a=1.0),
+    limits=(
+        Limit("wedge", n, 1),
+        Limit("parabola", n, 2),
+        Limit("quartic", n, 4),
+        Limit("sextic", n, 6),
+    ),
+    note="the pressure in the middle is finite only for n > 1",
+)
