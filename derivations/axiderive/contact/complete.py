@@ -36,7 +36,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     face, coefficient = _fixed_face(profile)
     reduced = parse(face, medium.k)
     fixed = _fixed_formulas(reduced, medium)
-    cases = {name: Case(case.chain, case.expr.subs(C, coefficient)) for name, case in fixed.items()}
+    cases = {name: Case(case.chain, _merged(case.expr.subs(C, coefficient))) for name, case in fixed.items()}
     concave = coefficient != 0
     if not concave and reduced.atoms:
         return _with_partial(profile, medium, cases, fixed)
@@ -177,12 +177,19 @@ def _threshold(
         ring_cases = (Case((a,), radius),)
     least = (depth - at_ring).subs(C, coefficient).subs(z, 1 - q).subs(q, radius**2 / a**2)
     least = sp.powsimp(sp.factor(sp.powsimp(sp.expand(least))), combine="exp")
-    force = sp.factor(cases["F"].expr.subs(d, least))
+    force = _merged(sp.factor(cases["F"].expr.subs(d, least)))
     return {
         "rz": _entry(profile, medium, "rz", ring_cases, status),
         "dmin": _entry(profile, medium, "dmin", (Case((a,), least),), "closed"),
         "Fmin": _entry(profile, medium, "Fmin", (Case((a,), force),), "closed"),
     }
+
+
+def _merged(expr: sp.Expr) -> sp.Expr:
+    """With C = h/a^n put in: the powers of a as one, outside the sum."""
+    if not any(power.exp.free_symbols for power in expr.atoms(sp.Pow)):
+        return expr
+    return sp.factor_terms(sp.powsimp(expr, combine="exp"))
 
 
 def _in_ratio(expr: sp.Expr, q: sp.Symbol) -> sp.Expr:
