@@ -12,6 +12,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from . import study
 from .exits import ENVIRONMENT, FAILED, INCOMPLETE, INTERRUPTED, CommandError
 from .show import FORMS, TOPICS
 
@@ -87,6 +88,8 @@ def _parser() -> argparse.ArgumentParser:
     check.set_defaults(run=_check)
     check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p; default all")
     _numerical(check)
+
+    study.add_commands(commands)
     return parser
 
 

@@ -1,0 +1,205 @@
+"""The corpus of Abel integrals: what the engine answers, and what SymPy's integrate does beside it.
+
+The integrals are data (tests/data/cas_corpus.json): text of the integrand,
+limits, sample point and a reference value, and the profile whose reduced
+quantities contain the integral.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import statistics
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+from sympy.core.cache import clear_cache
+
+from ..abel.form import Form
+from ..abel.masters import MASTERS
+from ..abel.moments import outside_kernel
+from ..abel.order import Chain, Order
+from ..abel.reduce import Reduced, parse
+from ..exits import ENVIRONMENT, FAILED, CommandError
+from ..index import nearest
+from ..notation import a
+from ..profiles.profile import Piece
+from ..work import project_root
+from . import LIMIT, add_corpus_arguments
+from .peer import Attempt, integrate
+
+REQUIRED = 15
+"""Digits from which an answer counts as right."""
+WORKING = 50
+
+
+@dataclass(frozen=True)
+class Integral:
+    """One definite integral as one would type it, and the reduced quantities that answer it."""
+
+    id: str
+    profile: str
+    kind: str
+    """elem, ell (elliptic), sp (special function), Li2, or open: neither elementary nor elliptic."""
+    integrand: str
+    variable: str
+    limits: tuple[str, str]
+    symbols: dict[str, sp.Symbol]
+    facts: tuple[tuple[str, str], ...]
+    """(b, a) says b < a."""
+    point: dict[str, str]
+    reference: str
+    pieces: tuple[tuple[str | None, str], ...]
+    grading: str
+    answer: str
+
+    def read(self, text: str) -> sp.Expr:
+        """Text of the corpus as an expression in positive symbols."""
+        return sp.sympify(text, locals=self.symbols)
+
+    def chain(self) -> Chain:
+        """The lengths that the facts compare, in ascending order; the sample point fulfils the facts."""
+        compared = {name for low, high in self.facts if {low, high} <= set(self.point) for name in (low, high)}
+        ascending = sorted(compared | {"a"}, key=lambda name: sp.Rational(self.point.get(name, 0)))
+        return tuple(self.symbols[name] for name in ascending)
+
+
+@lru_cache(maxsize=1)
+def corpus() -> dict[str, Integral]:
+    """All integrals by id.
+
+    Raises
+    ------
+    CommandError
+        If the data file is missing, as in an installed package without the tests.
+    """
+    path = project_root() / "tests" / "data" / "cas_corpus.json"
+    try:
+        rows = json.loads(path.read_text())["integrals"]
+    except FileNotFoundError as error:
+        message = f"{path} does not exist; the corpus comes with the source checkout, run the command there"
+        raise CommandError(message, ENVIRONMENT) from error
+    return {row["id"]: _integral(row) for row in rows}
+
+
+def _integral(row: dict[str, Any]) -> Integral:
+    names = {*row["positive"], row["variable"], "a", "r", "b", "k"}
+    return Integral(
+        id=row["id"],
+        profile=row["profile"],
+        kind=row["class"],
+        integrand=row["integrand"],
+        variable=row["variable"],
+        limits=(row["lower"], row["upper"]),
+        symbols={name: sp.Symbol(name, positive=True) for name in sorted(names)},
+        facts=tuple((low, high) for low, _, high in (fact.partition("<") for fact in row["facts"])),
+        point=row["point"],
+        reference=row["reference"],
+        pieces=tuple((upper, text) for upper, text in row["pieces"]),
+        grading=row["grading"],
+        answer=row["answer"],
+    )
+
+
+def solve(name: str) -> sp.Expr:
+    """The closed form of one integral, from the reduced quantities of its profile."""
+    integral = corpus()[name]
+    pieces = [Piece(integral.read(upper) if upper else None, integral.read(text)) for upper, text in integral.pieces]
+    reduced = parse(pieces, integral.read(integral.grading))
+    known = _quantities(integral.answer, reduced, Order(integral.chain()))
+    return sp.sympify(integral.answer, locals=integral.symbols | known)
+
+
+def _quantities(answer: str, reduced: Reduced, order: Order) -> dict[str, sp.Expr]:
+    """What the names in an answer stand for."""
+    forms = {
+        "g": lambda: reduced.depth(order),
+        "F": lambda: reduced.force(order),
+        "p": lambda: reduced.pressure(order),
+        "w": lambda: reduced.displacement(order),
+        "punch": lambda: outside_kernel(reduced.k),
+    }
+    words = set(re.findall(r"[A-Za-z]\w*", answer))
+    known = {name: _closed(name, derive()) for name, derive in forms.items() if name in words}
+    if "dg" in words:
+        known["dg"] = sp.diff(_closed("g", reduced.depth(order)), a)
+    return known
+
+
+def _closed(name: str, form: Form | None) -> sp.Expr:
+    if form is None:
+        message = f"the engine has no closed form of {name}; take the answer from other quantities"
+        raise ValueError(message)
+    return form.expr()
+
+
+def value(name: str, expr: sp.Expr) -> mp.mpf:
+    """An answer at the sample point, with 50 digits carried."""
+    integral = corpus()[name]
+    symbols = [integral.symbols[s] for s in integral.point]
+    own = {master.__name__: master.numeric for master in MASTERS}
+    with mp.workdps(WORKING):
+        return mp.mpmathify(sp.lambdify(symbols, expr, [own, "mpmath"])(*map(mp.mpf, integral.point.values())))
+
+
+def agreement(name: str, number: mp.mpf) -> float:
+    """Digits in which a number agrees with the reference, at most the 30 that the reference has."""
+    with mp.workdps(WORKING):
+        reference = mp.mpf(corpus()[name].reference)
+        error = abs(number - reference) / abs(reference)
+        return 30.0 if error < mp.mpf("1e-30") else float(-mp.log10(error))
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """`study corpus` by itself; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="axicontact study corpus")
+    add_corpus_arguments(parser)
+    arguments = parser.parse_args(argv)
+    return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit)
+
+
+def compare(ids: Sequence[str], *, sympy: bool = False, limit: float = LIMIT) -> int:
+    """Print one row per integral and the totals; the exit code is that of the engine's own answers."""
+    integrals = corpus()
+    for name in ids:
+        if name not in integrals:
+            raise nearest(name, "integral", integrals)
+    right, seconds, peers = 0, [], []
+    for name in ids or integrals:
+        elapsed, digits = _timed(name)
+        right += digits >= REQUIRED
+        seconds.append(elapsed)
+        row = f"{name:18s} {integrals[name].kind:5s} {elapsed * 1e3:8.1f} ms {digits:5.1f} digits"
+        if sympy:
+            peers.append(integrate(integrals[name], limit, REQUIRED))
+            row += f"   SymPy {peers[-1].seconds:8.3f} s  {peers[-1].verdict}"
+        print(row, flush=True)
+    print(f"engine: {right} of {len(seconds)} within {REQUIRED} digits; {_times(seconds)}")
+    if peers:
+        print(f"SymPy {sp.__version__}: {_verdicts(peers)}; {_times([peer.seconds for peer in peers])}")
+    return 0 if right == len(seconds) else FAILED
+
+
+def _timed(name: str) -> tuple[float, float]:
+    """Seconds for the answer with SymPy's caches empty, and its digits."""
+    clear_cache()
+    start = time.perf_counter()
+    answer = solve(name)
+    elapsed = time.perf_counter() - start
+    number = value(name, answer)
+    return elapsed, agreement(name, number)
+
+
+def _times(seconds: list[float]) -> str:
+    return f"total {sum(seconds):.3f} s, median {statistics.median(seconds) * 1e3:.1f} ms, longest {max(seconds):.3f} s"
+
+
+def _verdicts(attempts: list[Attempt]) -> str:
+    counted = [attempt.verdict for attempt in attempts]
+    return ", ".join(f"{counted.count(verdict)} {verdict}" for verdict in dict.fromkeys(["ok", "WRONG", *counted]))
