@@ -1,0 +1,359 @@
+r"""What a printed formula says, evaluated from its LaTeX source with mpmath.
+
+Recursive descent over the subset that the handbook prints, written without
+SymPy and without looking at the printer: it reads what the reader reads.  A
+function without brackets takes exactly one factor, \frac binds its arguments,
+juxtaposition is a product.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+
+Value = Any
+Environment = Mapping[str, Any]
+"""Name -> number, sequence (for A_j), function, or definition that is evaluated where it is used."""
+
+_LAYOUT = re.compile(
+    r"\\begin\{aligned\}(?:\[t\])?|\\end\{aligned\}|\\[,;:! ]|\\(?:[bB]igg?[lrm]?|displaystyle)(?![A-Za-z])|\\\\(?:\[[^\]]*\])?|\\enspace|\{\}|~|&"
+)
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\[{}]|\d+(?:\.\d+)?|\S")
+_SEPARATORS = (r"\quad", r"\qquad")
+_CLOSING = {"(": ")", "[": "]", r"\{": r"\}"}
+CALLABLE = ("g", "F_N")
+"""Names that are functions when a bracket follows; every other symbol before a bracket is a factor."""
+_STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", "<", *_SEPARATORS}
+
+
+def _dawson(x: Value) -> Value:
+    return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
+
+
+def _chi2(x: Value) -> Value:
+    return mp.re(mp.polylog(2, x) - mp.polylog(2, -x)) / 2
+
+
+def _ti2(x: Value) -> Value:
+    if x > 1:  # the dilogarithm of mpmath is slow there
+        return _ti2(1 / x) + mp.pi / 2 * mp.log(x)
+    return mp.im(mp.polylog(2, mp.mpc(0, x)))
+
+
+def _c0(b: Value, r: Value, a: Value) -> Value:
+    """int_max(b,r)^a acos(b/t)/sqrt(t^2 - r^2) dt with t^2 = r^2 + y^2."""
+    low = mp.sqrt(max(b * b - r * r, 0))
+    high = mp.sqrt(a * a - r * r)
+    # both ends of the integrand behave like square roots at worst: y = low + (high - low) v^2
+    return mp.quad(
+        lambda v: mp.acos(min(b / mp.sqrt(r * r + (low + (high - low) * v * v) ** 2), mp.mpf(1)))
+        / mp.sqrt(r * r + (low + (high - low) * v * v) ** 2) * 2 * v * (high - low),
+        _panels(low, high, r, b),
+    )  # fmt: skip
+
+
+def _panels(low: Value, high: Value, r: Value, b: Value) -> list[Value]:
+    """Cuts where the integrand changes its scale."""
+    marks = sorted({x for x in (r, b, mp.sqrt(abs(b * b - r * r))) if low < x < high})
+    return [mp.mpf(0), *(mp.sqrt((x - low) / (high - low)) for x in marks), mp.mpf(1)]
+
+
+FUNCTIONS: dict[str, Callable[..., Value]] = {
+    "sin": mp.sin, "cos": mp.cos, "tan": mp.tan, "arcsin": mp.asin, "arccos": mp.acos, "arctan": mp.atan, "ln": mp.log,
+    "exp": mp.exp, "sinh": mp.sinh, "cosh": mp.cosh, "tanh": mp.tanh, "arcosh": mp.acosh, "arsinh": mp.asinh,
+    "artanh": mp.atanh, "Gamma": mp.gamma,
+}  # fmt: skip
+BRACKETED: dict[str, Callable[..., Value]] = {
+    "C_0": _c0, "chi_2": _chi2, "Ti_2": _ti2, "D": _dawson,
+    "F": lambda phi, k: mp.ellipf(phi, k * k),
+    "E": lambda phi, k=None: mp.ellipe(phi * phi) if k is None else mp.ellipe(phi, k * k),
+    "K": lambda k: mp.ellipk(k * k),
+    "B": lambda *x: mp.beta(*x) if len(x) == 2 else mp.re(mp.betainc(x[1], x[2], 0, x[0])),
+    "H_0": lambda z: mp.struveh(0, z), "H_1": lambda z: mp.struveh(1, z),
+    "L_0": lambda z: mp.struvel(0, z), "L_1": lambda z: mp.struvel(1, z),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Node:
+    """Part of a formula that can be evaluated; `name` if it is nothing but a name."""
+
+    value: Callable[[Environment], Value]
+    name: str = ""
+
+    def __call__(self, env: Environment) -> Value:
+        return self.value(env)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """left = ... = right."""
+
+    members: tuple[Node, ...]
+
+
+def read(tex: str) -> list[Statement]:
+    """The statements of a printed row, separated by `,` and a quad.
+
+    Raises
+    ------
+    SyntaxError
+        If the source is not of the printed subset.
+    """
+    parser = _Parser(tex)
+    found = [parser.statement()]
+    while parser.separator():
+        found.append(parser.statement())
+    if parser.peek() is not None:
+        raise SyntaxError(parser.message("end of formula"))
+    return found
+
+
+def environment(statements: list[Statement], values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values with the definitions of a row, `s = ...`, added."""
+    return {**values, **{s.members[0].name: s.members[-1] for s in statements if s.members[0].name}}
+
+
+class _Parser:
+    def __init__(self, tex: str) -> None:
+        self.tokens, self.at = _TOKEN.findall(_LAYOUT.sub(" ", tex)), 0
+
+    def peek(self) -> str | None:
+        return self.tokens[self.at] if self.at < len(self.tokens) else None
+
+    def message(self, wanted: str) -> str:
+        return f"expected {wanted} at token {self.at} ({self.peek()}) of {' '.join(self.tokens)}"
+
+    def take(self, wanted: str | None = None) -> str:
+        token = self.peek()
+        if token is None or (wanted is not None and token != wanted):
+            raise SyntaxError(self.message(wanted or "more"))
+        self.at += 1
+        return token
+
+    def separator(self) -> bool:
+        """Skip `,` followed by a quad."""
+        if self.peek() == "," and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1] in _SEPARATORS:
+            self.at += 1
+        found = False
+        while self.peek() in _SEPARATORS:
+            self.at, found = self.at + 1, True
+        return found
+
+    def statement(self) -> Statement:
+        members = [self.sum()]
+        while self.peek() == "=":
+            self.take()
+            members.append(self.sum())
+        return Statement(tuple(members))
+
+    def sum(self) -> Node:
+        terms: list[tuple[int, Node]] = []
+        while True:
+            sign = 1
+            while self.peek() in ("+", "-"):
+                sign = -sign if self.take() == "-" else sign
+            terms.append((sign, self.product()))
+            if self.peek() not in ("+", "-"):
+                break
+        if terms[0][0] == 1 and len(terms) == 1:
+            return terms[0][1]
+        return Node(lambda env: sum((s * term(env) for s, term in terms), mp.mpf(0)))
+
+    def product(self) -> Node:
+        factors = [(1, self.factor())]
+        while self.peek() is not None and (self.peek() == "/" or self.peek() not in _STOPS):
+            if self.peek() == r"\mathrm" and self.tokens[self.at + 1 : self.at + 4] == ["{", "d", "}"]:
+                break
+            if self.peek() == "/":
+                self.take()
+                factors.append((-1, self.factor()))
+            else:
+                factors.append((1, self.factor()))
+        if len(factors) == 1:
+            return factors[0][1]
+        return Node(lambda env: mp.fprod(f(env) if e > 0 else 1 / f(env) for e, f in factors))
+
+    def factor(self) -> Node:
+        base = self.atom()
+        while self.peek() == "^":
+            self.take()
+            base = _power(base, self.argument())
+        return base
+
+    def argument(self) -> Node:
+        """A TeX argument: a group, or a single token (of a number only its first digit)."""
+        if self.peek() == "{":
+            self.take()
+            inner = self.sum()
+            self.take("}")
+            return inner
+        token = self.peek() or ""
+        if token[0:1].isdigit() and len(token) > 1:
+            self.tokens[self.at : self.at + 1] = [token[0], token[1:]]
+        return self.atom()
+
+    def text(self) -> str:
+        """A TeX argument as letters, without its font."""
+        if self.peek() != "{":
+            token = self.take()
+            return self.text() if token in (r"\mathrm", r"\mathbf") else token.lstrip("\\")
+        self.take("{")
+        out = ""
+        while self.peek() != "}":
+            out += self.text() if self.peek() in ("{", r"\mathrm", r"\mathbf") else self.take().lstrip("\\")
+        self.take("}")
+        return out
+
+    def atom(self) -> Node:
+        token = self.take()
+        if token in _CLOSING:
+            inner = self.sum()
+            self.take(_CLOSING[token])
+            return Node(inner.value)
+        if token == "{":
+            inner = self.sum()
+            self.take("}")
+            return Node(inner.value)
+        if token[0].isdigit():
+            return Node(lambda env: mp.mpf(token))
+        if token in (r"\frac", r"\tfrac"):
+            above, below = self.argument(), self.argument()
+            return Node(lambda env: above(env) / below(env))
+        if token == r"\sqrt":
+            return self.root()
+        if token == r"\int":
+            return self.integral()
+        if token == r"\sum":
+            return self.series()
+        return self.named(token)
+
+    def root(self) -> Node:
+        index = 2
+        if self.peek() == "[":
+            self.take()
+            index = int(self.take())
+            self.take("]")
+        inside = self.argument()
+        return Node(lambda env: mp.root(inside(env), index))
+
+    def limits(self) -> tuple[Node, Node, str]:
+        lower = upper = None
+        variable = ""
+        for _ in range(2):
+            if self.take() == "_":
+                if self.tokens[self.at + 2 : self.at + 3] == ["="]:
+                    self.take("{")
+                    variable = self.take()
+                    self.take("=")
+                    lower = self.sum()
+                    self.take("}")
+                else:
+                    lower = self.argument()
+            else:
+                upper = self.argument()
+        if lower is None or upper is None:
+            raise SyntaxError(self.message("two limits"))
+        return lower, upper, variable
+
+    def integral(self) -> Node:
+        lower, upper, _ = self.limits()
+        body = self.product()
+        self.take(r"\mathrm"), self.take("{"), self.take("d"), self.take("}")
+        variable = self.take().lstrip("\\")
+
+        def value(env: Environment) -> Value:
+            return mp.quad(lambda x: body({**env, variable: x}), [lower(env), upper(env)])
+
+        return Node(value)
+
+    def series(self) -> Node:
+        lower, upper, variable = self.limits()
+        body = self.product()
+
+        def value(env: Environment) -> Value:
+            steps = range(int(lower(env)), int(upper(env)) + 1)
+            return mp.fsum(body({**env, variable: mp.mpf(i)}) for i in steps)
+
+        return Node(value)
+
+    def named(self, token: str) -> Node:
+        """A symbol, a sequence element or a function."""
+        name = token.lstrip("\\")
+        if name in ("mathrm", "mathbf", "operatorname", "bar"):
+            name = ("bar " if name == "bar" else "") + self.text()
+        elif not name[0].isalpha():
+            raise SyntaxError(self.message("a symbol"))
+        subscript = ""
+        if self.peek() == "_":
+            self.take()
+            subscript = self.text()
+            name += f"_{subscript}"
+        if self.peek() == "^" and self.tokens[self.at + 1 : self.at + 3] == ["{", "*"]:
+            return self.starred(name)
+        upright = token in (r"\mathrm", r"\mathbf", r"\operatorname", r"\chi")
+        if upright and name in BRACKETED:
+            arguments = self.arguments()
+            return Node(lambda env: BRACKETED[name](*(x(env) for x in arguments)))
+        if name in FUNCTIONS and token.startswith("\\"):
+            return self.call(FUNCTIONS[name])
+        if name == "pi":
+            return Node(lambda env: +mp.pi)
+        if name in CALLABLE and self.peek() == "(":
+            (argument,) = self.arguments()
+            return Node(lambda env: env[name + "()"](argument(env)))
+        if subscript == "j":
+            return Node(lambda env: _element(env, name, subscript), name)
+        return Node(lambda env: _looked_up(env, name), name)
+
+    def starred(self, name: str) -> Node:
+        r"""E^{*}, and its powers E^{*2}."""
+        self.take("^"), self.take("{"), self.take("*")
+        base = Node(lambda env: _looked_up(env, name + "*"), name + "*")
+        if self.peek() == "}":
+            self.take("}")
+            return base
+        power = self.sum()
+        self.take("}")
+        return _power(base, power)
+
+    def call(self, function: Callable[..., Value]) -> Node:
+        power = None
+        if self.peek() == "^":
+            self.take()
+            power = self.argument()
+        inside = self.factor()
+        plain = Node(lambda env: function(inside(env)))
+        return plain if power is None else _power(plain, power)
+
+    def arguments(self) -> list[Node]:
+        opening = self.take()
+        if opening not in _CLOSING:
+            raise SyntaxError(self.message("an opening bracket"))
+        found = [self.sum()]
+        while self.peek() in (",", ";"):
+            self.take()
+            found.append(self.sum())
+        self.take(_CLOSING[opening])
+        return found
+
+
+def _power(base: Node, exponent: Node) -> Node:
+    return Node(lambda env: mp.power(base(env), exponent(env)))
+
+
+def _looked_up(env: Environment, name: str) -> Value:
+    if name not in env:
+        message = f"the row uses {name!r}, which nothing defines"
+        raise KeyError(message)
+    found = env[name]
+    return found(env) if isinstance(found, Node) else found
+
+
+def _element(env: Environment, name: str, subscript: str) -> Value:
+    found = env[name]
+    return found(env) if isinstance(found, Node) else found[int(env[subscript]) - 1]

@@ -1,0 +1,153 @@
+"""Every printed row against the entry it was printed from, through its LaTeX source alone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Case, Entry
+from ..proof.evaluate import at_precision, case_at, evaluate
+from ..proof.sampling import points
+from ..proof.shape import number, numeric_symbols
+from .readback import Statement, environment, read
+from .rows import Region, Row, kappa_row, row
+
+Values = dict[Any, Any]
+WORKING = 60
+DIGITS = 30
+
+
+def worst_residual(one: Row, entries: Mapping[str, Entry], count: int = 3, seed: int = 17) -> Any:
+    """Largest relative difference between the printed row and its entry over random points of every case.
+
+    Raises
+    ------
+    SyntaxError, KeyError
+        If the source cannot be read, or uses what it does not define.
+    """
+    residuals = []
+    for case, values in _points(one, entries, count, seed):
+        with mp.workdps(WORKING):
+            residuals += _compared(one, entries, case, values)
+    return max(residuals)
+
+
+def _points(one: Row, entries: Mapping[str, Entry], count: int, seed: int) -> list[tuple[Case, Values]]:
+    """Points of every case; an inverse is met where its forward formula leads."""
+    entry = one.entry
+    if one.kind == "formula":
+        drawn = [(case, points(entry.profile, case.chain, count, seed, _fields(entry, case))) for case in entry.cases]
+        return [(case, point.values) for case, found in drawn for point in found]
+    forward = entries["d" if entry.suffix in ("ad", "Fd") else "F"]
+    return [(case, p.values) for case in forward.cases for p in points(entry.profile, case.chain, count, seed)]
+
+
+def _fields(entry: Entry, case: Case) -> tuple[sp.Symbol, ...]:
+    unknown = (nt.r_zero,) if case.expr.has(nt.r_zero) else ()
+    return (*entry.quantity.arguments, *unknown)
+
+
+def _value(expr: sp.Expr, values: Values) -> Any:
+    """The value of a result; integrals that are left in it by quadrature."""
+    if not expr.has(sp.Integral):
+        return evaluate(expr, values, DIGITS)
+    known = dict(values)
+    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
+        variable, low, high = integral.limits[0]
+        ends = [evaluate(end, values, DIGITS) if end.free_symbols else mp.mpf(end) for end in (low, high)]
+        stand_in = sp.Symbol(f"integral{i}", positive=True)
+        with mp.workdps(WORKING):
+            known[stand_in] = mp.quad(lambda x, e=integral, v=variable: at_precision(e.function, {**values, v: x}), ends)
+        expr = expr.xreplace({integral: stand_in})
+    with mp.workdps(WORKING):
+        return at_precision(expr, known)
+
+
+def _compared(one: Row, entries: Mapping[str, Entry], case: Case, values: Values) -> list[Any]:
+    env = _named(values) | {"g()": _forward(entries, "d", values), "F_N()": _forward(entries, "F", values)}
+    env |= environment(read(text), {}) if (text := kappa_row(tuple(entries.values()))) else {}
+    statements = read(_holding(one, env).tex)
+    env = environment(statements[1:], env)
+    first = statements[0].members
+    if one.kind == "formula":
+        if isinstance(case.expr, sp.Equality):
+            wanted = [_value(side, values) for side in (case.expr.lhs, case.expr.rhs)]
+            return [_difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
+        want = _value(case.expr, values)
+        if one.suffix == "pm":
+            env["F_N"] = _forward(entries, "F", values)(values[nt.a])
+        env["g()"] = lambda radius: want
+        return [_difference(member(env), want) for member in first[1:]]
+    value = evaluate(case.expr, values, DIGITS)  # d(a) or F(a) of the forward formula
+    argument, result = {"ad": ("d", "a"), "aF": ("F_N", "a"), "Fd": ("d", "F_N"), "dF": ("F_N", "d")}[one.suffix]
+    env[argument] = value
+    if one.kind == "root":
+        return [_difference(first[0](env), first[1](env))]
+    return [_difference(first[1](env), _inverse_value(one.entry, entries, values, argument, value, result))]
+
+
+def _inverse_value(
+    entry: Entry, entries: Mapping[str, Entry], values: Values, argument: str, value: Any, result: str
+) -> Any:
+    """The closed result at this depth or force, or without one the forward formula at the radius behind it."""
+    if entry.status == "closed":
+        known = values | {(nt.d if argument == "d" else nt.F): value}
+        return evaluate(case_at(entry, known).expr, known, DIGITS)
+    outer = entries["F" if result == "F_N" else "d"]
+    return evaluate(case_at(outer, values).expr, values, DIGITS)
+
+
+def _forward(entries: Mapping[str, Entry], suffix: str, values: Values) -> Callable[[Any], Any]:
+    """g or F_N as its own printed row gives it."""
+
+    def value(radius: Any) -> Any:
+        env = _named(values | {nt.a: radius})
+        if text := kappa_row(tuple(entries.values())):
+            env |= environment(read(text), {})
+        statements = read(_holding(row(entries[suffix]), env).tex)
+        return statements[0].members[-1](environment(statements[1:], env))
+
+    return value
+
+
+def _holding(one: Row, env: Mapping[str, Any]) -> Region:
+    """The one region whose printed range contains the point."""
+    found = [region for region in one.regions if holds(region.condition, env)]
+    if len(found) != 1:
+        message = f"{one.key}: {len(found)} printed ranges hold at one point: {[region.condition for region in found]}"
+        raise LookupError(message)
+    return found[0]
+
+
+def holds(condition: str, env: Mapping[str, Any]) -> bool:
+    """Whether a printed range, chains of < and <= separated by commas, contains the point."""
+    for chain in filter(None, condition.split(r",\; ")):
+        members = [read(part)[0].members[0](env) for part in re.split(r"<|\\le(?![a-z])", chain)]
+        if any(lo >= hi for lo, hi in zip(members, members[1:], strict=False)):
+            return False
+    return True
+
+
+def _named(values: Values) -> dict[str, Any]:
+    """The values under the names their symbols have in print."""
+    env: dict[str, Any] = {name_in_print(s): number(values[s]) for s in numeric_symbols(values) if nt.known(s.name)}
+    if nt.coefficients in values:
+        env["A_j"] = [number(value) for value in values[nt.coefficients]]
+    return env
+
+
+def name_in_print(symbol: sp.Symbol) -> str:
+    return read(nt.describe(symbol).latex)[0].members[0].name
+
+
+def _difference(got: Any, want: Any) -> Any:
+    return abs(got - want) / abs(want) if want else abs(got)
+
+
+def statements_of(region: Region) -> list[Statement]:
+    return read(region.tex)

@@ -1,0 +1,247 @@
+"""Entries as rows of the handbook: label, range, formula in lines that fit, permanent key."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import sympy as sp
+
+from ..entry import Entry
+from ..notation import a, r
+from .printer import Printer
+from .shorthand import LINE, Short, shortened, with_kappa
+from .width import width
+
+Kind = Literal["formula", "root", "composition"]
+LEFT = {
+    "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
+    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d", "rz": "r_{0}",
+    "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
+}  # fmt: skip
+Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
+"""Comparisons low < high."""
+INDENT = r"\enspace\enspace "
+
+
+@dataclass(frozen=True)
+class Region:
+    """One formula of a row: the range in which it holds, and its lines of LaTeX."""
+
+    condition: str
+    lines: tuple[str, ...]
+
+    @property
+    def tex(self) -> str:
+        if len(self.lines) == 1:
+            return self.lines[0]
+        return r"\begin{aligned}[t]&" + r"\\[1.5mm]&".join(self.lines) + r"\end{aligned}"
+
+    @property
+    def width(self) -> float:
+        return max(map(width, self.lines))
+
+
+@dataclass(frozen=True)
+class Row:
+    """What is printed for one entry."""
+
+    entry: Entry
+    kind: Kind
+    regions: tuple[Region, ...]
+    remark: str = ""
+    """Words behind the formula, as `solved for a`."""
+    uses: tuple[str, ...] = ()
+    """Suffixes of the rows the remark refers to."""
+
+    @property
+    def key(self) -> str:
+        return self.entry.key
+
+    @property
+    def suffix(self) -> str:
+        return self.entry.suffix
+
+    @property
+    def label(self) -> tuple[str, str]:
+        """Label and the grey words under it: Contact radius, from force."""
+        first, word, second = self.entry.quantity.label.partition(" from ")
+        if first == "Displacement outside":
+            first = "Displacement"
+        return first, f"{word.strip()} {second}".strip()
+
+    @property
+    def narrow(self) -> bool:
+        """Whether the row takes half a line only."""
+        return len(self.regions) == 1 and len(self.regions[0].lines) == 1 and not self.regions[0].condition
+
+
+@lru_cache(maxsize=1024)
+def row(entry: Entry) -> Row:
+    """The row of an entry."""
+    if entry.composed:
+        outer, inner = entry.composed
+        unknown = "a"
+        left = LEFT[entry.suffix]
+        function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
+        return Row(entry, "composition", (Region("", (f"{left}={function}",)),), f"with ${unknown}$ from", (inner,))
+    if entry.status == "root" and entry.suffix in ("ad", "aF"):
+        equation = "g(a)=d" if entry.suffix == "ad" else r"F_{\mathrm N}(a)=F_{\mathrm N}"
+        return Row(entry, "root", (Region("", (equation,)),), "solved for $a$", ("d" if entry.suffix == "ad" else "F",))
+    return Row(entry, "formula", tuple(_region(entry, pairs, expr) for pairs, expr in regions(entry)))
+
+
+def regions(entry: Entry) -> tuple[tuple[Pairs, sp.Expr], ...]:
+    """As `Entry.regions`, with the whole chain where the cases do not compare the same lengths."""
+    lengths = {frozenset(case.chain) for case in entry.cases}
+    if len(lengths) == 1 or len(entry.cases) == 1:
+        return entry.regions()
+    return tuple((tuple(zip(case.chain, case.chain[1:], strict=False)), case.expr) for case in entry.cases)
+
+
+def chain_of(entry: Entry, expr: sp.Expr) -> tuple[sp.Expr, ...]:
+    return next(case.chain for case in entry.cases if case.expr == expr)
+
+
+def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: Printer) -> str:
+    """The range in print: r <= a for the pressure, a <= r outside, and what tells the cases apart."""
+    own = _own_range(entry, chain)
+    loose = {pair for pair in own if not _implied(pair, pairs)}
+    steps = [*pairs, *loose]
+    if not steps:
+        return ""
+    ascending = _as_chain(steps)
+    signs = {pair: r"\le" if pair in own else "<" for pair in steps}
+
+    def text(e: sp.Expr) -> str:
+        return printer.small(e)
+
+    if ascending is None:
+        return ",\\; ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
+    out = text(ascending[0])
+    for lo, hi in zip(ascending, ascending[1:], strict=False):
+        out += f"{signs[lo, hi]} {text(hi)}"
+    return out
+
+
+def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
+    """Inside or outside the contact, whose radius is an expression as long as a complete contact is still partial."""
+    radius = next((x for x in chain if not x.is_Symbol and a in chain and chain.index(x) < chain.index(a)), a)
+    return {"p": ((r, radius),), "w": ((radius, r),)}.get(entry.suffix, ())
+
+
+def _implied(pair: tuple[sp.Expr, sp.Expr], pairs: Pairs) -> bool:
+    reached, grown = {pair[0]}, True
+    while grown:
+        more = {hi for lo, hi in pairs if lo in reached} - reached
+        reached, grown = reached | more, bool(more)
+    return pair[1] in reached
+
+
+def _as_chain(steps: list[tuple[sp.Expr, sp.Expr]]) -> list[sp.Expr] | None:
+    """The steps as one ascending chain, or None if they branch."""
+    following = dict(steps)
+    starts = [lo for lo, _ in steps if lo not in following.values()]
+    if len(following) != len(steps) or len(starts) != 1:
+        return None
+    chain = starts
+    while chain[-1] in following:
+        chain.append(following[chain[-1]])
+    return chain
+
+
+def _region(entry: Entry, pairs: Pairs, expr: sp.Expr) -> Region:
+    chain = chain_of(entry, expr)
+    if isinstance(expr, sp.Equality):
+        printer = Printer(chain, with_kappa(expr).names)
+        return Region(condition(entry, pairs, chain, printer), (printer(expr),))
+    left = LEFT[entry.suffix] + "="
+    short = shortened(expr, chain, width(left))
+    printer = Printer(chain, short.names)
+    lines = _broken(left, short.expr, printer)
+    return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer)))
+
+
+def _broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
+    """The formula in lines that fit, broken between terms."""
+    whole = left + printer(expr)
+    parts = printer.scaled_sum(expr)
+    if width(whole) <= LINE or parts is None:
+        return [whole]
+    sign, scale, terms = parts
+    start = left + ("-" if sign < 0 else "") + (scale + r"\," if scale else "")
+    opening, closing = (r"\Bigl[", r"\Bigr]") if scale or sign < 0 else ("", "")
+    if any("[" in text.replace(r"\sqrt[", "") for _, text in terms) and opening:
+        opening, closing = r"\Bigl\{", r"\Bigr\}"
+    lines, current = [], start + opening
+    for i, (sign_of, text) in enumerate(terms):
+        piece = ("-" if sign_of < 0 else "+" if i else "") + text
+        if i and width(current + piece) > LINE:
+            lines.append(current)
+            current = INDENT + "{}"
+        current += piece
+    return [*lines, current + closing]
+
+
+def _with_definitions(lines: list[str], short: Short, printer: Printer) -> list[str]:
+    """The definitions behind the formula, on its last line if they fit."""
+    if not short.definitions:
+        return lines
+    texts = [f"{short.names[s]}={printer(d)}" for s, d in short.definitions.items() if not _is_kappa(s)]
+    out = list(lines)
+    for i, text in enumerate(texts):
+        gap = r",\qquad " if i == 0 else r",\quad "
+        if width(out[-1] + gap + text) <= LINE:
+            out[-1] += gap + text
+        else:
+            out[-1] += ","
+            out.append(r"\qquad " + text)
+    return out
+
+
+def _is_kappa(symbol: sp.Expr) -> bool:
+    """kappa is explained once per profile, in the definition panel."""
+    return str(symbol).startswith("kappa")
+
+
+def kappa_row(entries: tuple[Entry, ...]) -> str:
+    """The definition of kappa if a profile uses it, else an empty string."""
+    for entry in entries:
+        for case in entry.cases:
+            short = with_kappa(case.expr)
+            if short.definitions:
+                ((symbol, definition),) = short.definitions.items()
+                return f"{short.names[symbol]}={Printer()(definition)}"
+    return ""
+
+
+def pairs(rows: list[Row]) -> list[tuple[Row, ...]]:
+    """Rows in printing order, two narrow neighbours on one line."""
+    fits = [(one.narrow and _half(one)) for one in rows]
+    out: list[tuple[Row, ...]] = []
+    i = 0
+    while i < len(rows):
+        if i + 1 < len(rows) and fits[i] and fits[i + 1]:
+            out.append((rows[i], rows[i + 1]))
+            i += 2
+        else:
+            out.append((rows[i],))
+            i += 1
+    return out
+
+
+HALF = 118.0
+"""Points for the formula of half a row."""
+
+
+def _half(one: Row) -> bool:
+    return one.regions[0].width + (4.2 * len(one.remark) + 20 if one.remark else 0) <= HALF
+
+
+ORDER = ("d", "ad", "F", "Fd", "aF", "dF", "k", "pm", "p", "w", "rz", "dmin", "Fmin")
+
+
+def ordered(entries: dict[str, Entry]) -> list[Row]:
+    """The rows of a profile, the short ones first, fields last."""
+    return [row(entries[suffix]) for suffix in ORDER if suffix in entries]
