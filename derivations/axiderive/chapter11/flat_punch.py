@@ -1,0 +1,240 @@
+"""Section 11.1: the flat punch on the homogeneous half space, (11.1)-(11.15)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import mpmath as mp
+
+from .draw import Draw
+from .equation import AREA, FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Equation, Formula, Residual, chain
+from .quadrature import singular, weighted
+from .routes import across, around, rings, total_force
+
+HALF = mp.mpf(1) / 2
+
+
+def punch_pressure(r: Any, a: Any, p0: Any) -> Any:
+    return p0 * (1 - r**2 / a**2) ** (-mp.mpf(1) / 2)
+
+
+def superposition(p: Callable[[Any], Any], r: Any, a: Any, E_star: Any, edge: Any) -> Any:
+    """(11.2) in polar coordinates around the point: the area element s ds dphi cancels the distance."""
+    return 1 / (mp.pi * E_star) * around(lambda s, phi: p(_radius(r, s, phi)), r, a, upper=edge)
+
+
+def _radius(r: Any, s: Any, phi: Any) -> Any:
+    return mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi))
+
+
+def pressure_around(s: Any, phi: Any, r: Any, a: Any, p0: Any) -> tuple[Any, Any, Any]:
+    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
+    return (
+        p0 * (1 - (r**2 + s**2 + 2 * r * s * mp.cos(phi)) / a**2) ** (-mp.mpf(1) / 2),
+        p0 * a * (a**2 - r**2 - s**2 - 2 * r * s * mp.cos(phi)) ** (-mp.mpf(1) / 2),
+        p0 * a * (alpha_squared - 2 * beta * s - s**2) ** (-mp.mpf(1) / 2),
+    )
+
+
+def displacement_around(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
+    def integrand(s: Any, phi: Any) -> Any:
+        return (a**2 - r**2 - 2 * r * mp.cos(phi) * s - s**2) ** (-mp.mpf(1) / 2)
+
+    return 1 / (mp.pi * E_star) * p0 * a * around(integrand, r, a, upper=-HALF)
+
+
+def inner_integral(alpha: Any, beta: Any) -> Any:
+    return mp.pi / 2 - mp.atan(beta / alpha)
+
+
+def punch_depth(a: Any, p0: Any, E_star: Any) -> Any:
+    return mp.pi * p0 * a / E_star
+
+
+def pressure_across(s: Any, phi: Any, r: Any, a: Any, p0: Any) -> Any:
+    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
+    return p0 * a * (alpha_squared + 2 * beta * s - s**2) ** (-mp.mpf(1) / 2)
+
+
+def displacement_across(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
+    def integrand(s: Any, phi: Any) -> Any:
+        return (a**2 - r**2 + 2 * r * mp.cos(phi) * s - s**2) ** (-mp.mpf(1) / 2)
+
+    return 1 / (mp.pi * E_star) * p0 * a * across(integrand, r, a, -HALF)
+
+
+def chord_ends(s: Any, alpha_squared: Any, beta: Any) -> Any:
+    return alpha_squared + 2 * beta * s - s**2
+
+
+def chord_integral() -> Any:
+    return mp.pi
+
+
+def outside_from_pressure(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
+    return 2 / E_star * p0 * a * mp.asin(a / r)
+
+
+def outside_from_depth(r: Any, a: Any, d: Any) -> Any:
+    return 2 / mp.pi * d * mp.asin(a / r)
+
+
+def punch_force(a: Any, p0: Any) -> Any:
+    return 2 * mp.pi * p0 * a**2
+
+
+def punch_stiffness(a: Any, E_star: Any) -> Any:
+    return 2 * a * E_star
+
+
+def pressure_from_depth(r: Any, a: Any, d: Any, E_star: Any) -> Any:
+    return 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2)
+
+
+def _disc(draw: Draw) -> tuple[Any, Any, Any]:
+    return draw.length(), draw.stress(), draw.stress(5, 50)
+
+
+def _inside(draw: Draw, a: Any) -> Any:
+    return draw.number(0.2, 0.65) * a
+
+
+def _outside(draw: Draw, a: Any) -> Any:
+    return draw.number(1.5, 3) * a
+
+
+def _depth_by_rings(a: Any, p0: Any, E_star: Any) -> Any:
+    """Displacement at the centre under (11.1)."""
+    return rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), mp.mpf(0), a, E_star)
+
+
+def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    inner, outer = (rings(lambda t: formula(t, a, p0), _inside(draw, a), a, E_star) for _ in range(2))
+    yield Residual(inner, outer, LENGTH)
+    yield Residual(p0, formula(mp.mpf(0), a, p0), STRESS)
+
+
+def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    r, near = _inside(draw, a), a * mp.mpf(10) ** -30
+    hertz = mp.pi * p0 * (2 * a**2 - r**2) / (4 * a * E_star)
+    yield Residual(hertz, formula(lambda t: p0 * mp.sqrt(1 - t**2 / a**2), r, a, E_star, HALF), LENGTH)
+    yield Residual(2 * p0 * a / E_star, formula(lambda t: p0, near, a, E_star, 0), LENGTH)
+
+    def smooth(t: Any) -> Any:
+        return p0 * mp.cos((t / a) ** 2)
+
+    yield Residual(rings(smooth, r, a, E_star), formula(smooth, r, a, E_star, 0), LENGTH)
+
+
+def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, _ = _disc(draw)
+    r, phi = _inside(draw, a), draw.number(0, 6.28)
+    s = draw.number(0.1, 0.9) * (a - r)
+    x, y = r + s * mp.cos(phi), s * mp.sin(phi)
+    left = p0 / mp.sqrt(1 - (x**2 + y**2) / a**2)
+    yield from chain(left, formula(s, phi, r, a, p0), STRESS)
+
+
+def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    r = _inside(draw, a)
+    left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
+    yield Residual(left, formula(r, a, p0, E_star), LENGTH)
+
+
+def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    alpha, beta = draw.length(), draw.sign() * draw.length()
+    end = mp.sqrt(alpha**2 + beta**2) - beta
+    left = singular(lambda s: 1 / mp.sqrt(alpha**2 - 2 * beta * s - s**2), mp.mpf(0), end)
+    yield Residual(left, formula(alpha, beta), NUMBER)
+
+
+def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    for r in (mp.mpf(0), _inside(draw, a), draw.number(0.8, 0.95) * a):
+        left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
+        yield Residual(left, formula(a, p0, E_star), LENGTH)
+
+
+def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, _ = _disc(draw)
+    r, radius, angle = _outside(draw, a), draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
+    x, y = r - radius * mp.cos(angle), radius * mp.sin(angle)
+    left = p0 / mp.sqrt(1 - radius**2 / a**2)
+    yield Residual(left, formula(mp.hypot(x, y), mp.atan2(y, x), r, a, p0), STRESS)
+
+
+def check_displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    r = _outside(draw, a)
+    left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
+    yield Residual(left, formula(r, a, p0, E_star), LENGTH)
+
+
+def check_chord_ends(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a = draw.length()
+    r, angle = _outside(draw, a), draw.number(0, 6.28)
+    x, y = r - a * mp.cos(angle), a * mp.sin(angle)
+    on_circle = formula(mp.hypot(x, y), a**2 - r**2, r * mp.cos(mp.atan2(y, x)))
+    yield Residual(0, on_circle, AREA, scale=r**2)
+
+
+def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a = draw.length()
+    r = _outside(draw, a)
+    beta = r * mp.cos(draw.number(0.1, 0.9) * mp.asin(a / r))
+    half = mp.sqrt(a**2 - r**2 + beta**2)
+    left = weighted(lambda s: 1 / mp.sqrt(a**2 - r**2 + 2 * beta * s - s**2), beta - half, beta + half, -HALF, -HALF)
+    yield Residual(left, formula(), NUMBER)
+
+
+def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    yield from check_displacement_across(draw, formula)
+    a, p0, E_star = _disc(draw)
+    yield Residual(_depth_by_rings(a, p0, E_star), formula(a, a, p0, E_star), LENGTH)
+
+
+def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    r, d = _outside(draw, a), _depth_by_rings(a, p0, E_star)
+    yield Residual(rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star), formula(r, a, d), LENGTH)
+    yield Residual(d, formula(a, a, d), LENGTH)
+
+
+def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, _ = _disc(draw)
+    yield Residual(total_force(lambda r: p0 * (1 - r**2 / a**2) ** -HALF, a), formula(a, p0), FORCE)
+
+
+def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    force = total_force(lambda r: p0 / mp.sqrt(1 - r**2 / a**2), a)
+    yield Residual(force / _depth_by_rings(a, p0, E_star), formula(a, E_star), STIFFNESS)
+
+
+def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, p0, E_star = _disc(draw)
+    r, d = _inside(draw, a), _depth_by_rings(a, p0, E_star)
+    yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), formula(r, a, d, E_star), STRESS)
+
+
+EQUATIONS = (
+    Equation(1, "two points of the loaded circle sink equally, by ring kernels", punch_pressure, check_pressure),
+    Equation(2, "Hertz and uniform pressure with known displacement; a smooth pressure by ring kernels", superposition, check_superposition),
+    Equation(3, "pressure at a point given by coordinates; the three lines agree", pressure_around, check_pressure_around),
+    Equation(4, "double integral around A against ring kernels, r < a", displacement_around, check_displacement_around),
+    Equation(5, "inner integral by tanh-sinh quadrature, beta of both signs", inner_integral, check_inner_integral),
+    Equation(6, "displacement by ring kernels at the centre and at two radii", punch_depth, check_depth),
+    Equation(7, "pressure at a point given by coordinates, A outside", pressure_across, check_pressure_across),
+    Equation(8, "double integral across the disc against ring kernels, r > a", displacement_across, check_displacement_across),
+    Equation(9, "a point of the circle t = a given by coordinates is a root", chord_ends, check_chord_ends),
+    Equation(10, "inner integral by Gauss-Jacobi quadrature", chord_integral, check_chord_integral),
+    Equation(11, "displacement by ring kernels, r > a, and continuity at r = a", outside_from_pressure, check_outside_from_pressure),
+    Equation(12, "displacement by ring kernels, r > a, with d by ring kernels", outside_from_depth, check_outside_from_depth),
+    Equation(13, "pressure (11.1) integrated over the area", punch_force, check_force),
+    Equation(14, "force by quadrature over depth by ring kernels", punch_stiffness, check_stiffness),
+    Equation(15, "pressure (11.1) with p0 replaced by d of ring kernels", pressure_from_depth, check_pressure_from_depth),
+)

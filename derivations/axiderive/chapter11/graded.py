@@ -1,0 +1,260 @@
+"""Section 11.5: normal contact of a profile on the graded half space, (11.48)-(11.61)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import mpmath as mp
+
+from .draw import Draw, PowerSum
+from .equation import FORCE, LENGTH, STRESS, Equation, Formula, Residual, chain
+from .graded_medium import Medium, exponent, medium
+from .quadrature import panels, singular, weighted
+from .round_trip import graded_catalogue_depths
+from .routes import around, even_pressure, graded_centre, graded_rings, kappa, pressure, total_force
+
+Function = Callable[[Any], Any]
+ZERO = mp.mpf(0)
+
+
+def depth_of_radius(g: Function, a: Any) -> Any:
+    return g(a)
+
+
+def force_increment(x: Any, dd: Any, slope: Function, dx: Any, m: Medium) -> tuple[Any, Any]:
+    E0, c0, k, nu, h_N = m
+    factor = 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k))
+    return factor * x ** (1 + k) * dd, factor * x ** (1 + k) * slope(x) * dx
+
+
+def force_from_slope(slope: Function, a: Any, m: Medium) -> Any:
+    E0, c0, k, nu, h_N = m
+    return 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k)) * singular(lambda x: x ** (1 + k) * slope(x), ZERO, a)
+
+
+def force_by_parts(g: Function, d: Any, a: Any, foundation: Function, m: Medium) -> tuple[Any, Any]:
+    E0, c0, k, nu, h_N = m
+    return (
+        2 * h_N * E0 / ((1 - nu**2) * c0**k) * singular(lambda x: x**k * (g(a) - g(x)), ZERO, a),
+        panels(lambda x: foundation(x) * (d - g(abs(x))), -a, a, (ZERO,)),
+    )
+
+
+def pressure_increment(r: Any, x: Any, dd: Any, slope: Function, dx: Any, m: Medium) -> tuple[Any, Any]:
+    E0, c0, k, nu, h_N = m
+    factor = h_N * E0 / (mp.pi * (1 - nu**2) * c0**k * (x**2 - r**2) ** ((1 - k) / 2))
+    return factor * dd, factor * slope(x) * dx
+
+
+def pressure_from_slope(slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium) -> tuple[Any, Any]:
+    E0, c0, k, nu, h_N = m
+
+    def abel(f: Function) -> Any:
+        return singular(lambda x: f(x) / (x**2 - r**2) ** ((1 - k) / 2), r, a, max(0.0, float(1 - k) / 2))
+
+    return h_N * E0 / (mp.pi * (1 - nu**2) * c0**k) * abel(slope), -foundation(c0) / (mp.pi * c0**k) * abel(w1D_slope)
+
+
+def displacement_increment(r: Any, x: Any, dd: Any, k: Any) -> Any:
+    if r < x:
+        return dd
+    factor = 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k))
+    return factor * (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2) * dd
+
+
+def displacement_from_slope(slope: Function, r: Any, a: Any, k: Any) -> Any:
+    def integrand(x: Any) -> Any:
+        return (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2) * slope(x)
+
+    return 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * singular(integrand, ZERO, a)
+
+
+def displacement_by_parts(g: Function, w1D: Function, r: Any, a: Any, k: Any) -> tuple[Any, Any]:
+    factor = 2 * mp.cos(k * mp.pi / 2) / mp.pi
+    return (
+        factor * singular(lambda x: x**k * (g(a) - g(x)) / (r**2 - x**2) ** ((1 + k) / 2), ZERO, a),
+        factor * singular(lambda x: x**k * w1D(x) / (r**2 - x**2) ** ((1 + k) / 2), ZERO, a),
+    )
+
+
+def displacement_inside(slope: Function, r: Any, a: Any, k: Any) -> Any:
+    def integrand(x: Any) -> Any:
+        return (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2) * slope(x)
+
+    return singular(slope, r, a) + 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * singular(integrand, ZERO, r)
+
+
+def _abel(g: Function, r: Any, k: Any) -> Any:
+    """int x**k g(x) (r**2 - x**2)**(-(1 + k)/2) dx over (0, r)."""
+    return singular(lambda x: x**k * g(x) / (r**2 - x**2) ** ((1 + k) / 2), ZERO, r, max(0.0, float(1 + k) / 2))
+
+
+def inside_by_parts(g: Function, r: Any, a: Any, k: Any) -> Any:
+    return g(a) - 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
+
+
+def inside_from_profile(f: Function, r: Any, d: Any) -> Any:
+    return d - f(r)
+
+
+def profile_from_depth(g: Function, r: Any, k: Any) -> Any:
+    return 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
+
+
+def depth_from_slope(slope: Function, x: Any, k: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    strongest = max(0.0, float(1 - k) / 2)
+    return abs(x) ** (1 - k) * panels(
+        lambda r: slope(r) / (x**2 - r**2) ** ((1 - k) / 2), ZERO, abs(x), breaks, strongest
+    )
+
+
+def _contact(draw: Draw) -> tuple[PowerSum, Any, Medium]:
+    return draw.power_sum(), draw.length(), medium(draw)
+
+
+def _depth_by_quadrature(f: PowerSum, k: Any) -> PowerSum:
+    """(11.61) applied to a sum of powers: each integral over the unit interval scales with x**n."""
+    strongest = max(0.0, float(1 - k) / 2)
+
+    def unit(n: Any) -> Any:
+        return singular(lambda x: n * x ** (n - 1) * ((1 - x) * (1 + x)) ** ((k - 1) / 2), ZERO, mp.mpf(1), strongest)
+
+    return f.times(unit)
+
+
+def _area_force(g: PowerSum, a: Any, m: Medium) -> Any:
+    return total_force(lambda r: pressure(g, r, a, m.H, m.k), a)
+
+
+def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = draw.even_sum(), draw.length(), medium(draw)
+    yield Residual(graded_centre(lambda r: even_pressure(g, r, a, m.H, m.k), a, m.H, m.k), formula(g, a), LENGTH)
+
+
+def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, first, m = _contact(draw)
+    last = first * draw.number(1.2, 2)
+    left = _area_force(g, last, m) - _area_force(g, first, m)
+    for form in range(2):
+        right = singular(lambda x, form=form: formula(x, g.slope(x), g.slope, 1, m)[form], first, last)
+        yield Residual(left, right, FORCE)
+
+
+def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = _contact(draw)
+    yield Residual(_area_force(g, a, m), formula(g.slope, a, m), FORCE)
+
+
+def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = _contact(draw)
+    yield from chain(_area_force(g, a, m), formula(g, g(a), a, m.foundation, m), FORCE)
+
+
+def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, first, m = _contact(draw)
+    last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
+    left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
+    for form in range(2):
+        right = singular(lambda x, form=form: formula(r, x, g.slope(x), g.slope, 1, m)[form], first, last)
+        yield Residual(left, right, STRESS)
+
+
+def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = _contact(draw)
+    r = a * draw.number(0.2, 0.9)
+    sides = formula(g.slope, lambda x: -g.slope(x), m.foundation, r, a, m)
+    yield from chain(pressure(g, r, a, m.H, m.k), sides, STRESS)
+
+
+def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Flat punches of pressure (11.47): the depth at the centre, ring kernels outside."""
+    x, dd, m = draw.length(), draw.length(), medium(draw)
+
+    def punch(t: Any) -> Any:
+        return m.H * dd / (mp.pi * ((x - t) * (x + t)) ** ((1 - m.k) / 2))
+
+    yield Residual(graded_centre(punch, x, m.H, m.k), formula(x * draw.number(0.1, 0.9), x, dd, m.k), LENGTH)
+    r = x * draw.number(1.5, 3)
+    yield Residual(graded_rings(punch, r, x, m.H, m.k), formula(r, x, dd, m.k), LENGTH)
+
+
+def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = draw.even_sum(2), draw.length(), medium(draw)
+    r = a * draw.number(1.5, 3)
+    left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
+    yield Residual(left, formula(g.slope, r, a, m.k), LENGTH)
+
+
+def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, m = draw.even_sum(2), draw.length(), medium(draw)
+    r = a * draw.number(1.5, 3)
+    left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
+    yield from chain(left, formula(g, lambda x: g(a) - g(x), r, a, m.k), LENGTH)
+
+
+def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a, k = draw.power_sum(), draw.length(), exponent(draw)
+    g = _depth_by_quadrature(f, k)
+    r = a * draw.number(0.2, 0.9)
+    yield Residual(g(a) - f(r), formula(g.slope, r, a, k), LENGTH)
+
+
+def check_inside_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a, k = draw.power_sum(), draw.length(), exponent(draw)
+    g = _depth_by_quadrature(f, k)
+    r = a * draw.number(0.2, 0.9)
+    yield Residual(g(a) - f(r), formula(g, r, a, k), LENGTH)
+
+
+def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The pressure of g put into the double integral (11.34) leaves d - f under the indenter."""
+    g, a, m = draw.even_sum(), draw.length(), medium(draw)
+    f, r = g.times(lambda n: 1 / kappa(n, m.k)), a * draw.number(0.2, 0.6)
+
+    def integrand(s: Any, phi: Any) -> Any:
+        t = mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi))
+        return even_pressure(g, t, a, m.H, m.k) * s**-m.k
+
+    left = mp.cos(m.k * mp.pi / 2) / (mp.pi * m.H) * around(integrand, r, a, -m.k, (1 + m.k) / 2)
+    yield Residual(left, formula(f, r, g(a)), LENGTH)
+
+
+def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, r, k = draw.power_sum(), draw.length(), exponent(draw)
+    yield Residual(f(r), formula(_depth_by_quadrature(f, k), r, k), LENGTH)
+    yield Residual(f(r), formula(f.times(lambda n: kappa(n, k)), r, k), LENGTH)
+
+
+def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a, k = draw.power_sum(), draw.length(), exponent(draw)
+    g = f.times(lambda n: kappa(n, k))
+    for x in (a, -a):
+        yield Residual(g(a), formula(f.slope, x, k), LENGTH)
+    power = draw.power_sum(terms=1)
+    (_, n), = power.terms
+    factor = 2 * mp.cos(k * mp.pi / 2) / mp.pi
+
+    def integrand(x: Any) -> Any:
+        return factor * x**k * formula(power.slope, x, k) / (a**2 - x**2) ** ((1 + k) / 2)
+
+    yield Residual(power(a), weighted(integrand, ZERO, a, n + k, -(1 + k) / 2, nodes=40), LENGTH)
+    yield from graded_catalogue_depths(draw, formula, k)
+
+
+EQUATIONS = (
+    Equation(48, "displacement of the centre by quadrature of (11.34) is g(a), smooth g", depth_of_radius, check_depth_of_radius),
+    Equation(49, "its integral is a difference of forces over the area", force_increment, check_force_increment),
+    Equation(50, "closed pressure of random powers integrated over the area", force_from_slope, check_force_from_slope),
+    Equation(51, "closed pressure integrated over the area against both forms", force_by_parts, check_force_by_parts),
+    Equation(52, "its integral is a difference of closed pressures", pressure_increment, check_pressure_increment),
+    Equation(53, "both forms against the closed pressure of random powers", pressure_from_slope, check_pressure_from_slope),
+    Equation(54, "flat punch: depth at the centre, ring kernels outside", displacement_increment, check_displacement_increment),
+    Equation(55, "ring kernels under the closed pressure, smooth g", displacement_from_slope, check_displacement_from_slope),
+    Equation(56, "ring kernels under the closed pressure against both forms", displacement_by_parts, check_displacement_by_parts),
+    Equation(57, "d - f(r) of random powers with g by quadrature", displacement_inside, check_displacement_inside),
+    Equation(58, "d - f(r) of random powers with g by quadrature", inside_by_parts, check_inside_by_parts),
+    Equation(59, "closed pressure of a smooth g put into the double integral (11.34)", inside_from_profile, check_inside_from_profile),
+    Equation(60, "f of random powers from g by quadrature and from the closed g", profile_from_depth, check_profile_from_depth),
+    Equation(61, "closed g of random powers, (11.60) applied to it returns f; the graded depths of the catalogue", depth_from_slope, check_depth_from_slope),
+)  # fmt: skip

@@ -1,0 +1,278 @@
+"""Section 11.4: the flat punch on a half space of modulus E_0 (z/c_0)**k, (11.32)-(11.47)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import mpmath as mp
+
+from .draw import Draw
+from .equation import FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Dimension, Equation, Formula, Residual
+from .graded_medium import Medium, exponent, medium
+from .quadrature import singular
+from .routes import across, around, graded_centre, graded_rings, total_force
+
+ZERO = mp.mpf(0)
+
+
+def modulus(z: Any, medium: Medium) -> Any:
+    return medium.E0 * (z / medium.c0) ** medium.k
+
+
+def point_load(r: Any, force: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+    return (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k / (h_N * mp.pi * E0) * force / r ** (1 + k)
+
+
+def superposition(p: Callable[[Any], Any], r: Any, a: Any, edge: Any, medium: Medium) -> Any:
+    """(11.34) in polar coordinates around the point: the area element s ds dphi leaves s**-k."""
+    E0, c0, k, nu, h_N = medium
+
+    def integrand(s: Any, phi: Any) -> Any:
+        return p(mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi))) * s / s ** (1 + k)
+
+    return (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k / (h_N * mp.pi * E0) * around(integrand, r, a, -k, edge)
+
+
+def punch_pressure(r: Any, a: Any, p0: Any, k: Any) -> Any:
+    return p0 * (1 - r**2 / a**2) ** ((k - 1) / 2)
+
+
+def pressure_around(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
+    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
+    return p0 * a ** (1 - k) / mp.sqrt(alpha_squared - 2 * beta * s - s**2) ** (1 - k)
+
+
+def displacement_around(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+
+    def integrand(s: Any, phi: Any) -> Any:
+        return 1 / mp.sqrt(a**2 - r**2 - 2 * r * mp.cos(phi) * s - s**2) ** (1 - k) / s**k
+
+    factor = (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k * p0 * a ** (1 - k) / (h_N * mp.pi * E0)
+    return factor * around(integrand, r, a, -k, (k - 1) / 2)
+
+
+def inner_integral(alpha: Any, beta: Any, k: Any) -> Any:
+    head = mp.gamma(1 - k / 2) * mp.gamma((1 + k) / 2) / mp.sqrt(mp.pi) * beta / mp.sqrt(alpha**2 + beta**2)
+    series = mp.hyp2f1(mp.mpf(1) / 2, (1 + k) / 2, mp.mpf(3) / 2, beta**2 / (alpha**2 + beta**2))
+    return mp.pi / (2 * mp.cos(k * mp.pi / 2)) - head * series
+
+
+def punch_depth(a: Any, p0: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+    return (1 - nu**2) * c0**k * mp.pi * p0 * a ** (1 - k) / (h_N * E0)
+
+
+def pressure_across(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
+    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
+    return p0 * a ** (1 - k) / mp.sqrt(alpha_squared + 2 * beta * s - s**2) ** (1 - k)
+
+
+def displacement_across(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+
+    def integrand(s: Any, phi: Any) -> Any:
+        return 1 / mp.sqrt(a**2 - r**2 + 2 * r * mp.cos(phi) * s - s**2) ** (1 - k) / s**k
+
+    factor = (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k * p0 * a ** (1 - k) / (h_N * mp.pi * E0)
+    return factor * across(integrand, r, a, (k - 1) / 2)
+
+
+def chord_integral(alpha_squared: Any, beta: Any, k: Any) -> Any:
+    share = (alpha_squared + beta**2) / beta**2
+    head = mp.sqrt(mp.pi) * mp.gamma((1 + k) / 2) / mp.gamma(1 + k / 2)
+    return head * share ** (k / 2) * mp.hyp2f1(k / 2, (1 + k) / 2, 1 + k / 2, share)
+
+
+def outside_from_pressure(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+    factor = 2 * (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k * p0 * a ** (1 - k) / (h_N * E0 * (1 + k))
+    return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
+
+
+def outside_from_depth(r: Any, a: Any, d: Any, k: Any) -> Any:
+    factor = 2 * d * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k))
+    return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
+
+
+def punch_force(a: Any, p0: Any, k: Any) -> Any:
+    return 2 * mp.pi * p0 * a**2 / (k + 1)
+
+
+def punch_stiffness(a: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+    return 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k)) * a ** (1 + k)
+
+
+def pressure_from_depth(r: Any, a: Any, d: Any, medium: Medium) -> Any:
+    E0, c0, k, nu, h_N = medium
+    return h_N * E0 * d / (mp.pi * (1 - nu**2) * c0**k * (a**2 - r**2) ** ((1 - k) / 2))
+
+
+def _disc(draw: Draw) -> tuple[Any, Any, Any, Medium]:
+    a = draw.length()
+    return a, draw.number(0.2, 0.6) * a, draw.stress(), medium(draw)
+
+
+def _loaded(p0: Any, a: Any, k: Any) -> Callable[[Any], Any]:
+    return lambda t: p0 * ((1 - t / a) * (1 + t / a)) ** ((k - 1) / 2)
+
+
+def _depth_at_centre(p0: Any, a: Any, m: Medium) -> Any:
+    return graded_centre(_loaded(p0, a, m.k), a, m.H, m.k)
+
+
+def check_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    m, z = medium(draw), draw.length()
+    yield Residual(m.E0, formula(m.c0, m), STRESS)
+    yield Residual(m.E0, formula(z, m.homogeneous()), STRESS)
+    yield Residual(m.k, mp.log(formula(2 * z, m) / formula(z, m), 2), NUMBER)
+
+
+def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Homogeneous limit; and point loads of the distribution (11.35) sum up to a regularised Beta function outside."""
+    a, inside, p0, m = _disc(draw)
+    force, even = draw.force(), m.homogeneous()
+    yield Residual(force * (1 - even.nu**2) / (mp.pi * even.E0 * even.h_N * inside), formula(inside, force, even), LENGTH)
+    r = draw.number(1.6, 3) * a
+
+    def integrand(s: Any, phi: Any) -> Any:
+        t_squared = r**2 + s**2 - 2 * r * s * mp.cos(phi)
+        return formula(s, p0 * (1 - t_squared / a**2) ** ((m.k - 1) / 2), m) * s
+
+    d = mp.pi * p0 * a ** (1 - m.k) / m.H
+    share = mp.betainc((1 + m.k) / 2, (1 - m.k) / 2, 0, (a / r) ** 2, regularized=True)
+    yield Residual(d * share, across(integrand, r, a, (m.k - 1) / 2), LENGTH)
+
+
+def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    near = a * mp.mpf(10) ** -30
+    uniform = 2 * mp.cos(m.k * mp.pi / 2) * p0 * a ** (1 - m.k) / (m.H * (1 - m.k))
+    yield Residual(uniform, formula(lambda t: p0, near, a, ZERO, m), LENGTH)
+    punch = formula(lambda t: p0 * (1 - t**2 / a**2) ** ((m.k - 1) / 2), r, a, (m.k - 1) / 2, m)
+    yield Residual(_depth_at_centre(p0, a, m), punch, LENGTH)
+
+
+def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    k, factor = m.k, mp.cos(m.k * mp.pi / 2) / (mp.pi * m.H)
+
+    def displacement(x: Any) -> Any:
+        def integrand(s: Any, phi: Any) -> Any:
+            return formula(mp.sqrt(x**2 + s**2 + 2 * x * s * mp.cos(phi)), a, p0, k) * s**-k
+
+        return factor * around(integrand, x, a, -k, (k - 1) / 2)
+
+    yield Residual(displacement(r), displacement(draw.number(0.2, 0.6) * a), LENGTH)
+    yield Residual(p0, formula(ZERO, a, p0, k), STRESS)
+
+
+def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    phi, s = draw.number(0, 6.28), draw.number(0.1, 0.9) * (a - r)
+    x, y = r + s * mp.cos(phi), s * mp.sin(phi)
+    yield Residual(p0 * (1 - (x**2 + y**2) / a**2) ** ((m.k - 1) / 2), formula(s, phi, r, a, p0, m.k), STRESS)
+
+
+def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    yield Residual(_depth_at_centre(p0, a, m), formula(r, a, p0, m), LENGTH)
+
+
+def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    k = exponent(draw)
+    alpha, beta = draw.length(), draw.sign() * draw.length()
+    with mp.workdps(6 * mp.mp.dps):  # the integrand has a power at the end point, whose rounding counts
+        end = mp.sqrt(alpha**2 + beta**2) - beta
+        other = mp.sqrt(alpha**2 + beta**2) + beta
+    strongest = max(float(k), float(1 - k) / 2)
+    left = singular(lambda s: ((end - s) * (other + s)) ** ((k - 1) / 2) / s**k, ZERO, end, strongest)
+    yield Residual(left, formula(alpha, beta, k), Dimension(0))
+
+
+def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    yield Residual(_depth_at_centre(p0, a, m), formula(a, p0, m), LENGTH)
+    yield Residual(superposition(_loaded(p0, a, m.k), r, a, (m.k - 1) / 2, m), formula(a, p0, m), LENGTH)
+
+
+def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, _, p0, m = _disc(draw)
+    r, radius, angle = draw.number(1.5, 3) * a, draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
+    x, y = r - radius * mp.cos(angle), radius * mp.sin(angle)
+    left = p0 * (1 - radius**2 / a**2) ** ((m.k - 1) / 2)
+    yield Residual(left, formula(mp.hypot(x, y), mp.atan2(y, x), r, a, p0, m.k), STRESS)
+
+
+def check_displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, _, p0, m = _disc(draw)
+    r = draw.number(1.6, 3) * a
+    yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, p0, m), LENGTH)
+
+
+def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    k, a = exponent(draw), draw.length()
+    r = draw.number(1.3, 3) * a
+    with mp.workdps(6 * mp.mp.dps):
+        sine = draw.number(0.1, 0.9) * a / r
+        beta, half = r * mp.sqrt(1 - sine**2), mp.sqrt(a**2 - (r * sine) ** 2)
+        near, far = beta - half, beta + half
+    left = singular(lambda s: ((far - s) * (s - near)) ** ((k - 1) / 2) / s**k, near, far, max(0.0, float(1 - k) / 2))
+    yield Residual(left, formula(half**2 - beta**2, beta, k), NUMBER)
+
+
+def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    yield from check_displacement_outside(draw, formula)
+    a, _, p0, m = _disc(draw)
+    yield Residual(_depth_at_centre(p0, a, m), formula(a, a, p0, m), LENGTH)
+    r, even = draw.number(1.6, 3) * a, m.homogeneous()
+    yield Residual(2 / even.H * p0 * a * mp.asin(a / r), formula(r, a, p0, even), LENGTH)
+
+
+def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, _, p0, m = _disc(draw)
+    r, d = draw.number(1.6, 3) * a, _depth_at_centre(p0, a, m)
+    yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, d, m.k), LENGTH)
+    yield Residual(displacement_across(r, a, p0, m), formula(r, a, d, m.k), LENGTH)
+
+
+def _force(p0: Any, a: Any, k: Any) -> Any:
+    return total_force(_loaded(p0, a, k), a, max(0.0, float(1 - k) / 2))
+
+
+def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, _, p0, m = _disc(draw)
+    yield Residual(_force(p0, a, m.k), formula(a, p0, m.k), FORCE)
+
+
+def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, _, p0, m = _disc(draw)
+    yield Residual(_force(p0, a, m.k) / _depth_at_centre(p0, a, m), formula(a, m), STIFFNESS)
+
+
+def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    a, r, p0, m = _disc(draw)
+    yield Residual(_loaded(p0, a, m.k)(r), formula(r, a, _depth_at_centre(p0, a, m), m), STRESS)
+
+
+EQUATIONS = (
+    Equation(32, "value at c0, homogeneous limit, logarithmic slope k", modulus, check_modulus),
+    Equation(33, "homogeneous limit; point loads of (11.35) add up to a regularised Beta function outside", point_load, check_point_load),
+    Equation(34, "uniform pressure at the centre; (11.35) gives the depth found at the centre", superposition, check_superposition),
+    Equation(35, "two points of the loaded circle sink equally, by double quadrature", punch_pressure, check_pressure),
+    Equation(36, "pressure at a point given by coordinates", pressure_around, check_pressure_around),
+    Equation(37, "double quadrature at r < a against the integral for the centre", displacement_around, check_displacement_around),
+    Equation(38, "inner integral by tanh-sinh quadrature, beta of both signs", inner_integral, check_inner_integral),
+    Equation(39, "displacement of the centre and of a point r < a by quadrature of (11.34)", punch_depth, check_depth),
+    Equation(40, "pressure at a point given by coordinates, A outside", pressure_across, check_pressure_across),
+    Equation(41, "double quadrature at r > a against ring kernels", displacement_across, check_displacement_outside),
+    Equation(42, "inner integral by tanh-sinh quadrature", chord_integral, check_chord_integral),
+    Equation(43, "ring kernels at r > a, continuity at r = a, homogeneous limit", outside_from_pressure, check_outside_from_pressure),
+    Equation(44, "ring kernels and double quadrature at r > a", outside_from_depth, check_outside_from_depth),
+    Equation(45, "pressure (11.35) integrated over the area", punch_force, check_force),
+    Equation(46, "force over depth, both by quadrature", punch_stiffness, check_stiffness),
+    Equation(47, "pressure (11.35) with p0 replaced by d found at the centre", pressure_from_depth, check_pressure_from_depth),
+)  # fmt: skip

@@ -1,0 +1,212 @@
+"""Section 11.2: normal contact of a profile on the homogeneous half space, (11.16)-(11.29)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import mpmath as mp
+
+from .draw import Draw, PowerSum
+from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Equation, Formula, Residual, chain
+from .quadrature import panels, singular, weighted
+from .round_trip import catalogue_depths
+from .routes import even_pressure, kappa, pressure, rings, total_force
+
+Function = Callable[[Any], Any]
+ZERO = mp.mpf(0)
+
+
+def depth_of_radius(g: Function, a: Any) -> Any:
+    return g(a)
+
+
+def force_by_increments(stiffness: Function, slope: Function, a: Any) -> Any:
+    return singular(lambda x: stiffness(x) * slope(x), ZERO, a)
+
+
+def differential_stiffness(x: Any, E_star: Any) -> Any:
+    return 2 * E_star * x
+
+
+def force_from_slope(slope: Function, a: Any, E_star: Any) -> Any:
+    return 2 * E_star * singular(lambda x: x * slope(x), ZERO, a)
+
+
+def force_by_parts(g: Function, d: Any, a: Any, E_star: Any) -> tuple[Any, Any, Any]:
+    return (
+        2 * E_star * (a * g(a) - singular(g, ZERO, a)),
+        2 * E_star * singular(lambda x: g(a) - g(x), ZERO, a),
+        2 * E_star * singular(lambda x: d - g(x), ZERO, a),
+    )
+
+
+def pressure_increment(r: Any, x: Any, dd: Any, E_star: Any) -> Any:
+    return 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * dd
+
+
+def pressure_by_increments(g: Function, slope: Function, radius: Function, r: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
+    """Over the depth, which needs the radius as a function of it, and over the radius."""
+    with mp.workdps(2 * mp.mp.dps + 10):  # an error of g(r) counts with its square root
+        first, last = g(r), g(a)
+    return (
+        singular(lambda depth: 1 / mp.pi * E_star / mp.sqrt(radius(depth) ** 2 - r**2), first, last),
+        singular(lambda x: 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * slope(x), r, a),
+    )
+
+
+def pressure_from_slope(slope: Function, r: Any, a: Any, E_star: Any) -> Any:
+    return E_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a)
+
+
+def displacement_increment(x: Any, a: Any, dd: Any) -> Any:
+    return 2 / mp.pi * mp.asin(x / a) * dd
+
+
+def displacement_by_increments(radius: Function, slope: Function, a: Any, d: Any) -> tuple[Any, Any]:
+    return (
+        2 / mp.pi * singular(lambda depth: mp.asin(radius(depth) / a), ZERO, d),
+        2 / mp.pi * singular(lambda x: mp.asin(x / a) * slope(x), ZERO, a),
+    )
+
+
+def displacement_from_slope(slope: Function, a: Any) -> Any:
+    return 2 / mp.pi * singular(lambda x: mp.asin(x / a) * slope(x), ZERO, a)
+
+
+def profile_from_depth(g: Function, a: Any) -> Any:
+    return 2 / mp.pi * singular(lambda x: g(x) / mp.sqrt(a**2 - x**2), ZERO, a)
+
+
+def depth_from_slope(slope: Function, a: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    return a * panels(lambda x: slope(x) / mp.sqrt(a**2 - x**2), ZERO, a, breaks)
+
+
+def _power(draw: Draw) -> tuple[PowerSum, Function]:
+    """One power and its inverse."""
+    g = draw.power_sum(terms=1)
+    (c, n), = g.terms
+    return g, lambda depth: (depth / c) ** (1 / n)
+
+
+def _depth_by_quadrature(f: PowerSum) -> PowerSum:
+    """(11.29) applied to a sum of powers: the integral of each power over the unit interval scales with a**n."""
+    return f.times(lambda n: singular(lambda x: n * x ** (n - 1) / mp.sqrt((1 - x) * (1 + x)), ZERO, mp.mpf(1)))
+
+
+def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
+    yield Residual(rings(lambda r: even_pressure(g, r, a, E_star), ZERO, a, E_star), formula(g, a), LENGTH)
+
+
+def check_force_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
+    left = total_force(lambda r: pressure(g, r, a, E_star), a)
+    yield Residual(left, formula(lambda x: 2 * E_star * x, g.slope, a), FORCE)
+
+
+def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, E_star = draw.power_sum(), draw.stress()
+    first = draw.length()
+    last = first * draw.number(1.2, 2)
+    before, after = (total_force(lambda r, a=a: pressure(g, r, a, E_star), a) for a in (first, last))
+    summed = singular(lambda x: formula(x, E_star) * g.slope(x), first, last)
+    yield Residual(after - before, summed, FORCE)
+    yield Residual(rings(lambda r: E_star / mp.sqrt(first**2 - r**2), ZERO, first, E_star) ** -1 * 2 * mp.pi * E_star * first,
+                   formula(first, E_star), STIFFNESS)
+
+
+def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
+    yield Residual(total_force(lambda r: pressure(g, r, a, E_star), a), formula(g.slope, a, E_star), FORCE)
+
+
+def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
+    left = total_force(lambda r: pressure(g, r, a, E_star), a)
+    yield from chain(left, formula(g, g(a), a, E_star), FORCE)
+
+
+def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, E_star = draw.power_sum(), draw.stress()
+    first = draw.length()
+    last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
+    left = pressure(g, r, last, E_star) - pressure(g, r, first, E_star)
+    yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), E_star), first, last), STRESS)
+
+
+def check_pressure_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    (g, radius), a, E_star = _power(draw), draw.length(), draw.stress()
+    r = a * draw.number(0.1, 0.9)
+    yield from chain(pressure(g, r, a, E_star), formula(g, g.slope, radius, r, a, E_star), STRESS)
+
+
+def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
+    r = a * draw.number(0.1, 0.9)
+    yield Residual(pressure(g, r, a, E_star), formula(g.slope, r, a, E_star), STRESS)
+    even = draw.even_sum(2)
+    force = 2 * E_star * mp.fsum(c * n / (n + 1) * a ** (n + 1) for c, n in even.terms)
+    area = weighted(lambda t: 2 * mp.pi * t * formula(even.slope, t, a, E_star), ZERO, a, 0, mp.mpf(1) / 2, nodes=40)
+    yield Residual(force, area, FORCE)
+
+
+def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    x, dd, E_star = draw.length(), draw.length(), draw.stress()
+    a = x * draw.number(1.1, 3)
+    left = rings(lambda t: E_star * dd / (mp.pi * mp.sqrt(x**2 - t**2)), a, x, E_star)
+    yield Residual(left, formula(x, a, dd), LENGTH)
+
+
+def check_displacement_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    (g, radius), a = _power(draw), draw.length()
+    f = g.times(lambda n: 1 / kappa(n))
+    yield from chain(g(a) - f(a), formula(radius, g.slope, a, g(a)), LENGTH)
+
+
+def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
+    left = rings(lambda r: even_pressure(g, r, a, E_star), a, a, E_star)
+    yield Residual(left, formula(g.slope, a), LENGTH)
+
+
+def check_gap_at_edge(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a = draw.power_sum(), draw.length()
+    g = _depth_by_quadrature(f)
+    yield Residual(g(a) - f(a), formula(g.slope, a), LENGTH)
+
+
+def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a = draw.power_sum(), draw.length()
+    yield Residual(f(a), formula(_depth_by_quadrature(f), a), LENGTH)
+    g, E_star, r = draw.even_sum(), draw.stress(), a * draw.number(0.2, 0.8)
+    left = g(a) - rings(lambda t: even_pressure(g, t, a, E_star), r, a, E_star)
+    yield Residual(left, formula(g, r), LENGTH)
+
+
+def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    f, a = draw.power_sum(), draw.length()
+    yield Residual(f.times(kappa)(a), formula(f.slope, a), LENGTH)
+    power = draw.power_sum(terms=1)
+    (_, n), = power.terms
+    back = weighted(lambda x: 2 / mp.pi * formula(power.slope, x) / mp.sqrt(a**2 - x**2), ZERO, a, n, -mp.mpf(1) / 2, 40)
+    yield Residual(power(a), back, LENGTH)
+    yield from catalogue_depths(draw, formula)
+
+
+EQUATIONS = (
+    Equation(16, "displacement of the centre by ring kernels is g(a), smooth g", depth_of_radius, check_depth_of_radius),
+    Equation(17, "closed pressure of random powers integrated over the area", force_by_increments, check_force_by_increments),
+    Equation(18, "its integral over dg is a difference of forces; flat punch by ring kernels", differential_stiffness, check_differential_stiffness),
+    Equation(19, "closed pressure of random powers integrated over the area", force_from_slope, check_force_from_slope),
+    Equation(20, "closed pressure integrated over the area against the three forms", force_by_parts, check_force_by_parts),
+    Equation(21, "its integral over dg is a difference of closed pressures", pressure_increment, check_pressure_increment),
+    Equation(22, "both parametrisations against the closed pressure of a power", pressure_by_increments, check_pressure_by_increments),
+    Equation(23, "closed pressure of random powers; its integral over the area is the force", pressure_from_slope, check_pressure_from_slope),
+    Equation(24, "displacement beside a flat punch by ring kernels", displacement_increment, check_displacement_increment),
+    Equation(25, "both forms against d - f of a power", displacement_by_increments, check_displacement_by_increments),
+    Equation(26, "displacement of the edge by ring kernels, smooth g", displacement_from_slope, check_displacement_from_slope),
+    Equation(27, "d - f(a) of random powers with g by quadrature", displacement_from_slope, check_gap_at_edge),
+    Equation(28, "f from g by quadrature; f from the displacement by ring kernels", profile_from_depth, check_profile_from_depth),
+    Equation(29, "random powers, (11.28) applied to it returns f; the depths of the catalogue", depth_from_slope, check_depth_from_slope),
+)  # fmt: skip

@@ -1,0 +1,210 @@
+"""The catalogue through the general rules of the chapter: (11.29), and Schubert's inversion back to the pressure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..abel import masters
+from ..contact.normal import derive
+from ..entry import Case, Entry
+from ..profiles import NAMES, load
+from ..profiles.profile import Profile
+from .draw import Draw
+from .equation import LENGTH, STRESS, Formula, Residual
+from .quadrature import singular
+
+Values = Mapping[sp.Symbol, Any]
+DEGREE = 3
+"""Degree of the polynomial profile."""
+SPREAD = 0.04
+"""How far the random parameters stray from those of the sketch, which keep the rules of the profile."""
+
+_NUMERIC = {name: cls.numeric for name, cls in vars(masters).items() if isinstance(cls, type) and hasattr(cls, "numeric")}
+
+
+@lru_cache(maxsize=len(NAMES))
+def _entries(name: str) -> dict[str, Entry]:
+    return derive(load(name))
+
+
+@lru_cache(maxsize=512)
+def _slope(expr: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    return sp.diff(expr, symbol)
+
+
+@lru_cache(maxsize=1024)
+def _plan(expr: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Integral], ...], tuple[sp.Symbol, ...], Callable[..., Any]]:
+    """The integrals of an expression under names of their own, the names it needs, and the rest as a function."""
+    integrals = tuple((sp.Dummy(positive=True), integral) for integral in expr.atoms(sp.Integral))
+    rest = expr.xreplace({integral: name for name, integral in integrals})
+    names = tuple(sorted(rest.free_symbols, key=str))
+    return integrals, names, sp.lambdify(names, rest, [_NUMERIC, "mpmath"])
+
+
+def _number(expr: sp.Expr, values: Values) -> Any:
+    """The value of an expression, its integrals (which are regular by construction) done by quadrature."""
+    integrals, names, function = _plan(expr)
+    known = dict(values)
+    for name, integral in integrals:
+        (variable, lo, hi), = integral.limits
+        inner = integral.function
+        known[name] = singular(
+            lambda x, inner=inner, variable=variable: _number(inner, {**values, variable: x}),
+            _number(lo, values),
+            _number(hi, values),
+        )
+    return function(*(known[s] for s in names))
+
+
+@lru_cache(maxsize=64)
+def _spelled(expr: sp.Expr) -> sp.Expr:
+    """A sum over the powers of a polynomial written out."""
+    if not expr.has(sp.Sum):
+        return expr
+    return expr.subs(nt.N, DEGREE).doit().xreplace({nt.coefficients[i]: _coefficient(i) for i in range(1, DEGREE + 1)})
+
+
+@dataclass(frozen=True)
+class Indenter:
+    """A profile of the catalogue at random parameter values, in the units of the draw."""
+
+    profile: Profile
+    values: Values
+    a: Any
+    d: Any
+    breaks: tuple[Any, ...]
+
+    @property
+    def compact(self) -> bool:
+        return self.profile.contact == "compact"
+
+    def _piece(self, r: Any) -> sp.Expr:
+        pieces = self.profile.pieces
+        index = sum(1 for b in self.breaks if r > b)
+        return _spelled(pieces[index].expr)
+
+    def height(self, r: Any) -> Any:
+        return _number(self._piece(r), {**self.values, nt.a: self.a, nt.r: r})
+
+    def slope(self, r: Any) -> Any:
+        return _number(_slope(self._piece(r), nt.r), {**self.values, nt.a: self.a, nt.r: r})
+
+    def _case(self, cases: tuple[Case, ...], at: Values) -> Case | None:
+        """The case whose chain of lengths ascends at these values."""
+        for case in cases:
+            lengths = [_number(sp.sympify(length), at) for length in case.chain]
+            if all(x <= y for x, y in zip(lengths, lengths[1:], strict=False)):
+                return case
+        return None
+
+    def _radius_law(self, x: Any) -> tuple[sp.Expr, Values]:
+        """d - g as an expression of the contact radius; for a complete contact from dF/da = 2 E* (d - g) at a fixed face."""
+        entries, at = _entries(self.profile.name), {**self.values, nt.a: x}
+        if self.compact:
+            case = self._case(entries["d"].cases, at)
+            return nt.d - (_spelled(case.expr) if case else sp.S.Zero), at
+        force = entries["F"].fixed_face[0].expr
+        if nt.C in force.free_symbols:
+            at = {**at, nt.C: self._face_coefficient()}
+        return _slope(force, nt.a) / (2 * nt.E_star), at
+
+    def _face_coefficient(self) -> Any:
+        """C of the face -C r**n."""
+        _, power = sp.expand_power_base(self.profile.pieces[0].expr).as_independent(nt.r, as_Add=False)
+        return -self.height(self.a) / _number(power, {**self.values, nt.a: self.a, nt.r: self.a})
+
+    def w1D(self, x: Any) -> Any:
+        """The derived d - g(x)."""
+        expr, at = self._radius_law(x)
+        return _number(expr, at)
+
+    def w1D_slope(self, x: Any) -> Any:
+        expr, at = self._radius_law(x)
+        return _number(_slope(expr, nt.a), at)
+
+    def pressure(self, r: Any) -> Any:
+        """The derived pressure."""
+        at = {**self.values, nt.a: self.a, nt.r: r}
+        entry = _entries(self.profile.name)["p"]
+        cases = entry.cases if self.compact or entry.partial is None else entry.cases[-1:]
+        case = self._case(cases, at) if self.compact else cases[-1]
+        assert case is not None
+        return _number(_spelled(case.expr), at)
+
+
+def _coefficient(i: int) -> sp.Symbol:
+    return sp.Symbol(f"A_{i}", positive=True)
+
+
+def indenter(name: str, draw: Draw) -> Indenter:
+    """The profile of that name with parameters scattered about those of its sketch."""
+    profile = load(name)
+    values: dict[sp.Symbol, Any] = {nt.E_star: draw.stress()}
+    sketch = dict(profile.sketch.values)
+    exponent = sketch.get(nt.n)
+    if exponent is not None:
+        values[nt.n] = draw.number(exponent - SPREAD, exponent + SPREAD)
+    for symbol in profile.parameters:
+        if symbol is nt.coefficients:
+            values |= {_coefficient(i): draw.quantity(1 - i, 0) for i in range(1, DEGREE + 1)}
+        elif symbol not in (nt.a, nt.n):
+            mean = sketch[symbol]
+            values[symbol] = draw.quantity(_length_exponent(symbol, profile, values), 0, mean * (1 - SPREAD), mean * (1 + SPREAD))
+    for symbol, meaning in profile.abbreviations:
+        values[symbol] = _number(meaning, values)
+    a = draw.length(profile.sketch.a * (1 - SPREAD), profile.sketch.a * (1 + SPREAD))
+    breaks = tuple(_number(sp.sympify(b), values) for b in profile.breaks)
+    inside = tuple(b for b in breaks if b < a)
+    if profile.contact == "complete":
+        d = draw.length(1, 2)
+    else:
+        d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), inside).w1D(a)
+    return Indenter(profile, {**values, nt.d: d}, a, d, inside)
+
+
+def _length_exponent(symbol: sp.Symbol, profile: Profile, values: Values) -> Any:
+    if symbol != nt.A:
+        return int(nt.describe(symbol).dimension.length)
+    power = sp.powsimp(profile.pieces[0].expr / nt.A).as_base_exp()[1]
+    return 1 - _number(power, values)
+
+
+def catalogue_depths(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """(11.29) by quadrature against the derived depth of every compact profile."""
+    for name in NAMES:
+        body = indenter(name, draw)
+        if body.compact:
+            yield Residual(body.d, formula(body.slope, body.a, body.breaks), LENGTH)
+
+
+def catalogue_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """w = d - f under the indenter gives back d - g."""
+    for name in NAMES:
+        body = indenter(name, draw)
+        x = body.a * draw.number(0.2, 0.95)
+        inside = tuple(b for b in body.breaks if b < x)
+        w = formula(lambda r, body=body: body.d - body.height(r), lambda r, body=body: -body.slope(r), x, inside)
+        yield Residual(body.w1D(x), w, LENGTH)
+
+
+def catalogue_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """d - g gives back the derived pressure; where the edge of the contact is an edge of the body the edge term remains."""
+    for name in NAMES:
+        body = indenter(name, draw)
+        E_star, r = body.values[nt.E_star], body.a * draw.number(0.2, 0.9)
+        right = formula(body.w1D_slope, r, body.a, E_star, tuple(b for b in body.breaks if b > r))
+        if not body.compact:
+            right += edge_pressure(body.w1D(body.a), r, body.a, E_star)
+        yield Residual(body.pressure(r), right, STRESS)
+
+
+def edge_pressure(w1D_at_edge: Any, r: Any, a: Any, E_star: Any) -> Any:
+    """The term that (11.107) leaves out: a flat punch of the remaining depth."""
+    return E_star * w1D_at_edge / (mp.pi * mp.sqrt((a - r) * (a + r)))
