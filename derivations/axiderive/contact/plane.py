@@ -69,7 +69,7 @@ def derive(profile: Profile) -> dict[str, Entry]:
 
 @dataclass(frozen=True)
 class Superposition:
-    """Load and fields of a face over E*, as sums over its atoms."""
+    """Load and fields of a face over E*, as sums over its atoms; the antiderivatives are those of the load itself."""
 
     atoms: tuple[PowerAtom, ...]
 
@@ -92,7 +92,8 @@ class Superposition:
         return complementary(Form.total(plane_moments.depth(atom, Order(chain)) for atom in self.atoms))
 
     def primitives(self, chain: Chain) -> tuple[Primitive, ...]:
-        return tuple(part for atom in self.atoms for part in plane_moments.primitives(atom, Order(chain)))
+        parts = (part for atom in self.atoms for part in plane_moments.primitives(atom, Order(chain)))
+        return tuple(replace(part, integrand=E_star * part.integrand, expr=E_star * part.expr) for part in parts)
 
 
 def _in_r(piece: Piece) -> Piece:
@@ -168,14 +169,12 @@ class _Complete:
 
     def entries(self) -> dict[str, Entry]:
         fixed = self._formulas()
-        primitives = {(a,): self.strips.primitives((a,))}
         entries = {
             suffix: _entry(
                 self.profile,
                 PLANE_COMPLETE[suffix],
                 (Case(case.chain, case.expr.subs(C, self.coefficient)),),
                 fixed_face=(case,),
-                primitives=primitives,
             )
             for suffix, case in fixed.items()
         }

@@ -54,15 +54,12 @@ class Certificate:
     reason: str = ""
 
 
-class _Prover:
+class Prover:
     """Certificates of one profile; what a formula rests on is certified first, once."""
 
-    def __init__(self, profile: Profile, entries: dict[str, Entry]) -> None:
-        compact = profile.contact == "compact"
-        self.entries = entries
-        self.rules = COMPACT if compact else COMPLETE
-        self.build = (lambda: Compact(profile, entries)) if compact else (lambda: Complete(profile, entries))
-        self.proof: Compact | Complete | None = None
+    def __init__(self, entries: dict[str, Entry], rules: dict[str, Rule], build: Callable[[], Any]) -> None:
+        self.entries, self.rules, self.build = entries, rules, build
+        self.proof: Any = None
         self.done: dict[str, Certificate] = {}
 
     def certify(self, suffix: str) -> Certificate:
@@ -89,12 +86,18 @@ class _Prover:
         return Certificate(key, True, steps)
 
 
+def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
+    if profile.contact == "compact":
+        return Prover(entries, COMPACT, lambda: Compact(profile, entries))
+    return Prover(entries, COMPLETE, lambda: Complete(profile, entries))
+
+
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:
     """The certificate of one entry; `entries` are all entries of the profile by suffix."""
-    return _Prover(profile, entries).certify(suffix)
+    return _prover(profile, entries).certify(suffix)
 
 
 def certify_profile(profile: Profile, entries: dict[str, Entry]) -> dict[str, Certificate]:
     """The certificates of all entries of a profile, keyed by suffix."""
-    prover = _Prover(profile, entries)
+    prover = _prover(profile, entries)
     return {suffix: prover.certify(suffix) for suffix in entries}

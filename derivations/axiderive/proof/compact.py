@@ -42,6 +42,11 @@ def summand(expr: sp.Expr) -> sp.Expr:
 class Compact:
     """The entries of one profile and the domains of their cases."""
 
+    base = "d"
+    """The quantity that antiderivatives prove; its growth with a decides all others."""
+    points: tuple[sp.Symbol, ...] = (r,)
+    """Where a field is asked for."""
+
     def __init__(self, profile: Profile, entries: dict[str, Entry]) -> None:
         self.profile = profile
         self.entries = entries
@@ -64,29 +69,36 @@ class Compact:
         return entry
 
     def depth_of(self, chain: Chain) -> sp.Expr:
-        """g on the regime a chain belongs to."""
-        regime = tuple(length for length in chain if length != r)
-        for case in self.entry("d").cases:
+        """g, or what else is the base, on the regime a chain belongs to."""
+        regime = tuple(length for length in chain if length not in self.points)
+        for case in self.entry(self.base).cases:
             if case.chain == regime:
                 return summand(case.expr)
-        message = f"no depth is given for {' < '.join(map(str, regime))}"
+        message = f"no {self.base} is given for {' < '.join(map(str, regime))}"
         raise NotProvedError(message)
 
     # depth
 
     def depth(self) -> list[str]:
         """(11.29) by antiderivatives in x, piece by piece."""
-        entry, steps = self.entry("d"), []
+        return self._by_antiderivatives("a f'(x)/sqrt(a^2 - x^2)")
+
+    def integrand(self, slope: sp.Expr) -> sp.Expr:
+        return a * slope / sp.sqrt(a**2 - x**2)
+
+    def _by_antiderivatives(self, integrand: str) -> list[str]:
+        entry, steps = self.entry(self.base), []
         self._require_regimes(entry)
         for case in entry.cases:
             primitives = entry.primitives.get(case.chain, ())
             total = sp.Add(*(self._increment(primitive, case.chain) for primitive in primitives))
             for lower, upper, slope in self._intervals(case.chain):
                 self._require_antiderivative(primitives, case.chain, (lower, upper), slope)
-                steps.append(f"d/dx of the antiderivative = a f'(x)/sqrt(a^2 - x^2) on {lower} < x < {upper}")
+                steps.append(f"d/dx of the antiderivative = {integrand} on {lower} < x < {upper}")
             domain, expr = self.domain(case.chain), summand(case.expr)
             require_analytic(expr, domain)
-            steps.append(require_zero(expr - total, domain, "d = sum of the increments of the antiderivatives"))
+            statement = f"{self.base} = sum of the increments of the antiderivatives"
+            steps.append(require_zero(expr - total, domain, statement))
         return steps
 
     def _require_regimes(self, entry: Entry) -> None:
@@ -124,7 +136,7 @@ class Compact:
         active = [
             p for p in primitives if order.index(p.lo) <= order.index(lower) and order.index(upper) <= order.index(p.hi)
         ]
-        integrand = a * slope / sp.sqrt(a**2 - x**2)
+        integrand = self.integrand(slope)
         if slope != 0 and not active:
             message = f"no antiderivative of {integrand} is at hand"
             raise NotProvedError(message)
@@ -158,9 +170,9 @@ class Compact:
 
     def _integral(self, suffix, derivative, statement, chains) -> list[str]:  # type: ignore[no-untyped-def]
         entry, steps = self.entry(suffix), []
-        wanted = {chain for regime in self.entry("d").cases for chain in chains(regime.chain)}
+        wanted = {chain for regime in self.entry(self.base).cases for chain in chains(regime.chain)}
         if {case.chain for case in entry.cases} != wanted or len(entry.cases) != len(wanted):
-            message = f"the cases of {entry.key} do not cover the regimes of the depth once"
+            message = f"the cases of {entry.key} do not cover the regimes of {self.base} once"
             raise NotProvedError(message)
         for case in entry.cases:
             domain, expr = self.domain(case.chain), summand(case.expr)
@@ -174,7 +186,7 @@ class Compact:
         """Zero where the contact begins, or the value of the neighbouring case."""
         chain, place = case.chain, case.chain.index(a)
         lower = chain[place - 1] if place else sp.S.Zero
-        if lower in (0, r) or (self.profile.truncated and lower == self.profile.breaks[0]):
+        if lower in (0, *self.points) or (self.profile.truncated and lower == self.profile.breaks[0]):
             below, domain_below, statement = sp.S.Zero, None, f"{entry.suffix} -> 0 as a -> {lower}"
         else:
             swapped = (*chain[: place - 1], a, lower, *chain[place + 1 :])
