@@ -32,7 +32,7 @@ def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., 
 
 def decades(values: Values) -> int:
     """How far apart, or how close, two lengths of the point are, in powers of ten."""
-    lengths = [s for s in numeric_symbols(values) if nt.describe(s).dimension == nt.LENGTH]
+    lengths = [s for s in numeric_symbols(values) if nt.known(str(s)) and nt.describe(s).dimension == nt.LENGTH]
     with mp.workdps(30):
         sizes = [number(values[s]) for s in lengths]
         gaps = [abs(mp.log10(x / y)) for i, x in enumerate(sizes) for y in sizes[:i]]

@@ -7,7 +7,6 @@ radius; the inverse must lead back to that radius.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import mpmath as mp
 import sympy as sp
@@ -15,75 +14,136 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..profiles.profile import Profile
-from . import balls, integrals
-from .evaluate import at_precision, case_at, decades, evaluate
+from .balls import NotAvailableError, enclose
+from .definitions import Contact, contact
+from .evaluate import at_precision, case_at, evaluate, holds
 from .evidence import Evidence, judge, residual
+from .integrals import GUARD
 from .sampling import Point, points
-from .shape import Number, Shape, Values, number, shape
-from .threshold import least_depth, ring_radius
+from .shape import Number, Values, shape
+from .threshold import ring
+from .unevaluated import evaluate_integral
 
 LOST = 10
-"""Digits that agreement may fall short of the digits of the quadrature."""
+"""Digits by which the agreement may fall short of the digits of the quadrature."""
+# what an inverse is given, and what it must lead back to
+INVERSES = {"ad": ("d", nt.a), "aF": ("F", nt.a), "Fd": ("d", nt.F), "dF": ("F", nt.d)}
+KNOWN = {"d": nt.d, "F": nt.F}
 THRESHOLDS = ("rz", "dmin", "Fmin")
 
-
-@dataclass(frozen=True)
-class Contact:
-    """A contact at one point: the shape up to the contact radius, the depth if the edge is the end of the face."""
-
-    profile: Profile
-    values: Values
-    digits: int
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "shape", shape(self.profile, self.values))
-        object.__setattr__(self, "radius", number(self.values[nt.a]))
-        object.__setattr__(self, "free", None)
-        if self.profile.contact == "complete":
-            self._complete()
-
-    shape: Shape = None  # type: ignore[assignment]
-    radius: Number = None
-    free: Number | None = None
-
-    def _complete(self) -> None:
-        """Below the depth at which a convex face is in contact up to its edge, the contact ends at a smaller radius."""
-        depth = number(self.values[nt.d])
-        if depth >= integrals.depth(self.shape, self.radius, self.digits):
-            object.__setattr__(self, "free", depth)
-            return
-
-        def gap(a: Number) -> Number:
-            return integrals.depth(shape(self.profile, {**self.values, nt.a: a}), a, self.digits) - depth
-
-        start = self.radius * mp.sqrt(depth / integrals.depth(self.shape, self.radius, self.digits))
-        radius = mp.findroot(gap, (start, start * mp.mpf("1.001")), solver="secant", tol=mp.mpf(10) ** (-2 * self.digits))
-        object.__setattr__(self, "radius", radius)
-        object.__setattr__(self, "shape", shape(self.profile, {**self.values, nt.a: radius}))
-
-    def quantity(self, suffix: str) -> Number:
-        """What the definition says; E* = 1 is left out until here."""
-        modulus, digits, a = number(self.values[nt.E_star]), self.digits, self.radius
-        match suffix:
-            case "d":
-                return integrals.depth(self.shape, a, digits) if self.free is None else self.free
-            case "F":
-                return modulus * integrals.force(self.shape, a, digits, self.free)
-            case "pm":
-                return modulus * integrals.force(self.shape, a, digits, self.free) / (mp.pi * a**2)
-            case "p":
-                return modulus * integrals.pressure(self.shape, a, number(self.values[nt.r]), digits, self.free)
-            case "w":
-                return integrals.displacement(self.shape, a, number(self.values[nt.r]), digits, self.free)
-            case "k" if self.free is None:
-                rates = (integrals.force_rate(self.shape, a, digits), integrals.depth_rate(self.shape, a, digits))
-                return modulus * rates[0] / rates[1]
-            case "k":  # the force is linear in the free depth
-                forces = [integrals.force(self.shape, a, digits, self.free + step) for step in (0, 1)]
-                return modulus * (forces[1] - forces[0])
-        message = f"no integral defines {suffix!r}; known are d, F, p, w, k and pm"
-        raise ValueError(message)
+Entries = Mapping[str, Entry]
 
 
-# what an inverse is given, and what it must lead back to
-INVERSES = {"ad": (nt.d, "d", "a"), "aF": (nt.F, "F", "a"), "Fd": (nt.d, "d", "F"), "dF": (nt.F, "F", "d")}
+def check(profile: Profile, entries: Entries, suffix: str, *, digits: int = 50, points: int = 8, seed: int = 0) -> Evidence:
+    """Compare one entry with its definition at `points` points or more: every case gets at least three."""
+    entry = entries[suffix]
+    drawn = _points(profile, entries, suffix, points, seed)
+    with mp.workdps(digits + GUARD):
+        rows = [(point.values, _residual(profile, entries, suffix, point.values, digits)) for point in drawn]
+    return judge(
+        entry.key,
+        "mpmath quadrature of the defining integral" + (", round trip" if suffix in INVERSES else ""),
+        rows,
+        seed=seed,
+        extremes=sum(point.extreme for point in drawn),
+        digits=digits,
+        required=digits - LOST,
+    )
+
+
+def check_profile(
+    profile: Profile, entries: Entries, *, digits: int = 50, points: int = 8, seed: int = 0
+) -> dict[str, Evidence]:
+    """The evidence for every entry of a profile, keyed by suffix."""
+    return {suffix: check(profile, entries, suffix, digits=digits, points=points, seed=seed) for suffix in entries}
+
+
+def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: int) -> list[Point]:
+    """Points spread over the cases; those of an inverse are drawn in the regions of the formula it inverts."""
+    if suffix in THRESHOLDS:
+        drawn = points(profile, (nt.a,), count, seed)
+        return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
+    source = entries[INVERSES[suffix][0]] if suffix in INVERSES and profile.contact == "compact" else entries[suffix]
+    if suffix == "dF" and profile.contact == "complete":
+        source = entries["F"]
+    chains = [case.chain for case in source.cases]
+    if suffix in ("k", "pm") and "d" in entries:
+        chains = [case.chain for case in entries["d"].cases]
+    fields = source.quantity.arguments + ((nt.d,) if profile.contact == "complete" else ())
+    each = max(3, -(-count // len(chains)))
+    return [point for chain in chains for point in points(profile, chain, each, seed, fields)]
+
+
+def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
+    if suffix in THRESHOLDS:
+        return _threshold_residual(profile, entries, suffix, values, digits)
+    here = contact(profile, values, digits)
+    if suffix not in INVERSES:
+        return residual(value(entries[suffix], values, digits), here.quantity(suffix))
+    given, target = INVERSES[suffix]
+    known = {**values, KNOWN[given]: here.quantity(given)}
+    wanted = here.radius if target == nt.a else here.quantity(str(target))
+    return residual(inverse(entries, suffix, known, digits), wanted)
+
+
+def value(entry: Entry, values: Values, digits: int) -> Number:
+    """A closed result, or one that stays an integral, at a point."""
+    expr = case_at(entry, values).expr
+    if not expr.has(sp.Integral):
+        return evaluate(expr, values, digits)
+    try:
+        ball = enclose(expr, values, digits)
+    except NotAvailableError:
+        return evaluate_integral(expr, values, digits)
+    return mp.mpf(ball.mid().str(digits + 10, radius=False))
+
+
+def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number:
+    """A closed inverse evaluated, or the root of its equation found and, where asked for, carried on to d or F."""
+    entry = entries[suffix]
+    if entry.status != "root":
+        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.contact == "complete"}
+        if entry.profile.contact == "complete" and suffix == "dF":
+            without.pop(nt.d, None)
+        return evaluate(case_at(entry, without).expr, without, digits)
+    radius = root(case_at(entry, known), nt.a, known, digits)
+    if suffix in ("ad", "aF"):
+        return radius
+    return evaluate(case_at(entries[str(entry.quantity.symbol)], known).expr, {**known, nt.a: radius}, digits)
+
+
+def root(case: Case, unknown: sp.Symbol, known: Values, digits: int) -> Number:
+    """The root of an equation by bracketing, from a start that is off by a thousandth of the way to the next border.
+
+    The brackets only say which root; that the equation has its root at the known point is what the residual measures.
+    """
+    here = at_precision(unknown, known)
+    borders = [at_precision(x, known) for x in case.chain if x != unknown]
+    reach = min([abs(border - here) for border in borders] + [here]) / 1000
+
+    def gap(x: Number) -> Number:
+        at = {**known, unknown: x}
+        return at_precision(case.expr.lhs, at) / at_precision(case.expr.rhs, at) - 1
+
+    with mp.extradps(2 * GUARD):
+        tolerance = mp.mpf(10) ** (-2 * digits)
+        return mp.findroot(gap, (here - reach, here + reach * mp.mpf("0.7")), solver="secant", tol=tolerance, verify=False)
+
+
+def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
+    """Ring, least depth and least force against the pressure of the definition, whose maximum is searched for."""
+    a = at_precision(nt.a, values)
+    radius, depth = ring(shape(profile, values), a, digits)
+    case = case_at(entries["rz"], values)
+    equation = case.expr
+    if isinstance(equation, sp.Eq):
+        found = root(Case((sp.S.Zero, nt.r_zero, nt.a), equation), nt.r_zero, {**values, nt.r_zero: radius}, digits)
+    else:
+        found = at_precision(equation, values)
+    if suffix == "rz":
+        return residual(found, radius) if radius else abs(found)
+    got = evaluate(case_at(entries[suffix], values).expr, {**values, nt.r_zero: found}, digits)
+    if suffix == "dmin":
+        return residual(got, depth)
+    at_depth: Contact = contact(profile, {**values, nt.d: depth}, digits)
+    return residual(got, at_depth.quantity("F"))

@@ -24,6 +24,8 @@ Rule = tuple[tuple[Number, Number], ...]
 NARROWEST_ELLIPSE = 2.7
 # above it the growth of the integrand, not its nearest singular point, decides the order
 WIDEST_ELLIPSE = 6.0
+# the same for the double exponential rule, whose step is chosen for a strip of height 1
+NARROWEST_STRIP = 1.0
 DEEPEST_CUT = 200
 
 
@@ -81,14 +83,24 @@ def ellipse(lo: float, hi: float, point: complex) -> float:
     return max(abs(z + root), abs(z - root))
 
 
+def strip(lo: float, hi: float, point: complex) -> float:
+    """Height of the strip in which the double exponential map of (lo, hi) keeps clear of the point."""
+    return abs(cmath.asinh(2 / cmath.pi * cmath.atanh((2 * point - lo - hi) / (hi - lo))).imag)
+
+
 def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0) -> list[tuple[float, float, float]]:
-    """Panels with their ellipse; a panel that starts at 0 disregards a singular point there."""
-    others = [z for z in singular if not (z == 0 and 0 in (lo, hi))]
+    """Panels with their ellipse; in a panel that ends at a singular point 0 the others need a strip, not an ellipse."""
+    exponential = 0 in singular and 0 in (lo, hi)
+    others = [z for z in singular if not (exponential and z == 0)]
     if not others:
         return [(lo, hi, WIDEST_ELLIPSE)]
     near = min(others, key=lambda z: ellipse(lo, hi, z))
     parameter = ellipse(lo, hi, near)
-    if parameter >= NARROWEST_ELLIPSE:
+    if exponential:
+        clear = min(strip(lo, hi, z) for z in others) >= NARROWEST_STRIP
+    else:
+        clear = parameter >= NARROWEST_ELLIPSE
+    if clear:
         return [(lo, hi, min(parameter, WIDEST_ELLIPSE))]
     if depth > DEEPEST_CUT:
         message = f"singular point {near} on the panel ({lo}, {hi}); split the integral there"

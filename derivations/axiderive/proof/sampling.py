@@ -13,6 +13,7 @@ import sympy as sp
 from .. import notation as nt
 from ..profiles.profile import Profile
 from .evaluate import at_precision
+from .shape import coefficient
 
 Values = dict[Any, Any]
 
@@ -132,7 +133,7 @@ def _parameters(profile: Profile, fields: tuple[sp.Symbol, ...], values: Values,
             continue
         if symbol == nt.coefficients:
             values[nt.N] = sp.Integer(POLYNOMIAL)
-            values[symbol] = tuple(_length(rng) for _ in range(POLYNOMIAL))
+            values |= {coefficient(i): _length(rng) for i in range(1, POLYNOMIAL + 1)}
         elif symbol == nt.n:
             values[symbol] = EXPONENTS[index % len(EXPONENTS)]
         elif symbol == nt.theta:

@@ -28,12 +28,16 @@ def number(value: sp.Expr) -> Number:
 
 
 def concrete(expr: sp.Expr, values: Values) -> sp.Expr:
-    """The sum of a polynomial profile written out for the degree and the coefficients at hand."""
-    if nt.N not in values:
+    """The sum of a polynomial profile written out for the degree at hand, with a symbol for each coefficient."""
+    if nt.N not in values or not expr.has(sp.Sum):
         return expr
     spelled = expr.subs(nt.N, values[nt.N]).doit()
-    terms = {term: values[nt.coefficients][int(term.indices[0]) - 1] for term in spelled.atoms(sp.Indexed)}
-    return spelled.xreplace(terms)
+    return spelled.xreplace({term: coefficient(int(term.indices[0])) for term in spelled.atoms(sp.Indexed)})
+
+
+def coefficient(index: int) -> sp.Symbol:
+    """The symbol that stands for A_index where the sum of a polynomial is written out."""
+    return sp.Symbol(f"{nt.coefficients.label}_{index}", positive=True)
 
 
 def numeric_symbols(values: Values) -> tuple[sp.Symbol, ...]:
@@ -89,7 +93,8 @@ def _singular_points(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr]) -> tuple[c
 
 def _wavelength(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr], end: Number) -> float:
     """Of an argument c*r the length 1/c, of c*r**2 the length 1/sqrt(c), of a high power r**n the length 2*a/n."""
-    degrees = (float(e) for e in (p.exp.xreplace(values) for p in expr.atoms(sp.Pow) if p.base == nt.r) if e.is_number)
+    powers = [(p.base, p.exp.xreplace(values)) for p in expr.atoms(sp.Pow) if p.base.is_polynomial(nt.r)]
+    degrees = [float(e * sp.degree(base, nt.r)) for base, e in powers if e.is_number and base.has(nt.r)]
     shortest = min((2 * float(end) / degree for degree in degrees if degree > 6), default=float("inf"))
     for term in expr.atoms(sp.sin, sp.cos, sp.exp):
         argument = term.args[0].xreplace(values)
