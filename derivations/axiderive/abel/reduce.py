@@ -112,6 +112,7 @@ def parse(pieces: Sequence[Piece], k: sp.Expr = ZERO) -> Reduced:
         If the pieces do not start at 0 or are not continuous.
     """
     atoms: list[Atom] = []
+    breaks: list[sp.Expr] = []
     lower, previous = ZERO, ZERO
     for piece in pieces:
         jump = sp.expand(piece.expr - previous)
@@ -127,7 +128,8 @@ def parse(pieces: Sequence[Piece], k: sp.Expr = ZERO) -> Reduced:
                 atoms = cancelled
             else:
                 atoms.append(_atom(term, lower))
-        _verify(atoms, piece, lower)
+        _verify(atoms, piece, breaks)
+        breaks.append(piece.upper)
         lower, previous = piece.upper, piece.expr
     return Reduced(tuple(atoms), k)
 
@@ -152,11 +154,10 @@ def _split_roots(expr: sp.Expr) -> sp.Expr:
     return expr.replace(lambda e: e.is_Pow and e.exp == sp.S.Half, split)
 
 
-def _verify(atoms: Sequence[Atom], piece: Piece, lower: sp.Expr) -> None:
-    chain = (lower, r) if lower != 0 else (r,)
-    if piece.upper is not None:
-        chain = (*chain, piece.upper)
+def _verify(atoms: Sequence[Atom], piece: Piece, breaks: Sequence[sp.Expr]) -> None:
+    """`breaks` are those below the piece."""
+    chain = (*breaks, r) if piece.upper is None else (*breaks, r, piece.upper)
     rebuilt = sp.Add(*(atom.shape(Order(chain)) for atom in atoms))
     if sp.expand(_split_roots(rebuilt) - _split_roots(piece.expr)) != 0:
-        message = f"the atoms add up to {rebuilt}, not to {piece.expr}, on the piece from r = {lower}"
+        message = f"the atoms add up to {rebuilt}, not to {piece.expr}, where {' < '.join(map(str, chain))}"
         raise AssertionError(message)
