@@ -5,8 +5,8 @@ import sympy as sp
 from ..notation import h, r, s
 from .profile import Piece, Profile, Sketch
 
-# where z D(z), D Dawson's function, has its maximum: beyond it the depth would fall with a growing contact
-COMPACT_LIMIT = sp.Float("1.5019752682682", 14)
+# where z D(z), D Dawson's function, has its maximum, rounded down: beyond it the depth falls with a growing contact
+COMPACT_LIMIT = sp.Float("1.5019752682686114", 17)
 
 PROFILE = Profile(
     name="gaussian",
