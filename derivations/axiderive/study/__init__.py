@@ -20,7 +20,7 @@ def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
     parser.add_argument("--sympy", action="store_true", help="run SymPy's integrate beside, in processes of its own")
     parser.add_argument(
-        "--limit", type=_seconds, default=LIMIT, metavar="SECONDS", help="for each of them (%(default)g)"
+        "--limit", type=_seconds, default=LIMIT, metavar="SECONDS", help="of the processor for each (%(default)g)"
     )
 
 

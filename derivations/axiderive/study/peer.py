@@ -1,8 +1,13 @@
-"""SymPy's own integrate on one integral of the corpus, in a process that is killed when its time is up."""
+"""SymPy's own integrate on one integral of the corpus, in a process that is killed when its time is up.
+
+Times and limits are seconds of the processor, so that they do not depend on
+what else the machine is doing.
+"""
 
 from __future__ import annotations
 
 import multiprocessing
+import signal
 import time
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
@@ -19,7 +24,7 @@ DIGITS = 25
 
 @dataclass(frozen=True)
 class Attempt:
-    """What came of it: ok, WRONG, unevaluated, timeout or error, and the seconds of the call."""
+    """What came of it: ok, WRONG, unevaluated, timeout or error, and the processor seconds of the call."""
 
     verdict: str
     seconds: float
@@ -29,31 +34,31 @@ def integrate(integral: Integral, limit: float, required: int) -> Attempt:
     """`sp.integrate(integrand, (v, lo, hi), conds="none")` with positive symbols, given `limit` seconds."""
     context = multiprocessing.get_context("spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_attempt, args=(integral, sender), daemon=True)
+    process = context.Process(target=_attempt, args=(integral, limit, sender), daemon=True)
     process.start()
     sender.close()
     try:
-        receiver.recv()  # the imports are done: the time of the call starts here
-        return _judge(integral, required, *receiver.recv()) if receiver.poll(limit) else Attempt("timeout", limit)
+        return _judge(integral, required, *receiver.recv())
     except EOFError:
-        return Attempt("error", limit)
+        process.join()
+        return Attempt("timeout" if process.exitcode == -signal.SIGPROF else "error", limit)
     finally:
         process.kill()
         process.join()
 
 
-def _attempt(integral: Integral, sender: Connection) -> None:
+def _attempt(integral: Integral, limit: float, sender: Connection) -> None:
     variable = integral.symbols[integral.variable]
     limits = (integral.read(text) for text in integral.limits)
     integrand = integral.read(integral.integrand)
-    sender.send("ready")
-    start = time.perf_counter()
+    signal.setitimer(signal.ITIMER_PROF, limit)  # the default action of its signal is to end the process
+    start = time.process_time()
     try:
         result = sp.integrate(integrand, (variable, *limits), conds="none")
     except (ArithmeticError, AttributeError, NotImplementedError, RecursionError, TypeError, ValueError) as error:
-        sender.send((time.perf_counter() - start, "error", repr(error)))
+        sender.send((time.process_time() - start, "error", repr(error)))
         return
-    elapsed = time.perf_counter() - start
+    elapsed = time.process_time() - start
     if result.has(sp.Integral):
         sender.send((elapsed, "unevaluated", ""))
         return
