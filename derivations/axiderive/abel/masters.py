@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import mpmath as mp
 import sympy as sp
+from sympy.core.function import ArgumentIndexError
 
 Number = mp.mpf
 
@@ -18,7 +19,8 @@ class Master(sp.Function):
 
     @staticmethod
     def numeric(*args: Number) -> Number:
-        raise TypeError("a master integral must say how it is evaluated")
+        message = "a master integral must say how it is evaluated"
+        raise TypeError(message)
 
     def _eval_evalf(self, prec: int) -> sp.Float:
         with mp.workprec(prec + 20):
@@ -47,14 +49,14 @@ class C0(Master):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         b, r, a = self.args
         if argindex != 3:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         return sp.acos(b / a) / sp.sqrt(a**2 - r**2)
 
     @staticmethod
     def numeric(b: Number, r: Number, a: Number) -> Number:
         # sigma = sqrt(t^2 - b^2) = c sinh v (r < b) or c cosh v (r > b) removes both roots and stays smooth as r -> b
         if r == b:
-            return mp.quad(lambda x: mp.atan(x) / (1 + x * x), [0, mp.sqrt((a - b) * (a + b)) / b])
+            return mp.quad(lambda x: mp.atan(x) / mp.hypot(1, x), [0, mp.sqrt((a - b) * (a + b)) / b])
         c = mp.sqrt(abs((r - b) * (r + b)))
         curve, top = (mp.cosh, mp.acosh) if r > b else (mp.sinh, mp.asinh)
 
@@ -120,7 +122,7 @@ class IncompleteBeta(Master):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         z, p, q = self.args
         if argindex != 1:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         return z ** (p - 1) * (1 - z) ** (q - 1)
 
     @staticmethod
@@ -136,12 +138,12 @@ class StruveH(Master):
 
     @classmethod
     def eval(cls, nu: sp.Expr, z: sp.Expr) -> sp.Expr | None:
-        return sp.S.Zero if z.is_zero else None
+        return sp.S.Zero if z.is_zero and (nu + 1).is_positive else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         nu, z = self.args
         if argindex != 2:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         if nu == 0:
             return 2 / sp.pi + self._sign * self.func(1, z)
         return self.func(nu - 1, z) - nu / z * self
@@ -186,7 +188,7 @@ class Hypergeometric(Master):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         p, q, c, z = self.args
         if argindex != 4:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         return p * q / c * self.func(p + 1, q + 1, c + 1, z)
 
     @staticmethod
@@ -202,7 +204,7 @@ class Kummer(Master):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         p, c, z = self.args
         if argindex != 3:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         return p / c * self.func(p + 1, c + 1, z)
 
     @staticmethod
@@ -222,16 +224,15 @@ class CapMoment(Master):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         k, b, R, a = self.args
         if argindex != 4:
-            raise sp.function.ArgumentIndexError(self, argindex)
+            raise ArgumentIndexError(self, argindex)
         half = (k - 1) / 2
         boundary = sp.sqrt(R**2 - b**2) * (a**2 - b**2) ** half - R * a ** (k - 1)
         return -a * (boundary + k * self) / (R**2 - a**2)
 
     @staticmethod
     def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
-        def integrand(
-            v: Number,
-        ) -> Number:  # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
+        # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
+        def integrand(v: Number) -> Number:
             width = mp.exp(v)
             return width ** ((k + 1) / 2) / mp.sqrt(R * R - a * a + width) / 2
 
