@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw, PowerSum
-from .equation import ENERGY, FORCE, LENGTH, Equation, Formula, Residual
+from .equation import ENERGY, FORCE, LENGTH, Formula, Residual, equation
 from .quadrature import singular
 from .routes import derivative
 
@@ -30,6 +30,7 @@ def spring_energy(g: PowerSum, d: Any, a: Any, E_star: Any) -> Any:
     return E_star * mp.fsum(c * e * a ** (n + m + 1) / (n + m + 1) for c, n in terms for e, m in terms)
 
 
+@equation(30, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
 def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star, dgamma = draw.power_sum(), draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
     dx, dl = draw.length(), draw.length()
@@ -39,6 +40,7 @@ def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(derivative(lambda x: spring_energy(g, d, x, E_star), a, a / 4) * dx, elastic, ENERGY)
 
 
+@equation(31, retraction, "JKR force of the paraboloid, its minimum, stationary energy of random powers")
 def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The paraboloid: force of Johnson, Kendall and Roberts, its minimum -3/2 pi dgamma R, and a stationary energy."""
     R, E_star, dgamma = draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
@@ -55,9 +57,3 @@ def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     d = g(a) - formula(a, dgamma, E_star)
     grown = derivative(lambda x: spring_energy(g, d, x, E_star), a, a / 4)
     yield Residual(mp.sqrt(grown / E_star), formula(a, dgamma, E_star), LENGTH)
-
-
-EQUATIONS = (
-    Equation(30, "rates of the surface energy and of the elastic energy at fixed depth", energy_balance, check_energy_balance),
-    Equation(31, "JKR force of the paraboloid, its minimum, stationary energy of random powers", retraction, check_retraction),
-)

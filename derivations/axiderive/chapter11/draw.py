@@ -34,11 +34,13 @@ class Draw:
 
     `units` are the factors by which the number of a length and of a force
     grows when the units change: every quantity is drawn with its dimension.
+    `first` asks for the comparisons that are not worth repeating.
     """
 
-    def __init__(self, key: str, units: tuple[Any, Any] = (1, 1)) -> None:
+    def __init__(self, key: str, units: tuple[Any, Any] = (1, 1), first: bool = True) -> None:
         self._random = random.Random(key)
         self.units = units
+        self.first = first
 
     def factor(self, length: Any = 0, force: Any = 0) -> Any:
         """What a quantity of this dimension is multiplied by in the units of the draw."""

@@ -53,7 +53,7 @@ class Residual:
         return value if mp.isfinite(value) else mp.inf
 
     def in_units(self, other: Residual, draw: Draw) -> Any:
-        """How far the right side misses the scaling of its dimension when `other` is the same in the units of `draw`."""
+        """How far the right side misses the scaling of its dimension; `other` is the same in the units of `draw`."""
         factor = draw.factor(*self.dimension)
         if self.right == 0 or other.right == 0:
             return Residual(self.scale * factor, other.scale).relative() if self.scale is not None else mp.mpf(0)
@@ -72,17 +72,30 @@ class Equation:
     """
 
     number: int
-    title: str
     formula: Formula
+    title: str
     check: Check
     corrected: Formula | None = None
     printed_form: str = ""
     right_form: str = ""
     reason: str = ""
 
-    @property
-    def name(self) -> str:
-        return f"11.{self.number}"
+
+REGISTRY: dict[int, Equation] = {}
+"""The equations of the sections imported so far, by number."""
+
+
+def equation(number: int, formula: Formula, title: str, **misprint: Any) -> Callable[[Check], Check]:
+    """Register a check of the formula printed as (11.number); `misprint` holds the further fields of `Equation`."""
+
+    def register(check: Check) -> Check:
+        if number in REGISTRY:
+            message = f"equation (11.{number}) has a check already; give the new one the number it is printed with"
+            raise ValueError(message)
+        REGISTRY[number] = Equation(number, formula, title, check, **misprint)
+        return check
+
+    return register
 
 
 def chain(left: Any, rights: tuple[Any, ...], dimension: Dimension = NUMBER) -> Iterator[Residual]:

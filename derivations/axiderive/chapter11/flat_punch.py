@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw
-from .equation import AREA, FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Equation, Formula, Residual, chain
+from .equation import AREA, FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Formula, Residual, chain, equation
 from .quadrature import singular, weighted
 from .routes import across, around, rings, total_force
 
@@ -109,6 +109,7 @@ def _depth_by_rings(a: Any, p0: Any, E_star: Any) -> Any:
     return rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), mp.mpf(0), a, E_star)
 
 
+@equation(1, punch_pressure, "two points of the loaded circle sink equally, by ring kernels")
 def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     inner, outer = (rings(lambda t: formula(t, a, p0), _inside(draw, a), a, E_star) for _ in range(2))
@@ -116,6 +117,7 @@ def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0, formula(mp.mpf(0), a, p0), STRESS)
 
 
+@equation(2, superposition, "Hertz and uniform pressure with known displacement; a smooth pressure by ring kernels")
 def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, near = _inside(draw, a), a * mp.mpf(10) ** -30
@@ -129,6 +131,7 @@ def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(rings(smooth, r, a, E_star), formula(smooth, r, a, E_star, 0), LENGTH)
 
 
+@equation(3, pressure_around, "pressure at a point given by coordinates; the three lines agree")
 def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     r, phi = _inside(draw, a), draw.number(0, 6.28)
@@ -138,6 +141,7 @@ def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield from chain(left, formula(s, phi, r, a, p0), STRESS)
 
 
+@equation(4, displacement_around, "double integral around A against ring kernels, r < a")
 def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r = _inside(draw, a)
@@ -145,13 +149,16 @@ def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(left, formula(r, a, p0, E_star), LENGTH)
 
 
+@equation(5, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
 def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     alpha, beta = draw.length(), draw.sign() * draw.length()
-    end = mp.sqrt(alpha**2 + beta**2) - beta
-    left = singular(lambda s: 1 / mp.sqrt(alpha**2 - 2 * beta * s - s**2), mp.mpf(0), end)
+    with mp.workdps(3 * mp.mp.dps):  # an error of the root counts with its square root
+        end, other = mp.sqrt(alpha**2 + beta**2) - beta, mp.sqrt(alpha**2 + beta**2) + beta
+    left = singular(lambda s: 1 / mp.sqrt((end - s) * (other + s)), mp.mpf(0), end)
     yield Residual(left, formula(alpha, beta), NUMBER)
 
 
+@equation(6, punch_depth, "displacement by ring kernels at the centre and at two radii")
 def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     for r in (mp.mpf(0), _inside(draw, a), draw.number(0.8, 0.95) * a):
@@ -159,6 +166,7 @@ def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
         yield Residual(left, formula(a, p0, E_star), LENGTH)
 
 
+@equation(7, pressure_across, "pressure at a point given by coordinates, A outside")
 def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     r, radius, angle = _outside(draw, a), draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
@@ -167,6 +175,7 @@ def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(mp.hypot(x, y), mp.atan2(y, x), r, a, p0), STRESS)
 
 
+@equation(8, displacement_across, "double integral across the disc against ring kernels, r > a")
 def check_displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r = _outside(draw, a)
@@ -174,6 +183,7 @@ def check_displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(left, formula(r, a, p0, E_star), LENGTH)
 
 
+@equation(9, chord_ends, "a point of the circle t = a given by coordinates is a root")
 def check_chord_ends(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a = draw.length()
     r, angle = _outside(draw, a), draw.number(0, 6.28)
@@ -182,6 +192,7 @@ def check_chord_ends(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(0, on_circle, AREA, scale=r**2)
 
 
+@equation(10, chord_integral, "inner integral by Gauss-Jacobi quadrature")
 def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a = draw.length()
     r = _outside(draw, a)
@@ -191,12 +202,14 @@ def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(), NUMBER)
 
 
+@equation(11, outside_from_pressure, "displacement by ring kernels, r > a, and continuity at r = a")
 def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield from check_displacement_across(draw, formula)
     a, p0, E_star = _disc(draw)
     yield Residual(_depth_by_rings(a, p0, E_star), formula(a, a, p0, E_star), LENGTH)
 
 
+@equation(12, outside_from_depth, "displacement by ring kernels, r > a, with d by ring kernels")
 def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, d = _outside(draw, a), _depth_by_rings(a, p0, E_star)
@@ -204,37 +217,21 @@ def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(d, formula(a, a, d), LENGTH)
 
 
+@equation(13, punch_force, "pressure (11.1) integrated over the area")
 def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     yield Residual(total_force(lambda r: p0 * (1 - r**2 / a**2) ** -HALF, a), formula(a, p0), FORCE)
 
 
+@equation(14, punch_stiffness, "force by quadrature over depth by ring kernels")
 def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     force = total_force(lambda r: p0 / mp.sqrt(1 - r**2 / a**2), a)
     yield Residual(force / _depth_by_rings(a, p0, E_star), formula(a, E_star), STIFFNESS)
 
 
+@equation(15, pressure_from_depth, "pressure (11.1) with p0 replaced by d of ring kernels")
 def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, d = _inside(draw, a), _depth_by_rings(a, p0, E_star)
     yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), formula(r, a, d, E_star), STRESS)
-
-
-EQUATIONS = (
-    Equation(1, "two points of the loaded circle sink equally, by ring kernels", punch_pressure, check_pressure),
-    Equation(2, "Hertz and uniform pressure with known displacement; a smooth pressure by ring kernels", superposition, check_superposition),
-    Equation(3, "pressure at a point given by coordinates; the three lines agree", pressure_around, check_pressure_around),
-    Equation(4, "double integral around A against ring kernels, r < a", displacement_around, check_displacement_around),
-    Equation(5, "inner integral by tanh-sinh quadrature, beta of both signs", inner_integral, check_inner_integral),
-    Equation(6, "displacement by ring kernels at the centre and at two radii", punch_depth, check_depth),
-    Equation(7, "pressure at a point given by coordinates, A outside", pressure_across, check_pressure_across),
-    Equation(8, "double integral across the disc against ring kernels, r > a", displacement_across, check_displacement_across),
-    Equation(9, "a point of the circle t = a given by coordinates is a root", chord_ends, check_chord_ends),
-    Equation(10, "inner integral by Gauss-Jacobi quadrature", chord_integral, check_chord_integral),
-    Equation(11, "displacement by ring kernels, r > a, and continuity at r = a", outside_from_pressure, check_outside_from_pressure),
-    Equation(12, "displacement by ring kernels, r > a, with d by ring kernels", outside_from_depth, check_outside_from_depth),
-    Equation(13, "pressure (11.1) integrated over the area", punch_force, check_force),
-    Equation(14, "force by quadrature over depth by ring kernels", punch_stiffness, check_stiffness),
-    Equation(15, "pressure (11.1) with p0 replaced by d of ring kernels", pressure_from_depth, check_pressure_from_depth),
-)

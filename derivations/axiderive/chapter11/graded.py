@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, STRESS, Equation, Formula, Residual, chain
+from .equation import FORCE, LENGTH, STRESS, Formula, Residual, chain, equation
 from .graded_medium import Medium, exponent, medium
 from .quadrature import panels, singular, weighted
 from .round_trip import graded_catalogue_depths
@@ -47,7 +47,9 @@ def pressure_increment(r: Any, x: Any, dd: Any, slope: Function, dx: Any, m: Med
     return factor * dd, factor * slope(x) * dx
 
 
-def pressure_from_slope(slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium) -> tuple[Any, Any]:
+def pressure_from_slope(
+    slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium
+) -> tuple[Any, Any]:
     E0, c0, k, nu, h_N = m
 
     def abel(f: Function) -> Any:
@@ -127,39 +129,43 @@ def _area_force(g: PowerSum, a: Any, m: Medium) -> Any:
     return total_force(lambda r: pressure(g, r, a, m.H, m.k), a)
 
 
+@equation(48, depth_of_radius, "displacement of the centre by quadrature of (11.34) is g(a), smooth g")
 def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(), draw.length(), medium(draw)
     yield Residual(graded_centre(lambda r: even_pressure(g, r, a, m.H, m.k), a, m.H, m.k), formula(g, a), LENGTH)
 
 
+@equation(49, force_increment, "its integral is a difference of forces over the area")
 def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, first, m = _contact(draw)
     last = first * draw.number(1.2, 2)
     left = _area_force(g, last, m) - _area_force(g, first, m)
-    for form in range(2):
-        right = singular(lambda x, form=form: formula(x, g.slope(x), g.slope, 1, m)[form], first, last)
-        yield Residual(left, right, FORCE)
+    yield Residual(left, singular(lambda x: formula(x, g.slope(x), g.slope, 1, m)[0], first, last), FORCE)
+    yield Residual(left, singular(lambda x: formula(x, g.slope(x), g.slope, 1, m)[1], first, last), FORCE)
 
 
+@equation(50, force_from_slope, "closed pressure of random powers integrated over the area")
 def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     yield Residual(_area_force(g, a, m), formula(g.slope, a, m), FORCE)
 
 
+@equation(51, force_by_parts, "closed pressure integrated over the area against both forms")
 def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     yield from chain(_area_force(g, a, m), formula(g, g(a), a, m.foundation, m), FORCE)
 
 
+@equation(52, pressure_increment, "its integral is a difference of closed pressures")
 def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, first, m = _contact(draw)
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
     left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
-    for form in range(2):
-        right = singular(lambda x, form=form: formula(r, x, g.slope(x), g.slope, 1, m)[form], first, last)
-        yield Residual(left, right, STRESS)
+    yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), g.slope, 1, m)[0], first, last), STRESS)
+    yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), g.slope, 1, m)[1], first, last), STRESS)
 
 
+@equation(53, pressure_from_slope, "both forms against the closed pressure of random powers")
 def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     r = a * draw.number(0.2, 0.9)
@@ -167,6 +173,7 @@ def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual
     yield from chain(pressure(g, r, a, m.H, m.k), sides, STRESS)
 
 
+@equation(54, displacement_increment, "flat punch: depth at the centre, ring kernels outside")
 def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Flat punches of pressure (11.47): the depth at the centre, ring kernels outside."""
     x, dd, m = draw.length(), draw.length(), medium(draw)
@@ -179,6 +186,7 @@ def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Resid
     yield Residual(graded_rings(punch, r, x, m.H, m.k), formula(r, x, dd, m.k), LENGTH)
 
 
+@equation(55, displacement_from_slope, "ring kernels under the closed pressure, smooth g")
 def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
@@ -186,6 +194,7 @@ def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Resi
     yield Residual(left, formula(g.slope, r, a, m.k), LENGTH)
 
 
+@equation(56, displacement_by_parts, "ring kernels under the closed pressure against both forms")
 def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
@@ -193,6 +202,7 @@ def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residu
     yield from chain(left, formula(g, lambda x: g(a) - g(x), r, a, m.k), LENGTH)
 
 
+@equation(57, displacement_inside, "d - f(r) of random powers with g by quadrature")
 def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
@@ -200,6 +210,7 @@ def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(g(a) - f(r), formula(g.slope, r, a, k), LENGTH)
 
 
+@equation(58, inside_by_parts, "d - f(r) of random powers with g by quadrature")
 def check_inside_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
@@ -207,6 +218,7 @@ def check_inside_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(g(a) - f(r), formula(g, r, a, k), LENGTH)
 
 
+@equation(59, inside_from_profile, "closed pressure of a smooth g put into the double integral (11.34)")
 def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The pressure of g put into the double integral (11.34) leaves d - f under the indenter."""
     g, a, m = draw.even_sum(), draw.length(), medium(draw)
@@ -220,41 +232,29 @@ def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(left, formula(f, r, g(a)), LENGTH)
 
 
+@equation(60, profile_from_depth, "f of random powers from g by quadrature and from the closed g")
 def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, r, k = draw.power_sum(), draw.length(), exponent(draw)
     yield Residual(f(r), formula(_depth_by_quadrature(f, k), r, k), LENGTH)
     yield Residual(f(r), formula(f.times(lambda n: kappa(n, k)), r, k), LENGTH)
 
 
+@equation(
+    61,
+    depth_from_slope,
+    "closed g of random powers, (11.60) applied to it returns f; the graded depths of the catalogue",
+)
 def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = f.times(lambda n: kappa(n, k))
     for x in (a, -a):
         yield Residual(g(a), formula(f.slope, x, k), LENGTH)
     power = draw.power_sum(terms=1)
-    (_, n), = power.terms
+    ((_, n),) = power.terms
     factor = 2 * mp.cos(k * mp.pi / 2) / mp.pi
 
     def integrand(x: Any) -> Any:
         return factor * x**k * formula(power.slope, x, k) / (a**2 - x**2) ** ((1 + k) / 2)
 
-    yield Residual(power(a), weighted(integrand, ZERO, a, n + k, -(1 + k) / 2, nodes=40), LENGTH)
+    yield Residual(power(a), weighted(integrand, ZERO, a, n + k, -(1 + k) / 2, density=0.8), LENGTH)
     yield from graded_catalogue_depths(draw, formula, k)
-
-
-EQUATIONS = (
-    Equation(48, "displacement of the centre by quadrature of (11.34) is g(a), smooth g", depth_of_radius, check_depth_of_radius),
-    Equation(49, "its integral is a difference of forces over the area", force_increment, check_force_increment),
-    Equation(50, "closed pressure of random powers integrated over the area", force_from_slope, check_force_from_slope),
-    Equation(51, "closed pressure integrated over the area against both forms", force_by_parts, check_force_by_parts),
-    Equation(52, "its integral is a difference of closed pressures", pressure_increment, check_pressure_increment),
-    Equation(53, "both forms against the closed pressure of random powers", pressure_from_slope, check_pressure_from_slope),
-    Equation(54, "flat punch: depth at the centre, ring kernels outside", displacement_increment, check_displacement_increment),
-    Equation(55, "ring kernels under the closed pressure, smooth g", displacement_from_slope, check_displacement_from_slope),
-    Equation(56, "ring kernels under the closed pressure against both forms", displacement_by_parts, check_displacement_by_parts),
-    Equation(57, "d - f(r) of random powers with g by quadrature", displacement_inside, check_displacement_inside),
-    Equation(58, "d - f(r) of random powers with g by quadrature", inside_by_parts, check_inside_by_parts),
-    Equation(59, "closed pressure of a smooth g put into the double integral (11.34)", inside_from_profile, check_inside_from_profile),
-    Equation(60, "f of random powers from g by quadrature and from the closed g", profile_from_depth, check_profile_from_depth),
-    Equation(61, "closed g of random powers, (11.60) applied to it returns f; the graded depths of the catalogue", depth_from_slope, check_depth_from_slope),
-)  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw, PowerSum
-from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Equation, Formula, Residual
+from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Formula, Residual, equation
 from .graded_medium import Medium, medium
 from .quadrature import panels
 from .routes import derivative, pressure, total_force
@@ -45,6 +45,7 @@ def spring_energy(g: PowerSum, d: Any, a: Any, m: Medium) -> Any:
     return m.H * mp.fsum(c * e * a ** (n + q + m.k + 1) / (n + q + m.k + 1) for c, n in terms for e, q in terms)
 
 
+@equation(62, spring_stiffness, "the springs under a flat punch add up to (11.46)")
 def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The springs under a flat punch add up to its stiffness (11.46)."""
     a, m = draw.length(), medium(draw)
@@ -52,6 +53,7 @@ def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(2 * m.H * a ** (1 + m.k) / (1 + m.k), total, STIFFNESS)
 
 
+@equation(63, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
 def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     dx, dl = draw.length(), draw.length()
@@ -68,11 +70,13 @@ def _is_stationary(g: PowerSum, a: Any, dgamma: Any, dl: Any, m: Medium) -> Resi
     return Residual(dl * mp.sqrt(2 * mp.pi * a * dgamma / released), dl, LENGTH)
 
 
+@equation(64, retraction, "stationary energy of random powers")
 def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     yield _is_stationary(g, a, dgamma, formula(a, dgamma, m.foundation(a)), m)
 
 
+@equation(65, foundation_modulus, "value at c0; force of the springs against the closed pressure over the area")
 def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Stiffness per length at c0, and the force of the springs against the closed pressure over the area."""
     g, a, m = draw.power_sum(), draw.length(), medium(draw)
@@ -84,6 +88,15 @@ def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(total_force(lambda r: pressure(g, r, a, m.H, m.k), a), panels(spring, -a, a, (mp.mpf(0),)), FORCE)
 
 
+@equation(
+    66,
+    retraction_printed,
+    "(11.65) put into (11.64); stationary energy of random powers; limit k = 0 against (11.31)",
+    corrected=retraction_corrected,
+    printed_form="dl = sqrt(2 pi a dgamma c0^k a^(1-k) / (E* h_N))",
+    right_form="dl = sqrt(2 pi dgamma c0^k a^(1-k) / (E* h_N))",
+    reason="a^(1-k) holds the factor a already: as printed dl is no length, and misses (11.31) for k = 0",
+)
 def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     constants = (m.h_N, m.E_star, m.c0, m.k)
@@ -91,19 +104,3 @@ def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual
     yield _is_stationary(g, a, dgamma, formula(a, dgamma, *constants), m)
     homogeneous = formula(a, dgamma, mp.mpf(1), m.E_star, m.c0, mp.mpf(0))
     yield Residual(mp.sqrt(2 * mp.pi * a * dgamma / m.E_star), homogeneous, LENGTH)
-
-
-EQUATIONS = (
-    Equation(62, "the springs under a flat punch add up to (11.46)", spring_stiffness, check_spring_stiffness),
-    Equation(63, "rates of the surface energy and of the elastic energy at fixed depth", energy_balance, check_energy_balance),
-    Equation(64, "stationary energy of random powers", retraction, check_retraction),
-    Equation(65, "value at c0; force of the springs against the closed pressure over the area", foundation_modulus, check_foundation_modulus),
-    Equation(
-        66, "(11.65) put into (11.64); stationary energy of random powers; limit k = 0 against (11.31)",
-        retraction_printed, check_retraction_of_rigid, retraction_corrected,
-        printed_form="dl = sqrt(2 pi a dgamma c0^k a^(1-k) / (E* h_N))",
-        right_form="dl = sqrt(2 pi dgamma c0^k a^(1-k) / (E* h_N))",
-        reason="the factor a of (11.64) is already in a^(1-k): the printed form is too large by sqrt(a), "
-        "is no length, and misses (11.31) for k = 0",
-    ),
-)  # fmt: skip

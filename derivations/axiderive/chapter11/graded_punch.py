@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw
-from .equation import FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Dimension, Equation, Formula, Residual
+from .equation import FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Dimension, Formula, Residual, equation
 from .graded_medium import Medium, exponent, medium
 from .quadrature import singular
 from .routes import across, around, graded_centre, graded_rings, total_force
@@ -124,6 +124,7 @@ def _depth_at_centre(p0: Any, a: Any, m: Medium) -> Any:
     return graded_centre(_loaded(p0, a, m.k), a, m.H, m.k)
 
 
+@equation(32, modulus, "value at c0, homogeneous limit, logarithmic slope k")
 def check_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
     m, z = medium(draw), draw.length()
     yield Residual(m.E0, formula(m.c0, m), STRESS)
@@ -131,11 +132,14 @@ def check_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(m.k, mp.log(formula(2 * z, m) / formula(z, m), 2), NUMBER)
 
 
+@equation(33, point_load, "homogeneous limit; point loads of (11.35) add up to a regularised Beta function outside")
 def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Homogeneous limit; and point loads of the distribution (11.35) sum up to a regularised Beta function outside."""
     a, inside, p0, m = _disc(draw)
     force, even = draw.force(), m.homogeneous()
-    yield Residual(force * (1 - even.nu**2) / (mp.pi * even.E0 * even.h_N * inside), formula(inside, force, even), LENGTH)
+    yield Residual(
+        force * (1 - even.nu**2) / (mp.pi * even.E0 * even.h_N * inside), formula(inside, force, even), LENGTH
+    )
     r = draw.number(1.6, 3) * a
 
     def integrand(s: Any, phi: Any) -> Any:
@@ -147,6 +151,7 @@ def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(d * share, across(integrand, r, a, (m.k - 1) / 2), LENGTH)
 
 
+@equation(34, superposition, "uniform pressure at the centre; (11.35) gives the depth found at the centre")
 def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     near = a * mp.mpf(10) ** -30
@@ -156,6 +161,7 @@ def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(_depth_at_centre(p0, a, m), punch, LENGTH)
 
 
+@equation(35, punch_pressure, "two points of the loaded circle sink equally, by double quadrature")
 def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     k, factor = m.k, mp.cos(m.k * mp.pi / 2) / (mp.pi * m.H)
@@ -170,6 +176,7 @@ def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0, formula(ZERO, a, p0, k), STRESS)
 
 
+@equation(36, pressure_around, "pressure at a point given by coordinates")
 def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     phi, s = draw.number(0, 6.28), draw.number(0.1, 0.9) * (a - r)
@@ -177,11 +184,13 @@ def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0 * (1 - (x**2 + y**2) / a**2) ** ((m.k - 1) / 2), formula(s, phi, r, a, p0, m.k), STRESS)
 
 
+@equation(37, displacement_around, "double quadrature at r < a against the integral for the centre")
 def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(r, a, p0, m), LENGTH)
 
 
+@equation(38, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
 def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     k = exponent(draw)
     alpha, beta = draw.length(), draw.sign() * draw.length()
@@ -193,12 +202,14 @@ def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(alpha, beta, k), Dimension(0))
 
 
+@equation(39, punch_depth, "displacement of the centre and of a point r < a by quadrature of (11.34)")
 def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(a, p0, m), LENGTH)
     yield Residual(superposition(_loaded(p0, a, m.k), r, a, (m.k - 1) / 2, m), formula(a, p0, m), LENGTH)
 
 
+@equation(40, pressure_across, "pressure at a point given by coordinates, A outside")
 def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r, radius, angle = draw.number(1.5, 3) * a, draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
@@ -207,12 +218,14 @@ def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(mp.hypot(x, y), mp.atan2(y, x), r, a, p0, m.k), STRESS)
 
 
+@equation(41, displacement_across, "double quadrature at r > a against ring kernels")
 def check_displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r = draw.number(1.6, 3) * a
     yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, p0, m), LENGTH)
 
 
+@equation(42, chord_integral, "inner integral by tanh-sinh quadrature")
 def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     k, a = exponent(draw), draw.length()
     r = draw.number(1.3, 3) * a
@@ -224,6 +237,7 @@ def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(half**2 - beta**2, beta, k), NUMBER)
 
 
+@equation(43, outside_from_pressure, "ring kernels at r > a, continuity at r = a, homogeneous limit")
 def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield from check_displacement_outside(draw, formula)
     a, _, p0, m = _disc(draw)
@@ -232,6 +246,7 @@ def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residu
     yield Residual(2 / even.H * p0 * a * mp.asin(a / r), formula(r, a, p0, even), LENGTH)
 
 
+@equation(44, outside_from_depth, "ring kernels and double quadrature at r > a")
 def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r, d = draw.number(1.6, 3) * a, _depth_at_centre(p0, a, m)
@@ -243,36 +258,19 @@ def _force(p0: Any, a: Any, k: Any) -> Any:
     return total_force(_loaded(p0, a, k), a, max(0.0, float(1 - k) / 2))
 
 
+@equation(45, punch_force, "pressure (11.35) integrated over the area")
 def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k), formula(a, p0, m.k), FORCE)
 
 
+@equation(46, punch_stiffness, "force over depth, both by quadrature")
 def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k) / _depth_at_centre(p0, a, m), formula(a, m), STIFFNESS)
 
 
+@equation(47, pressure_from_depth, "pressure (11.35) with p0 replaced by d found at the centre")
 def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_loaded(p0, a, m.k)(r), formula(r, a, _depth_at_centre(p0, a, m), m), STRESS)
-
-
-EQUATIONS = (
-    Equation(32, "value at c0, homogeneous limit, logarithmic slope k", modulus, check_modulus),
-    Equation(33, "homogeneous limit; point loads of (11.35) add up to a regularised Beta function outside", point_load, check_point_load),
-    Equation(34, "uniform pressure at the centre; (11.35) gives the depth found at the centre", superposition, check_superposition),
-    Equation(35, "two points of the loaded circle sink equally, by double quadrature", punch_pressure, check_pressure),
-    Equation(36, "pressure at a point given by coordinates", pressure_around, check_pressure_around),
-    Equation(37, "double quadrature at r < a against the integral for the centre", displacement_around, check_displacement_around),
-    Equation(38, "inner integral by tanh-sinh quadrature, beta of both signs", inner_integral, check_inner_integral),
-    Equation(39, "displacement of the centre and of a point r < a by quadrature of (11.34)", punch_depth, check_depth),
-    Equation(40, "pressure at a point given by coordinates, A outside", pressure_across, check_pressure_across),
-    Equation(41, "double quadrature at r > a against ring kernels", displacement_across, check_displacement_outside),
-    Equation(42, "inner integral by tanh-sinh quadrature", chord_integral, check_chord_integral),
-    Equation(43, "ring kernels at r > a, continuity at r = a, homogeneous limit", outside_from_pressure, check_outside_from_pressure),
-    Equation(44, "ring kernels and double quadrature at r > a", outside_from_depth, check_outside_from_depth),
-    Equation(45, "pressure (11.35) integrated over the area", punch_force, check_force),
-    Equation(46, "force over depth, both by quadrature", punch_stiffness, check_stiffness),
-    Equation(47, "pressure (11.35) with p0 replaced by d found at the centre", pressure_from_depth, check_pressure_from_depth),
-)  # fmt: skip

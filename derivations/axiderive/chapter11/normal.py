@@ -8,7 +8,7 @@ from typing import Any
 import mpmath as mp
 
 from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Equation, Formula, Residual, chain
+from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Formula, Residual, chain, equation
 from .quadrature import panels, singular, weighted
 from .round_trip import catalogue_depths
 from .routes import even_pressure, kappa, pressure, rings, total_force
@@ -45,7 +45,9 @@ def pressure_increment(r: Any, x: Any, dd: Any, E_star: Any) -> Any:
     return 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * dd
 
 
-def pressure_by_increments(g: Function, slope: Function, radius: Function, r: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
+def pressure_by_increments(
+    g: Function, slope: Function, radius: Function, r: Any, a: Any, E_star: Any
+) -> tuple[Any, Any]:
     """Over the depth, which needs the radius as a function of it, and over the radius."""
     with mp.workdps(2 * mp.mp.dps + 10):  # an error of g(r) counts with its square root
         first, last = g(r), g(a)
@@ -85,7 +87,7 @@ def depth_from_slope(slope: Function, a: Any, breaks: tuple[Any, ...] = ()) -> A
 def _power(draw: Draw) -> tuple[PowerSum, Function]:
     """One power and its inverse."""
     g = draw.power_sum(terms=1)
-    (c, n), = g.terms
+    ((c, n),) = g.terms
     return g, lambda depth: (depth / c) ** (1 / n)
 
 
@@ -94,39 +96,46 @@ def _depth_by_quadrature(f: PowerSum) -> PowerSum:
     return f.times(lambda n: singular(lambda x: n * x ** (n - 1) / mp.sqrt((1 - x) * (1 + x)), ZERO, mp.mpf(1)))
 
 
+@equation(16, depth_of_radius, "displacement of the centre by ring kernels is g(a), smooth g")
 def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
     yield Residual(rings(lambda r: even_pressure(g, r, a, E_star), ZERO, a, E_star), formula(g, a), LENGTH)
 
 
+@equation(17, force_by_increments, "closed pressure of random powers integrated over the area")
 def check_force_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     left = total_force(lambda r: pressure(g, r, a, E_star), a)
     yield Residual(left, formula(lambda x: 2 * E_star * x, g.slope, a), FORCE)
 
 
+@equation(18, differential_stiffness, "its integral over dg is a difference of forces; flat punch by ring kernels")
 def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, E_star = draw.power_sum(), draw.stress()
     first = draw.length()
     last = first * draw.number(1.2, 2)
-    before, after = (total_force(lambda r, a=a: pressure(g, r, a, E_star), a) for a in (first, last))
+    before = total_force(lambda r: pressure(g, r, first, E_star), first)
+    after = total_force(lambda r: pressure(g, r, last, E_star), last)
     summed = singular(lambda x: formula(x, E_star) * g.slope(x), first, last)
     yield Residual(after - before, summed, FORCE)
-    yield Residual(rings(lambda r: E_star / mp.sqrt(first**2 - r**2), ZERO, first, E_star) ** -1 * 2 * mp.pi * E_star * first,
-                   formula(first, E_star), STIFFNESS)
+    depth = rings(lambda r: E_star / mp.sqrt(first**2 - r**2), ZERO, first, E_star)
+    yield Residual(2 * mp.pi * E_star * first / depth, formula(first, E_star), STIFFNESS)
 
 
+@equation(19, force_from_slope, "closed pressure of random powers integrated over the area")
 def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     yield Residual(total_force(lambda r: pressure(g, r, a, E_star), a), formula(g.slope, a, E_star), FORCE)
 
 
+@equation(20, force_by_parts, "closed pressure integrated over the area against the three forms")
 def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     left = total_force(lambda r: pressure(g, r, a, E_star), a)
     yield from chain(left, formula(g, g(a), a, E_star), FORCE)
 
 
+@equation(21, pressure_increment, "its integral over dg is a difference of closed pressures")
 def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, E_star = draw.power_sum(), draw.stress()
     first = draw.length()
@@ -135,22 +144,25 @@ def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), E_star), first, last), STRESS)
 
 
+@equation(22, pressure_by_increments, "both parametrisations against the closed pressure of a power")
 def check_pressure_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
     (g, radius), a, E_star = _power(draw), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     yield from chain(pressure(g, r, a, E_star), formula(g, g.slope, radius, r, a, E_star), STRESS)
 
 
+@equation(23, pressure_from_slope, "closed pressure of random powers; its integral over the area is the force")
 def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     yield Residual(pressure(g, r, a, E_star), formula(g.slope, r, a, E_star), STRESS)
     even = draw.even_sum(2)
     force = 2 * E_star * mp.fsum(c * n / (n + 1) * a ** (n + 1) for c, n in even.terms)
-    area = weighted(lambda t: 2 * mp.pi * t * formula(even.slope, t, a, E_star), ZERO, a, 0, mp.mpf(1) / 2, nodes=40)
+    area = weighted(lambda t: 2 * mp.pi * t * formula(even.slope, t, a, E_star), ZERO, a, 0, mp.mpf(1) / 2, density=0.8)
     yield Residual(force, area, FORCE)
 
 
+@equation(24, displacement_increment, "displacement beside a flat punch by ring kernels")
 def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, dd, E_star = draw.length(), draw.length(), draw.stress()
     a = x * draw.number(1.1, 3)
@@ -158,24 +170,28 @@ def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Resid
     yield Residual(left, formula(x, a, dd), LENGTH)
 
 
+@equation(25, displacement_by_increments, "both forms against d - f of a power")
 def check_displacement_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
     (g, radius), a = _power(draw), draw.length()
     f = g.times(lambda n: 1 / kappa(n))
     yield from chain(g(a) - f(a), formula(radius, g.slope, a, g(a)), LENGTH)
 
 
+@equation(26, displacement_from_slope, "displacement of the edge by ring kernels, smooth g")
 def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
     left = rings(lambda r: even_pressure(g, r, a, E_star), a, a, E_star)
     yield Residual(left, formula(g.slope, a), LENGTH)
 
 
+@equation(27, displacement_from_slope, "d - f(a) of random powers with g by quadrature")
 def check_gap_at_edge(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     g = _depth_by_quadrature(f)
     yield Residual(g(a) - f(a), formula(g.slope, a), LENGTH)
 
 
+@equation(28, profile_from_depth, "f from g by quadrature; f from the displacement by ring kernels")
 def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     yield Residual(f(a), formula(_depth_by_quadrature(f), a), LENGTH)
@@ -184,29 +200,14 @@ def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(left, formula(g, r), LENGTH)
 
 
+@equation(29, depth_from_slope, "random powers, (11.28) applied to it returns f; the depths of the catalogue")
 def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     yield Residual(f.times(kappa)(a), formula(f.slope, a), LENGTH)
     power = draw.power_sum(terms=1)
-    (_, n), = power.terms
-    back = weighted(lambda x: 2 / mp.pi * formula(power.slope, x) / mp.sqrt(a**2 - x**2), ZERO, a, n, -mp.mpf(1) / 2, 40)
+    ((_, n),) = power.terms
+    back = weighted(
+        lambda x: 2 / mp.pi * formula(power.slope, x) / mp.sqrt(a**2 - x**2), ZERO, a, n, -mp.mpf(1) / 2, 0.8
+    )
     yield Residual(power(a), back, LENGTH)
     yield from catalogue_depths(draw, formula)
-
-
-EQUATIONS = (
-    Equation(16, "displacement of the centre by ring kernels is g(a), smooth g", depth_of_radius, check_depth_of_radius),
-    Equation(17, "closed pressure of random powers integrated over the area", force_by_increments, check_force_by_increments),
-    Equation(18, "its integral over dg is a difference of forces; flat punch by ring kernels", differential_stiffness, check_differential_stiffness),
-    Equation(19, "closed pressure of random powers integrated over the area", force_from_slope, check_force_from_slope),
-    Equation(20, "closed pressure integrated over the area against the three forms", force_by_parts, check_force_by_parts),
-    Equation(21, "its integral over dg is a difference of closed pressures", pressure_increment, check_pressure_increment),
-    Equation(22, "both parametrisations against the closed pressure of a power", pressure_by_increments, check_pressure_by_increments),
-    Equation(23, "closed pressure of random powers; its integral over the area is the force", pressure_from_slope, check_pressure_from_slope),
-    Equation(24, "displacement beside a flat punch by ring kernels", displacement_increment, check_displacement_increment),
-    Equation(25, "both forms against d - f of a power", displacement_by_increments, check_displacement_by_increments),
-    Equation(26, "displacement of the edge by ring kernels, smooth g", displacement_from_slope, check_displacement_from_slope),
-    Equation(27, "d - f(a) of random powers with g by quadrature", displacement_from_slope, check_gap_at_edge),
-    Equation(28, "f from g by quadrature; f from the displacement by ring kernels", profile_from_depth, check_profile_from_depth),
-    Equation(29, "random powers, (11.28) applied to it returns f; the depths of the catalogue", depth_from_slope, check_depth_from_slope),
-)  # fmt: skip

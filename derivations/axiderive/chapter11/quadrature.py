@@ -52,6 +52,21 @@ def panels(f: Function, lo: Any, hi: Any, breaks: tuple[Any, ...] = (), stronges
     return mp.fsum(singular(f, x, y, strongest) for x, y in zip(ends, ends[1:], strict=False))
 
 
+def to_infinity(f: Function, lo: Any) -> Any:
+    """int f over (lo, oo) for an f that falls off like exp(-x), at worst 1/sqrt at lo; x = lo + exp(t - exp(-t))."""
+    wanted = mp.mp.dps
+    with mp.workdps(2 * wanted + 5):
+        step = mp.pi**2 / (wanted * mp.log(10)) * mp.mpf("0.45")
+        reach = mp.log(3 * wanted * mp.log(10))
+        total = mp.mpf(0)
+        for i in range(int(-reach / step), int(reach / step) + 1):
+            fall = mp.exp(-i * step)
+            x = mp.exp(i * step - fall)
+            total += x * (1 + fall) * f(lo + x)
+        total *= step
+    return +total
+
+
 @lru_cache(maxsize=64)
 def _jacobi(nodes: int, lower: Any, upper: Any, precision: int) -> tuple[tuple[Any, Any], ...]:
     """(u, weight / (u**lower (1 - u)**upper)) of the Gauss rule on (0, 1), by Newton's method from float64 nodes."""
@@ -107,14 +122,18 @@ def _orthogonal(z: Any, diagonal: list[Any], off: list[Any]) -> tuple[Any, Any, 
     return value, slope, norm
 
 
-def weighted(f: Function, lo: Any, hi: Any, lower: Any = 0, upper: Any = 0, nodes: int = 64) -> Any:
-    """int f over (lo, hi) where f behaves like (x - lo)**lower and (hi - x)**upper times analytic factors."""
+def weighted(f: Function, lo: Any, hi: Any, lower: Any = 0, upper: Any = 0, density: float = 1.3) -> Any:
+    """int f over (lo, hi) where f behaves like (x - lo)**lower and (hi - x)**upper times analytic factors.
+
+    `density` is the number of nodes per digit; 1.3 serves down to singularities a fifth of the interval away.
+    """
     width = hi - lo
+    nodes = int(density * mp.mp.dps)
     return width * mp.fsum(w * f(lo + width * u) for u, w in _jacobi(nodes, mp.mpf(lower), mp.mpf(upper), mp.mp.prec))
 
 
 def half_turn(f: Function, decay: Any) -> Any:
-    """int f(phi) over (0, pi) for an f that is even and 2 pi periodic; `decay` is the distance of its singularities from the real axis."""
+    """int f over (0, pi) for an even f of period 2 pi, whose singularities are `decay` away from the real axis."""
     count = int(mp.mp.dps * mp.log(10) / decay / 2) + 3
     inner = mp.fsum(f(mp.pi * i / count) for i in range(1, count))
     return mp.pi / count * (inner + (f(mp.mpf(0)) + f(mp.pi)) / 2)

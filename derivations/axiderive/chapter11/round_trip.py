@@ -12,6 +12,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
+from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..contact.normal import derive
 from ..entry import Case, Entry
 from ..profiles import NAMES, load
@@ -20,18 +21,21 @@ from .draw import Draw
 from .equation import LENGTH, STRESS, Formula, Residual
 from .quadrature import singular
 
+Function = Callable[[Any], Any]
 Values = Mapping[sp.Symbol, Any]
 DEGREE = 3
 """Degree of the polynomial profile."""
 SPREAD = 0.04
 """How far the random parameters stray from those of the sketch, which keep the rules of the profile."""
 
-_NUMERIC = {name: cls.numeric for name, cls in vars(masters).items() if isinstance(cls, type) and hasattr(cls, "numeric")}
+_NUMERIC = {
+    name: cls.numeric for name, cls in vars(masters).items() if isinstance(cls, type) and hasattr(cls, "numeric")
+}
 
 
-@lru_cache(maxsize=len(NAMES))
-def _entries(name: str) -> dict[str, Entry]:
-    return derive(load(name))
+@lru_cache(maxsize=2 * len(NAMES))
+def _entries(name: str, medium: Medium) -> dict[str, Entry]:
+    return derive(load(name), medium)
 
 
 @lru_cache(maxsize=512)
@@ -53,14 +57,14 @@ def _number(expr: sp.Expr, values: Values) -> Any:
     integrals, names, function = _plan(expr)
     known = dict(values)
     for name, integral in integrals:
-        (variable, lo, hi), = integral.limits
-        inner = integral.function
-        known[name] = singular(
-            lambda x, inner=inner, variable=variable: _number(inner, {**values, variable: x}),
-            _number(lo, values),
-            _number(hi, values),
-        )
+        ((variable, lo, hi),) = integral.limits
+        integrand = _integrand(integral.function, variable, values)
+        known[name] = singular(integrand, _number(lo, values), _number(hi, values))
     return function(*(known[s] for s in names))
+
+
+def _integrand(expr: sp.Expr, variable: sp.Symbol, values: Values) -> Function:
+    return lambda x: _number(expr, {**values, variable: x})
 
 
 @lru_cache(maxsize=64)
@@ -80,6 +84,11 @@ class Indenter:
     a: Any
     d: Any
     breaks: tuple[Any, ...]
+    medium: Medium = HOMOGENEOUS
+
+    @property
+    def entries(self) -> dict[str, Entry]:
+        return _entries(self.profile.name, self.medium)
 
     @property
     def compact(self) -> bool:
@@ -105,8 +114,8 @@ class Indenter:
         return None
 
     def _radius_law(self, x: Any) -> tuple[sp.Expr, Values]:
-        """d - g as an expression of the contact radius; for a complete contact from dF/da = 2 E* (d - g) at a fixed face."""
-        entries, at = _entries(self.profile.name), {**self.values, nt.a: x}
+        """d - g over the contact radius; for a complete contact from dF/da = 2 E* (d - g) at a fixed face."""
+        entries, at = self.entries, {**self.values, nt.a: x}
         if self.compact:
             case = self._case(entries["d"].cases, at)
             return nt.d - (_spelled(case.expr) if case else sp.S.Zero), at
@@ -132,7 +141,7 @@ class Indenter:
     def pressure(self, r: Any) -> Any:
         """The derived pressure."""
         at = {**self.values, nt.a: self.a, nt.r: r}
-        entry = _entries(self.profile.name)["p"]
+        entry = self.entries["p"]
         cases = entry.cases if self.compact or entry.partial is None else entry.cases[-1:]
         case = self._case(cases, at) if self.compact else cases[-1]
         assert case is not None
@@ -143,10 +152,14 @@ def _coefficient(i: int) -> sp.Symbol:
     return sp.Symbol(f"A_{i}", positive=True)
 
 
-def indenter(name: str, draw: Draw) -> Indenter:
-    """The profile of that name with parameters scattered about those of its sketch."""
+def indenter(name: str, draw: Draw, k: Any = None) -> Indenter:
+    """The profile of that name with parameters scattered about those of its sketch, on a half space of exponent k."""
     profile = load(name)
     values: dict[sp.Symbol, Any] = {nt.E_star: draw.stress()}
+    medium = HOMOGENEOUS
+    if k is not None:
+        medium, values[nt.k] = GRADED, k
+        values[nt.H] = draw.quantity(-2 - k, 1)
     sketch = dict(profile.sketch.values)
     exponent = sketch.get(nt.n)
     if exponent is not None:
@@ -156,7 +169,9 @@ def indenter(name: str, draw: Draw) -> Indenter:
             values |= {_coefficient(i): draw.quantity(1 - i, 0) for i in range(1, DEGREE + 1)}
         elif symbol not in (nt.a, nt.n):
             mean = sketch[symbol]
-            values[symbol] = draw.quantity(_length_exponent(symbol, profile, values), 0, mean * (1 - SPREAD), mean * (1 + SPREAD))
+            values[symbol] = draw.quantity(
+                _length_exponent(symbol, profile, values), 0, mean * (1 - SPREAD), mean * (1 + SPREAD)
+            )
     for symbol, meaning in profile.abbreviations:
         values[symbol] = _number(meaning, values)
     a = draw.length(profile.sketch.a * (1 - SPREAD), profile.sketch.a * (1 + SPREAD))
@@ -165,8 +180,8 @@ def indenter(name: str, draw: Draw) -> Indenter:
     if profile.contact == "complete":
         d = draw.length(1, 2)
     else:
-        d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), inside).w1D(a)
-    return Indenter(profile, {**values, nt.d: d}, a, d, inside)
+        d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), inside, medium).w1D(a)
+    return Indenter(profile, {**values, nt.d: d}, a, d, inside, medium)
 
 
 def _length_exponent(symbol: sp.Symbol, profile: Profile, values: Values) -> Any:
@@ -178,15 +193,23 @@ def _length_exponent(symbol: sp.Symbol, profile: Profile, values: Values) -> Any
 
 def catalogue_depths(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """(11.29) by quadrature against the derived depth of every compact profile."""
-    for name in NAMES:
+    for name in NAMES if draw.first else ():
         body = indenter(name, draw)
         if body.compact:
             yield Residual(body.d, formula(body.slope, body.a, body.breaks), LENGTH)
 
 
+def graded_catalogue_depths(draw: Draw, formula: Formula, k: Any) -> Iterator[Residual]:
+    """(11.61) by quadrature against the derived graded depth of every compact profile."""
+    for name in NAMES if draw.first else ():
+        body = indenter(name, draw, k)
+        if body.compact:
+            yield Residual(body.d, formula(body.slope, body.a, k, body.breaks), LENGTH)
+
+
 def catalogue_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """w = d - f under the indenter gives back d - g."""
-    for name in NAMES:
+    for name in NAMES if draw.first else ():
         body = indenter(name, draw)
         x = body.a * draw.number(0.2, 0.95)
         inside = tuple(b for b in body.breaks if b < x)
@@ -195,8 +218,8 @@ def catalogue_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 def catalogue_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """d - g gives back the derived pressure; where the edge of the contact is an edge of the body the edge term remains."""
-    for name in NAMES:
+    """d - g gives back the derived pressure; at the sharp edge of a body the edge term remains."""
+    for name in NAMES if draw.first else ():
         body = indenter(name, draw)
         E_star, r = body.values[nt.E_star], body.a * draw.number(0.2, 0.9)
         right = formula(body.w1D_slope, r, body.a, E_star, tuple(b for b in body.breaks if b > r))

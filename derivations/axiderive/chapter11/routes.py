@@ -20,7 +20,7 @@ Polar = Callable[[Any, Any], Any]
 
 
 def rings(p: Function, r: Any, a: Any, E_star: Any) -> Any:
-    """Displacement at r under the pressure p on a disc of radius a, ring by ring: 2/E* int p t dt / agm(r + t, abs(r - t))."""
+    """Displacement at r under p on a disc of radius a: 2/E* int p t dt / agm(r + t, abs(r - t))."""
 
     def ring(t: Any) -> Any:
         return p(t) * t / mp.agm(r + t, abs(r - t)) if t != r else mp.mpf(0)
@@ -86,9 +86,7 @@ def pressure(g: PowerSum, r: Any, a: Any, E_star: Any, k: Any = 0) -> Any:
     square = (a - r) * (a + r)
     head = E_star / mp.pi * square ** ((1 + mp.mpf(k)) / 2) / (1 + k)
     shape = (3 + mp.mpf(k)) / 2
-    return head * mp.fsum(
-        c * n * a ** (n - 2) * mp.hyp2f1(1, 1 - n / 2, shape, square / a**2) for c, n in g.terms
-    )
+    return head * mp.fsum(c * n * a ** (n - 2) * mp.hyp2f1(1, 1 - n / 2, shape, square / a**2) for c, n in g.terms)
 
 
 def even_pressure(g: PowerSum, r: Any, a: Any, E_star: Any, k: Any = 0) -> Any:
@@ -97,7 +95,8 @@ def even_pressure(g: PowerSum, r: Any, a: Any, E_star: Any, k: Any = 0) -> Any:
     total = mp.mpf(0)
     for c, n in g.terms:
         m = int(n) // 2 - 1
-        total += c * n / 2 * mp.fsum(mp.binomial(m, i) * r ** (2 * (m - i)) * square ** (i + e) / (i + e) for i in range(m + 1))
+        binomial = (mp.binomial(m, i) * r ** (2 * (m - i)) * square ** (i + e) / (i + e) for i in range(m + 1))
+        total += c * n / 2 * mp.fsum(binomial)
     return E_star / mp.pi * total
 
 

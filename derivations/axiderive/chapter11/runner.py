@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import time
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
@@ -13,7 +14,7 @@ from typing import Any, Literal
 import mpmath as mp
 
 from .draw import Draw
-from .equation import Equation, Formula
+from .equation import NUMBER, REGISTRY, Equation, Formula
 
 SECTIONS = (
     "flat_punch", "normal", "adhesive", "graded_punch", "graded", "graded_adhesive",
@@ -27,14 +28,23 @@ Verdict = Literal["OK", "misprint", "fails"]
 
 @dataclass(frozen=True)
 class Outcome:
-    """Largest relative residuals of one formula over all draws: of its values, and of its scaling with the units."""
+    """Largest relative residuals of one formula over all draws: of its values, and of its scaling with the units.
+
+    `units` is None where only pure numbers are compared.
+    """
 
     values: float
-    units: float
+    units: float | None
     count: int
+    carried: int
 
-    def digits(self) -> float:
-        return _digits(max(self.values, self.units))
+    def residual(self) -> float:
+        return max(self.values, self.units or 0.0)
+
+    def digits(self) -> int:
+        """Digits that agree, at most those carried."""
+        residual = self.residual()
+        return self.carried if residual == 0 else min(self.carried, int(-mp.log10(residual)))
 
 
 @dataclass(frozen=True)
@@ -52,38 +62,33 @@ class Row:
     def name(self) -> str:
         return f"11.{self.number}"
 
-    def digits(self) -> float:
+    def digits(self) -> int:
         """Digits to which the printed form holds, or the corrected one where the printed form is wrong."""
         return (self.corrected or self.printed).digits()
-
-
-def _digits(residual: float) -> float:
-    return float("inf") if residual == 0 else float(-mp.log10(residual))
 
 
 @lru_cache(maxsize=1)
 def equations() -> dict[int, Equation]:
     """All equations by number."""
-    found = [e for section in SECTIONS for e in import_module(f".{section}", __package__).EQUATIONS]
-    return {e.number: e for e in sorted(found, key=lambda e: e.number)}
+    for section in SECTIONS:
+        import_module(f".{section}", __package__)
+    return dict(sorted(REGISTRY.items()))
 
 
 def evaluate(equation: Equation, formula: Formula, digits: int, seed: int, draws: int) -> Outcome:
     """The check of an equation on one formula; the first draw is repeated in other units."""
     with mp.workdps(digits + GUARD):
-        values: Any = mp.mpf(0)
-        units: Any = mp.mpf(0)
-        count = 0
+        values: list[Any] = []
+        units: list[Any] = []
         for index in range(draws):
             key = f"{seed}:{equation.number}:{index}"
-            residuals = list(equation.check(Draw(key), formula))
-            count += len(residuals)
-            values = max([values, *(x.relative() for x in residuals)])
-            if index == 0:
+            residuals = list(equation.check(Draw(key, first=index == 0), formula))
+            values += [x.relative() for x in residuals]
+            if index == 0 and any(x.dimension != NUMBER for x in residuals):
                 other = _other_units(key)
-                scaled = list(equation.check(other, formula))
-                units = max(x.in_units(y, other) for x, y in zip(residuals, scaled, strict=True))
-        return Outcome(float(values), float(units), count)
+                scaled = equation.check(other, formula)
+                units = [x.in_units(y, other) for x, y in zip(residuals, scaled, strict=True)]
+        return Outcome(float(max(values)), float(max(units)) if units else None, len(values), digits + GUARD)
 
 
 def _other_units(key: str) -> Draw:
@@ -91,7 +96,7 @@ def _other_units(key: str) -> Draw:
     return Draw(key, (factors.number(2, 20), factors.number(2, 20)))
 
 
-def check(equation: Equation, digits: int = 30, seed: int = 11, draws: int = 4) -> Row:
+def check(equation: Equation, digits: int = 30, seed: int = 11, draws: int = 3) -> Row:
     """One row; the verdict depends on the residuals alone."""
     printed = evaluate(equation, equation.formula, digits, seed, draws)
     corrected = evaluate(equation, equation.corrected, digits, seed, draws) if equation.corrected else None
@@ -109,7 +114,7 @@ def _task(job: tuple[int, int, int, int]) -> Row:
 
 
 def run(
-    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 4, jobs: int = 1
+    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, jobs: int = 1
 ) -> tuple[Row, ...]:
     """Check the equations (11.n) of these numbers, all if None.
 
@@ -129,6 +134,13 @@ def run(
     ValueError
         If the chapter has no equation of that number.
     """
+    return tuple(stream(numbers, digits, seed, draws, jobs))
+
+
+def stream(
+    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, jobs: int = 1
+) -> Iterator[Row]:
+    """The rows of `run` one by one, in order."""
     wanted = sorted(equations() if numbers is None else set(numbers))
     unknown = [n for n in wanted if n not in equations()]
     if unknown:
@@ -136,28 +148,49 @@ def run(
         raise ValueError(message)
     tasks = [(n, digits, seed, draws) for n in wanted]
     if jobs <= 1:
-        return tuple(map(_task, tasks))
+        yield from map(_task, tasks)
+        return
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        return tuple(pool.map(_task, tasks))
+        yield from pool.map(_task, tasks)
 
 
-def table(rows: Sequence[Row]) -> str:
-    """One line per equation: number, verdict, digits, residuals of the printed and the corrected form, what was checked."""
-    head = ("equation", "verdict", "digits", "printed", "units", "corrected", "what was checked")
-    lines = [head, *(_line(row) for row in rows)]
-    widths = [max(len(line[i]) for line in lines) for i in range(len(head) - 1)]
-    text = ["  ".join([*(cell.ljust(width) for cell, width in zip(line, widths, strict=False)), line[-1]]) for line in lines]
-    return "\n".join(line.rstrip() for line in text) + "\n"
+HEAD = ("equation", "verdict", "digits", "printed", "units", "corrected", "what was checked")
+WIDTHS = (8, 8, 6, 7, 7, 9, 0)
 
 
-def _line(row: Row) -> tuple[str, ...]:
-    digits = row.digits()
-    return (
+def table(rows: Iterable[Row]) -> str:
+    """One line per equation: number, verdict, digits, residuals, what was checked and, for a misprint, the right form."""
+    return "\n".join([_text(HEAD), *map(line, rows)]) + "\n"
+
+
+def _text(cells: Sequence[str]) -> str:
+    return "  ".join(cell.ljust(width) for cell, width in zip(cells, WIDTHS, strict=True)).rstrip()
+
+
+def line(row: Row) -> str:
+    """The row as the table prints it."""
+    units = row.printed.units
+    cells = (
         f"({row.name})",
         row.verdict,
-        "exact" if digits == float("inf") else str(int(digits)),
+        str(row.digits()),
         f"{row.printed.values:.1e}",
-        f"{row.printed.units:.1e}",
-        f"{max(row.corrected.values, row.corrected.units):.1e}" if row.corrected else "",
+        "" if units is None else f"{units:.1e}",
+        f"{row.corrected.residual():.1e}" if row.corrected else "",
         row.title + (f"; right: {row.right_form}" if row.verdict == "misprint" else ""),
     )
+    return _text(cells)
+
+
+def report(digits: int = 30, seed: int = 11, jobs: int = 1) -> bool:
+    """Print the table line by line; whether every equation holds as printed or as corrected."""
+    started, rows = time.perf_counter(), []
+    print(_text(HEAD))
+    for row in stream(digits=digits, seed=seed, jobs=jobs):
+        print(line(row), flush=True)
+        rows.append(row)
+    wrong = [row.verdict for row in rows]
+    seconds = time.perf_counter() - started
+    counts = f"{len(rows)} equations, {wrong.count('misprint')} misprinted, {wrong.count('fails')} failures"
+    print(f"{counts}, least agreement {min(row.digits() for row in rows)} digits, {seconds:.1f} s, seed {seed}")
+    return "fails" not in wrong

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import mpmath as mp
 
 from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, NUMBER, STRESS, Equation, Formula, Residual
+from .equation import FORCE, LENGTH, NUMBER, STRESS, Formula, Residual, equation
 from .quadrature import singular
 from .routes import around, even_pressure, pressure, rings, total_force
 
@@ -67,7 +67,9 @@ def joint_increment(lam: Any, dg: Any) -> Any:
     return lam * dg
 
 
-def force_of_second_step(h_slope: Function, g_slope: Function, lam: Any, c: Any, a: Any, G_star: Any) -> tuple[Any, Any]:
+def force_of_second_step(
+    h_slope: Function, g_slope: Function, lam: Any, c: Any, a: Any, G_star: Any
+) -> tuple[Any, Any]:
     return (
         2 * G_star * singular(lambda x: x * h_slope(x), c, a),
         2 * G_star * lam * singular(lambda x: x * g_slope(x), c, a),
@@ -140,10 +142,12 @@ def _superposed(g: PowerSum, mu: Any, r: Any, c: Any, a: Any, E_star: Any) -> An
 
 def _stuck_displacement(g: PowerSum, mu: Any, r: Any, c: Any, a: Any, solid: Solid) -> Any:
     """u_x at r < c by Cerruti's kernel under mu [p(.; a) - p(.; c)], each on its own disc."""
-    full, core = (cerruti(lambda t, end=end: mu * even_pressure(g, t, end, solid.E_star), r, end, HALF, solid) for end in (a, c))
-    return full - core
+    full = cerruti(lambda t: even_pressure(g, t, a, solid.E_star), r, a, HALF, solid)
+    core = cerruti(lambda t: even_pressure(g, t, c, solid.E_star), r, c, HALF, solid)
+    return mu * (full - core)
 
 
+@equation(67, normal_punch, "depth by ring kernels; force and pressure from (11.1)")
 def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, d, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.1, 0.9)
@@ -158,6 +162,7 @@ def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), p, STRESS)
 
 
+@equation(68, tangential_punch, "displacement by Cerruti's kernel at r < a; force 8 G a u0/(2 - nu)")
 def check_tangential_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, u0, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.2, 0.6)
@@ -167,6 +172,7 @@ def check_tangential_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(8 * solid.G * a * u0 / (2 - solid.nu), formula(r, a, u0, solid.G_star)[0], FORCE)
 
 
+@equation(69, histories, "displacements of the centre by ring kernels and by Cerruti's kernel, smooth g and h")
 def check_histories(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Stresses of (11.70) and (11.71) move the surface by g(a) downwards and by h(a) sideways."""
     g, h, a, solid = draw.even_sum(), draw.even_sum(1), draw.length(), _solid(draw)
@@ -176,6 +182,8 @@ def check_histories(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(cerruti(lambda t: even_pressure(h, t, a, solid.G_star), r, a, HALF, solid), shift, LENGTH)
 
 
+@equation(70, normal_load, "closed pressure of random powers and its integral over the area")
+@equation(71, tangential_load, "closed traction of random powers and its integral over the area")
 def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, modulus = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
@@ -184,6 +192,7 @@ def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(pressure(g, r, a, modulus), stress, STRESS)
 
 
+@equation(72, joint_increment, "displacement of the stuck circle by Cerruti's kernel is the sum of the increments")
 def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """With increments dh = lam dg beyond c, Cerruti's displacement of the stuck circle is their sum."""
     g, (c, a), solid, lam = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.2, 1)
@@ -192,6 +201,7 @@ def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(_stuck_displacement(g, mu, c * draw.number(0.2, 0.6), c, a, solid), summed, LENGTH)
 
 
+@equation(73, force_of_second_step, "both forms against mu [F(a) - F(c)], forces over the area")
 def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     mu = lam * solid.G_star / solid.E_star
@@ -201,6 +211,7 @@ def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residua
         yield Residual(mu * (whole - core), side, FORCE)
 
 
+@equation(74, traction_of_second_step, "stick and slip: closed p(r; a) - p(r; c) of random powers")
 def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     mu = lam * solid.G_star / solid.E_star
@@ -209,6 +220,7 @@ def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Resi
         yield Residual(left, formula(g.slope, lam, r, c, a, solid.G_star), STRESS)
 
 
+@equation(75, traction_in_slip, "integral of the second step in the slip ring")
 def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     r = c + (a - c) * draw.number(0.1, 0.9)
@@ -216,6 +228,7 @@ def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(pressure(g, r, a, solid.E_star), lam, solid.G_star, solid.E_star), STRESS)
 
 
+@equation(76, friction, "traction over pressure in the slip ring; forces of full slip")
 def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Traction over pressure in the slip ring, and tangential over normal force when the whole contact slips."""
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
@@ -227,6 +240,7 @@ def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(sliding / total_force(lambda t: pressure(g, t, a, solid.E_star), a), mu, NUMBER)
 
 
+@equation(77, stick_and_slip, "Cerruti's displacement at two points of the stuck circle; traction in the slip ring")
 def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     slip = c + (a - c) * draw.number(0.1, 0.9)
@@ -238,6 +252,7 @@ def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(traction_of_second_step(g.slope, lam, slip, c, a, solid.G_star), sliding, STRESS)
 
 
+@equation(78, solution, "force over the area; closed tractions, stick and slip")
 def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), E_star, mu = draw.power_sum(), _radii(draw), draw.stress(), draw.number(0.1, 0.9)
     whole = total_force(lambda t: pressure(g, t, a, E_star), a)
@@ -248,6 +263,7 @@ def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
         yield Residual(_superposed(g, mu, r, c, a, E_star), tau, STRESS)
 
 
+@equation(79, traction_by_pressures, "integral of the second step, stick and slip")
 def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Against the integral over the second step alone, which knows nothing of p(r; c)."""
     g, (c, a), solid, mu = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
@@ -257,25 +273,8 @@ def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residu
         yield Residual(traction_of_second_step(g.slope, lam, r, c, a, solid.G_star), right, STRESS)
 
 
+@equation(80, tangential_displacement, "displacement of the stuck circle by Cerruti's kernel")
 def check_tangential_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     left = _stuck_displacement(g, mu, c * draw.number(0.2, 0.6), c, a, solid)
     yield Residual(left, formula(g, mu, c, a, solid.E_star, solid.G_star), LENGTH)
-
-
-EQUATIONS = (
-    Equation(67, "depth by ring kernels; force and pressure from (11.1)", normal_punch, check_normal_punch),
-    Equation(68, "displacement by Cerruti's kernel at r < a; force 8 G a u0/(2 - nu)", tangential_punch, check_tangential_punch),
-    Equation(69, "displacements of the centre by ring kernels and by Cerruti's kernel, smooth g and h", histories, check_histories),
-    Equation(70, "closed pressure of random powers and its integral over the area", normal_load, check_load),
-    Equation(71, "closed traction of random powers and its integral over the area", tangential_load, check_load),
-    Equation(72, "displacement of the stuck circle by Cerruti's kernel is the sum of the increments", joint_increment, check_joint_increment),
-    Equation(73, "both forms against mu [F(a) - F(c)], forces over the area", force_of_second_step, check_force_of_second_step),
-    Equation(74, "stick and slip: closed p(r; a) - p(r; c) of random powers", traction_of_second_step, check_traction_of_second_step),
-    Equation(75, "integral of the second step in the slip ring", traction_in_slip, check_traction_in_slip),
-    Equation(76, "traction over pressure in the slip ring; forces of full slip", friction, check_friction),
-    Equation(77, "Cerruti's displacement at two points of the stuck circle; traction in the slip ring", stick_and_slip, check_stick_and_slip),
-    Equation(78, "force over the area; closed tractions, stick and slip", solution, check_solution),
-    Equation(79, "integral of the second step, stick and slip", traction_by_pressures, check_traction_by_pressures),
-    Equation(80, "displacement of the stuck circle by Cerruti's kernel", tangential_displacement, check_tangential_displacement),
-)  # fmt: skip

@@ -1,0 +1,181 @@
+"""The errata of chapter 11 as the checks show them, for the handbook."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+
+from .draw import Draw
+from .equation import FORCE, LENGTH, STRESS, Residual
+from .graded_medium import exponent
+from .quadrature import panels, singular
+from .round_trip import edge_pressure
+from .routes import even_pressure, kappa, pressure, rings, total_force
+from .runner import GUARD, Row, equations, run
+
+ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """One correction: where, what is printed, what is right, why, and what the check found."""
+
+    place: str
+    printed: str
+    right: str
+    reason: str
+    evidence: str
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A slip of the text, or a condition it leaves unsaid; `check` shows the right form to hold where there is one."""
+
+    place: str
+    printed: str
+    right: str
+    reason: str
+    check: Callable[[Draw], Iterator[Residual]] | None = None
+
+
+def misprints(rows: Iterable[Row]) -> tuple[Erratum, ...]:
+    """The corrections shown by these rows."""
+    known = equations()
+    return tuple(
+        Erratum(f"({row.name})", e.printed_form, e.right_form, e.reason, _evidence(row))
+        for row in rows
+        if row.verdict == "misprint" and (e := known[row.number])
+    )
+
+
+def _evidence(row: Row) -> str:
+    units = "; its scaling with the units is wrong too" if (row.printed.units or 0) > 1e-3 else ""
+    return (
+        f"{row.title}: printed form off by {row.printed.values:.2g}{units}; right form holds to {row.digits()} digits"
+    )
+
+
+def errata(digits: int = 30, seed: int = 11, rows: Iterable[Row] | None = None) -> tuple[Erratum, ...]:
+    """Misprinted equations, found by their checks, and then the slips of the text.
+
+    `rows` are those of `runner.run`; without them the equations that have a
+    correction are checked here.
+    """
+    if rows is None:
+        rows = run([n for n, e in equations().items() if e.corrected], digits, seed, draws=1)
+    return misprints(rows) + tuple(_erratum(remark, digits, seed) for remark in REMARKS)
+
+
+def _erratum(remark: Remark, digits: int, seed: int) -> Erratum:
+    evidence = ""
+    if remark.check:
+        agreed = agreement(remark, digits, seed)
+        evidence = f"right form holds to {agreed} digits"
+        if agreed < digits:
+            message = f"{remark.place}: the right form agrees to {agreed} digits only, {digits} were asked for"
+            raise ArithmeticError(message)
+    return Erratum(remark.place, remark.printed, remark.right, remark.reason, evidence)
+
+
+def agreement(remark: Remark, digits: int, seed: int) -> int:
+    """Digits to which the right form of a remark holds at random parameters."""
+    if remark.check is None:
+        message = f"{remark.place}: nothing to compute; only remarks with a check have an agreement"
+        raise ValueError(message)
+    with mp.workdps(digits + GUARD):
+        worst = max(x.relative() for x in remark.check(Draw(f"{seed}:{remark.place}")))
+        return digits + GUARD if worst == 0 else min(digits + GUARD, int(-mp.log10(worst)))
+
+
+def _edge_pressure(draw: Draw) -> Iterator[Residual]:
+    """Flat punch of depth d plus the contact of g: w1D(a) = d; pressure and displacement."""
+    g, a, E_star, extra = draw.even_sum(2), draw.length(), draw.stress(), draw.length()
+    r = a * draw.number(0.2, 0.9)
+    inner = -E_star / mp.pi * singular(lambda x: -g.slope(x) / mp.sqrt(x**2 - r**2), r, a)
+    both = edge_pressure(extra, r, a, E_star) + inner
+    yield Residual(E_star * extra / mp.pi / mp.sqrt(a**2 - r**2) + pressure(g, r, a, E_star), both, STRESS)
+    moved = rings(lambda t: edge_pressure(extra, t, a, E_star) + even_pressure(g, t, a, E_star), ZERO, a, E_star)
+    yield Residual(moved, extra + g(a), LENGTH)
+
+
+def _edge_force(draw: Draw) -> Iterator[Residual]:
+    g, a, E_star, extra = draw.even_sum(2), draw.length(), draw.stress(), draw.length()
+    force = total_force(lambda t: edge_pressure(extra, t, a, E_star) + even_pressure(g, t, a, E_star), a)
+    by_parts = 2 * E_star * a * extra - 2 * E_star * singular(lambda x: -x * g.slope(x), ZERO, a)
+    yield Residual(force, by_parts, FORCE)
+    yield Residual(force, 2 * E_star * singular(lambda x: extra + g(a) - g(x), ZERO, a), FORCE)
+
+
+def _jump(draw: Draw) -> Iterator[Residual]:
+    """(11.60) applied to the depth of random powers with a step at b returns the stepped profile."""
+    f, a, step, k = draw.power_sum(), draw.length(), draw.length(), exponent(draw)
+    b = a * draw.number(0.3, 0.7)
+    smooth = f.times(lambda n: kappa(n, k))
+
+    def depth(x: Any) -> Any:
+        stepped = step * x ** (1 - k) * ((x - b) * (x + b)) ** ((k - 1) / 2) if x > b else ZERO
+        return smooth(x) + stepped
+
+    strongest = max(float(1 - k), float(1 + k)) / 2
+    back = panels(lambda x: x**k * depth(x) / (a**2 - x**2) ** ((1 + k) / 2), ZERO, a, (b,), strongest)
+    yield Residual(f(a) + step, 2 * mp.cos(k * mp.pi / 2) / mp.pi * back, LENGTH)
+
+
+REMARKS = (
+    Remark(
+        "after (11.102)",
+        "rho and xi determine the point B uniquely",
+        "every chord has two points at the distance rho from the centre",
+        "which is why (11.102) needs both signs",
+    ),
+    Remark(
+        "(11.107)",
+        "p(rho) = -E*/pi int_rho^a w1D'(xi)/sqrt(xi^2 - rho^2) dxi",
+        "p(rho) = E*/pi [w1D(a)/sqrt(a^2 - rho^2) - int_rho^a w1D'(xi)/sqrt(xi^2 - rho^2) dxi]",
+        "right as printed where w1D(a) = 0; at the edge of a flat or concave punch, or with adhesion, w1D(a) remains, "
+        "so w1D(a) = 0 does not follow from (11.104) for every pressure",
+        _edge_pressure,
+    ),
+    Remark(
+        "(11.110), third line",
+        "-2 E* int_0^a xi w1D'(xi) dxi = 2 E* int_0^a w1D(xi) dxi",
+        "2 E* a w1D(a) - 2 E* int_0^a xi w1D'(xi) dxi = 2 E* int_0^a w1D(xi) dxi",
+        "right as printed where w1D(a) = 0; the last form always holds",
+        _edge_force,
+    ),
+    Remark(
+        "(11.29) and (11.61)",
+        "g(a) from f' alone",
+        "a step of height D in f at r = b adds D a^(1-k) (a^2 - b^2)^((k-1)/2) for a > b (k = 0 in (11.29))",
+        "f is taken to start at zero and to be absolutely continuous",
+        _jump,
+    ),
+    Remark(
+        "section 11.8.1",
+        "m = k^2 is called a modulus; 0 <= k^2 <= 1, 0 <= theta <= pi/2",
+        "m is the parameter; k = 1 together with theta = pi/2 is excluded for F and K",
+        "F(pi/2, 1) = K(1) is infinite",
+    ),
+    Remark(
+        "(11.86), (11.93), (11.97)",
+        "conditions on the arguments",
+        "the upper function needs no Re z > 0; the series needs abs(z) < 1 and c other than 0, -1, ...; "
+        "H_n of an order that is not an integer has a cut",
+        "the stated ranges are too narrow or too wide",
+    ),
+    Remark(
+        "(11.34)-(11.39)",
+        "pressured ring",
+        "loaded disc",
+        "the load covers the whole circle r < a",
+    ),
+    Remark(
+        "closing paragraph of 11.9",
+        "flat punch with axisymmetric load, among plane problems",
+        "flat punch with asymmetric (eccentric) load",
+        "a plane problem has no axis, and the symmetric load is named just before",
+    ),
+)
