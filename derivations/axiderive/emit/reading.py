@@ -11,11 +11,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..proof.evaluate import at_precision, case_at, evaluate
+from ..proof.evaluate import case_at, evaluate
 from ..proof.sampling import points
-from ..proof.shape import number, numeric_symbols
-from .readback import Statement, environment, read
+from ..proof.shape import coefficient, number, numeric_symbols
+from .readback import environment, read
 from .rows import Region, Row, kappa_row, row
+from .values import evaluated
 
 Values = dict[Any, Any]
 WORKING = 60
@@ -42,7 +43,7 @@ def _points(one: Row, entries: Mapping[str, Entry], count: int, seed: int) -> li
     entry = one.entry
     if one.kind == "formula":
         drawn = [(case, points(entry.profile, case.chain, count, seed, _fields(entry, case))) for case in entry.cases]
-        return [(case, point.values) for case, found in drawn for point in found]
+        return [(case, _within(case, point.values)) for case, found in drawn for point in found]
     forward = entries["d" if entry.suffix in ("ad", "Fd") else "F"]
     return [(case, p.values) for case in forward.cases for p in points(entry.profile, case.chain, count, seed)]
 
@@ -52,20 +53,20 @@ def _fields(entry: Entry, case: Case) -> tuple[sp.Symbol, ...]:
     return (*entry.quantity.arguments, *unknown)
 
 
+def _within(case: Case, values: Values) -> Values:
+    """A chain of numbers around an exponent, 1 < n < 2, is kept; the ring lies inside the contact."""
+    fixed = dict(values)
+    for i, x in enumerate(case.chain):
+        if x.is_Symbol and i and case.chain[i - 1].is_number:
+            room = case.chain[i + 1] - case.chain[i - 1] if i + 1 < len(case.chain) else sp.Integer(3)
+            fixed[x] = case.chain[i - 1] + room * sp.Rational(3, 7)
+    if nt.r_zero in fixed:
+        fixed[nt.r_zero] = fixed[nt.a] * sp.Rational(7, 11)
+    return fixed
+
+
 def _value(expr: sp.Expr, values: Values) -> Any:
-    """The value of a result; integrals that are left in it by quadrature."""
-    if not expr.has(sp.Integral):
-        return evaluate(expr, values, DIGITS)
-    known = dict(values)
-    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
-        variable, low, high = integral.limits[0]
-        ends = [evaluate(end, values, DIGITS) if end.free_symbols else mp.mpf(end) for end in (low, high)]
-        stand_in = sp.Symbol(f"integral{i}", positive=True)
-        with mp.workdps(WORKING):
-            known[stand_in] = mp.quad(lambda x, e=integral, v=variable: at_precision(e.function, {**values, v: x}), ends)
-        expr = expr.xreplace({integral: stand_in})
-    with mp.workdps(WORKING):
-        return at_precision(expr, known)
+    return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
 def _compared(one: Row, entries: Mapping[str, Entry], case: Case, values: Values) -> list[Any]:
@@ -136,8 +137,8 @@ def holds(condition: str, env: Mapping[str, Any]) -> bool:
 def _named(values: Values) -> dict[str, Any]:
     """The values under the names their symbols have in print."""
     env: dict[str, Any] = {name_in_print(s): number(values[s]) for s in numeric_symbols(values) if nt.known(s.name)}
-    if nt.coefficients in values:
-        env["A_j"] = [number(value) for value in values[nt.coefficients]]
+    if nt.N in values:
+        env["A_j"] = [number(values[coefficient(i)]) for i in range(1, int(values[nt.N]) + 1)]
     return env
 
 
@@ -148,6 +149,3 @@ def name_in_print(symbol: sp.Symbol) -> str:
 def _difference(got: Any, want: Any) -> Any:
     return abs(got - want) / abs(want) if want else abs(got)
 
-
-def statements_of(region: Region) -> list[Statement]:
-    return read(region.tex)

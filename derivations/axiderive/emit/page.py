@@ -1,0 +1,256 @@
+"""Parts of a page as plain data: rows, check values, calls, derivation, evidence, notation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..abel import masters
+from ..contact import complete, normal
+from ..contact.medium import HOMOGENEOUS
+from ..entry import COMPACT, COMPLETE, Entry
+from ..profiles.profile import Profile
+from .printer import MASTER_NAMES, Printer
+from .rows import LEFT, Row
+from .values import Numbers
+
+INSIDE = ("0.1", "0.25", "0.5", "0.75", "0.9", "0.99")
+OUTSIDE = ("1.01", "1.25", "1.5", "2", "5", "10")
+CHECK_DIGITS = 12
+SPECIAL = {
+    sp.elliptic_f: "elliptic integrals", sp.elliptic_e: "elliptic integrals", masters.C0: r"$\mathrm C_0$",
+    masters.LegendreChi2: r"Legendre's $\chi_2$", masters.ArctanIntegral: r"$\mathrm{Ti}_2$",
+    masters.IncompleteBeta: "the incomplete Beta function", masters.StruveH: "Struve functions",
+    masters.Dawson: "Dawson's function", sp.gamma: "the Gamma function",
+}  # fmt: skip
+
+
+def printed(one: Row) -> dict[str, Any]:
+    """A row as the template sees it."""
+    label, small = one.label
+    return {
+        "key": one.key,
+        "suffix": one.suffix,
+        "label": label,
+        "small": small,
+        "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],
+        "remark": one.remark,
+        "uses": [f"{one.entry.profile.name}.{suffix}" for suffix in one.uses],
+    }
+
+
+def spaced(value: Any, digits: int = CHECK_DIGITS) -> str:
+    """A number with `digits` decimals in groups of three: 2.993 222 846 126."""
+    whole, _, decimals = _rounded(value, digits).partition(".")
+    return whole + "." + r"\,".join(decimals[i : i + 3] for i in range(0, len(decimals), 3))
+
+
+def _rounded(value: Any, digits: int) -> str:
+    """Decimal text with exactly `digits` decimals, rounded to nearest."""
+    scaled = int(mp.nint(abs(value) * mp.mpf(10) ** digits))
+    whole, decimals = divmod(scaled, 10**digits)
+    return f"{'-' if value < 0 else ''}{whole}.{decimals:0{digits}d}"
+
+
+def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
+    """Dimensionless values to twelve decimals, at the parameters of the sketch and E_star = 1."""
+    with mp.workdps(numbers.digits):
+        mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
+        inside = [(x, spaced(numbers("p", mp.mpf(x) * radius) / mean)) for x in INSIDE]
+        outside = [(x, spaced(numbers("w", mp.mpf(x) * radius) / depth)) for x in OUTSIDE]
+        heads = [("d", spaced(depth)), (r"F_{\mathrm N}", spaced(numbers("F"))), (r"\bar p", spaced(mean))]
+    shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
+    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s != nt.N]
+    return {"where": ", ".join(f"${text}$" for text in where), "heads": heads, "rows": list(zip(inside, outside, strict=True))}
+
+
+def _symbol_tex(symbol: sp.Symbol) -> str:
+    return nt.describe(symbol).latex if nt.known(symbol.name) else symbol.name
+
+
+def _plain(value: Any) -> str:
+    return f"{float(value):g}"
+
+
+def calls(profile: Profile, entries: Mapping[str, Entry]) -> list[str]:
+    """How the generated functions are called, one line per function."""
+    lines = [f"from axicontact.normal import {profile.name}"]
+    for entry in entries.values():
+        if entry.suffix in ("d", "F", "p", "w"):
+            fields = [s.name for s in entry.quantity.arguments]
+            keywords = [str(getattr(p, "label", p)) for p in entry.parameters]
+            arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
+            lines.append(f"{profile.name}.{entry.quantity.function}({', '.join(arguments)})")
+    return lines
+
+
+def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
+    """Which rule gives what, and which functions it takes."""
+    slopes = [Printer()(sp.diff(piece.expr, nt.r)) for piece in profile.pieces]
+    breaks = ", ".join(f"$r={Printer()(b)}$" for b in profile.breaks)
+    pieces = f" in {len(slopes)} pieces, parted at {breaks}," if breaks else ""
+    if profile.contact == "complete":
+        start = (
+            r"The flat punch carries $p_0=E^{*}d/(\pi\sqrt{a^2-r^2})$; with $w_{\mathrm{1D}}=d-g$ the edge term of (11.107), "
+            r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains because the edge is fixed."
+        )
+    else:
+        start = (
+            rf"The slope $f'(r)={slopes[-1]}$" + (f" beyond the last break{pieces}" if pieces else "") + " enters (11.29) and gives $g(a)$;"
+            r" exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), $p$ (11.23) and $w$ (11.26)."
+        )
+    needed = _functions(entries)
+    open_ends = [e.suffix for e in entries.values() if e.status == "integral"]
+    text = start + (f" The results need {_listed(needed)}." if needed else " All results are elementary.")
+    if open_ends:
+        names = " and ".join(f"${s}(r)$" for s in open_ends)
+        text += f" No closed form of {names} in standard functions was found; the integral that remains is regular."
+    return text
+
+
+def _functions(entries: Mapping[str, Entry]) -> list[str]:
+    found: list[str] = []
+    for entry in entries.values():
+        for case in entry.cases:
+            for kind, name in SPECIAL.items():
+                if case.expr.has(kind) and name not in found:
+                    found.append(name)
+    return sorted(found)
+
+
+def _listed(names: list[str]) -> str:
+    return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
+
+
+def evidence_rows(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Certificate and checks of every entry; nothing is claimed that is not recorded."""
+    records = evidence.get("entries", {})
+    rows = []
+    for suffix, entry in entries.items():
+        record = records.get(suffix)
+        if record is None:
+            continue
+        checks = [c for c in record.get("checks", []) if c["outcome"] == "passed" and c.get("count") and c.get("worst")]
+        rows.append(
+            {
+                "key": entry.key,
+                "certified": record.get("certified", False),
+                "checks": [
+                    {"compared": tex_words(c["compared"]), "digits": c["digits"], "count": c["count"], "worst": power_of_ten(c["worst"])}
+                    for c in checks
+                ],
+                "reason": "" if record.get("certified") else tex_words(record.get("certificate", {}).get("reason", "")),
+            }
+        )
+    return rows
+
+
+def power_of_ten(text: str) -> str:
+    """2.7e-51 as 2.7 x 10^-51."""
+    mantissa, _, exponent = text.partition("e")
+    return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
+
+
+def tex_words(text: str) -> str:
+    from .prose import prose
+
+    return prose(text)
+
+
+def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
+    """g(a) and F(a) of the last region for the table of all profiles."""
+    cells = {}
+    for suffix in ("d", "F", "k"):
+        entry = entries.get(suffix)
+        cells[suffix] = _last_formula(entry) if entry is not None else ""
+    return cells
+
+
+def _last_formula(entry: Entry) -> str:
+    from .shorthand import with_kappa
+
+    case = entry.cases[-1]
+    short = with_kappa(case.expr)
+    return Printer(case.chain, short.names)(short.expr)
+
+
+def notation_rows() -> list[dict[str, str]]:
+    from .prose import prose
+
+    skip = {"x", "u", "psi", "C", "j", "N"}
+    return [
+        {
+            "latex": n.latex,
+            "unit": _unit(n.unit),
+            "meaning": prose(n.meaning),
+            "domain": _domain(n),
+        }
+        for n in nt.all_notation()
+        if n.name not in skip
+    ]
+
+
+def _domain(n: nt.Notation) -> str:
+    text = re.sub(rf"(?<!\w){re.escape(n.name)}(?!\w)", lambda m: n.latex, n.domain)
+    return text.replace("pi/2", r"\pi/2").replace(">=", r"\ge ")
+
+
+def _unit(unit: str) -> str:
+    text = re.sub(r"\^\(([^()]*)\)", lambda m: f"$^{{{m[1]}}}$", unit)
+    return re.sub(r"\^(\d+)", lambda m: f"$^{{{m[1]}}}$", text)
+
+
+def master_rows() -> list[dict[str, str]]:
+    """The special functions of the catalogue with their definitions and derivatives."""
+    return [
+        {"name": r"\mathrm{F}(\varphi,k),\ \mathrm{E}(\varphi,k)",
+         "definition": r"\int_0^{\varphi}\frac{\mathrm d\alpha}{\sqrt{1-k^2\sin^2\alpha}},\quad \int_0^{\varphi}\sqrt{1-k^2\sin^2\alpha}\,\mathrm d\alpha",
+         "remark": "elliptic integrals with modulus $k$; NumPy, SciPy, SymPy and mpmath take $m=k^2$"},
+        {"name": r"\mathrm{C}_0(b,r,a)",
+         "definition": r"\int_{\max(b,r)}^{a}\arccos\frac bt\,\frac{\mathrm dt}{\sqrt{t^2-r^2}}",
+         "remark": "one for every break; no closed form was found"},
+        {"name": MASTER_NAMES[masters.LegendreChi2] + "(x)",
+         "definition": r"\int_0^{x}\frac{\operatorname{artanh}t}{t}\,\mathrm dt", "remark": "Legendre's chi function, $0\\le x<1$"},
+        {"name": MASTER_NAMES[masters.ArctanIntegral] + "(x)",
+         "definition": r"\int_0^{x}\frac{\arctan t}{t}\,\mathrm dt", "remark": "inverse tangent integral"},
+        {"name": r"\mathrm{B}(z;p,q)",
+         "definition": r"\int_0^{z}u^{p-1}(1-u)^{q-1}\,\mathrm du", "remark": "incomplete Beta function, $p>0$, any real $q$ for $z<1$"},
+        {"name": r"\mathbf{H}_{\nu}(z)",
+         "definition": r"\frac{2(z/2)^\nu}{\sqrt\pi\,\Gamma(\nu+\frac12)}\int_0^{1}(1-u^2)^{\nu-1/2}\sin(zu)\,\mathrm du",
+         "remark": "Struve functions (11.97)"},
+        {"name": r"\mathrm{D}(x)", "definition": r"\mathrm e^{-x^2}\int_0^{x}\mathrm e^{u^2}\,\mathrm du", "remark": "Dawson's function"},
+    ]  # fmt: skip
+
+
+def suffixes() -> list[tuple[str, str]]:
+    """What the end of a key means."""
+    found = {q.suffix: q.label for q in (*COMPACT.values(), *COMPLETE.values())}
+    return list(found.items())
+
+
+def definition_rows() -> list[tuple[str, str, str]]:
+    """Label, general formula and equation numbers of every quantity, compact contact first."""
+    printer = Printer()
+    rows = []
+    for title, quantities, formulas, equations in (
+        ("", COMPACT, normal.definitions(), normal.REFERENCES),
+        ("complete: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
+    ):
+        for suffix in ("d", "F", "p", "w", "k"):
+            if suffix in formulas:
+                left = LEFT[suffix]
+                right = "" if suffix == "k" else "=" + printer(formulas[suffix])
+                rows.append((title + quantities[suffix].label.lower(), left + right, ", ".join(equations[suffix][0])))
+    return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
+
+
+def columns(items: list[str], count: int) -> list[list[str]]:
+    """Items in columns read downwards, as rows for a table; the last ones are padded with empty text."""
+    height = -(-len(items) // count)
+    padded = items + [""] * (height * count - len(items))
+    return [[padded[row + column * height] for column in range(count)] for row in range(height)]

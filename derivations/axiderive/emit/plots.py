@@ -1,0 +1,161 @@
+"""Coordinates of the two plots every profile has, five digits each.
+
+Left: pressure over its mean against sphere and flat punch.  Right: force over
+depth, both related to one reference contact, against the same two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..profiles.profile import Profile
+from .values import Numbers
+
+HIGHEST = 3.2
+"""Upper end of the pressure axis; curves are cut a little above it."""
+WIDEST = 2.0
+RATIOS = ("0.25", "0.5", "0.8")
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Coordinates, the label and where it sits."""
+
+    coordinates: str
+    label: str
+    x: float
+    y: float
+    above: bool = True
+
+
+@dataclass(frozen=True)
+class Plots:
+    pressure: tuple[Curve, ...]
+    pressure_caption: str
+    force: Curve
+    force_caption: str
+
+
+def plots(profile: Profile, numbers: Numbers) -> Plots:
+    """Both plots at the values of the profile's file, with its most telling ratio varied on the left."""
+    family, name = _family(profile, numbers)
+    curves = tuple(_pressure(member, label, i, len(family)) for i, (label, member) in enumerate(family))
+    caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
+    force, reference = _force(profile, numbers)
+    return Plots(curves, caption, force, reference)
+
+
+def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
+    """The same profile at several values of one dimensionless ratio."""
+    if profile.breaks:
+        b = profile.breaks[0]
+        size = numbers.values[b]
+        members = [(ratio, numbers.at(a=size / sp.Rational(ratio))) for ratio in RATIOS]
+        return members, f"${nt.describe(b).latex}/a={', '.join(RATIOS)}$"
+    if nt.n in profile.parameters:
+        values = ("1.5", "2", "4") if profile.contact == "complete" else ("0.5", "1", "2", "4")
+        return [(v, numbers.at(n=sp.Rational(v), **_lift(profile, sp.Rational(v)))) for v in values], f"$n={', '.join(values)}$"
+    if nt.a in profile.chain:
+        bound = profile.chain[-1]
+        values = ("0.5", "0.9", "0.99")
+        members = [(v, numbers.at(a=sp.Rational(v) * numbers.values[bound])) for v in values]
+        return members, f"$a/{nt.describe(bound).latex}={', '.join(values)}$"
+    if nt.h in profile.parameters and profile.contact == "complete":
+        least = sp.nsimplify(numbers("dmin"), rational=True)
+        values = ("1", "2", "4")
+        return [(v, numbers.at(d=least * sp.Rational(v))) for v in values], r"$d/d_{\mathrm{min}}=" + f"{', '.join(values)}$"
+    if profile.contact == "complete" and nt.R in profile.parameters:
+        values = ("1", "2", "5")
+        contact = numbers.values[nt.a] ** 2 / numbers.values[nt.R]
+        members = [(v, numbers.at(d=contact * (sp.Rational(v) + sp.Rational(1, 10**9)))) for v in values]
+        return members, f"$dR/a^2={', '.join(values)}$"
+    length = next((s for s in (nt.b, nt.s, nt.wavelength) if s in profile.parameters), None)
+    if length is not None:
+        values = {nt.b: ("0.3", "1", "10"), nt.s: ("0.3", "0.9", "1.5")}.get(length, ("0.5", "1", "3"))
+        members = [(v, numbers.at(a=sp.Rational(v) * numbers.values[length])) for v in values]
+        return members, f"$a/{nt.describe(length).latex}={', '.join(values)}$"
+    return [("", numbers)], ""
+
+
+def _lift(profile: Profile, n: sp.Rational) -> dict[str, Any]:
+    """Depth of a concave face of power n that keeps it in complete contact."""
+    return {"d": sp.Integer(3) * max(n, 1) * sp.Rational(15, 100)} if profile.contact == "complete" else {}
+
+
+def _radii(breaks: Iterable[float]) -> list[float]:
+    """Fractions of the contact radius, dense at the edge and around every break."""
+    found = {0.002, 0.005, 0.01, 0.02, *(i / 40 for i in range(1, 39)), 0.96, 0.97, 0.98, 0.985, 0.99, 0.995, 0.998, 0.9995}
+    for b in breaks:
+        found |= {b * (1 + s * gap) for gap in (1e-4, 5e-4, 2e-3, 5e-3, 0.01, 0.02, 0.04) for s in (-1, 1)}
+    return sorted(x for x in found if 0 < x < 1)
+
+
+def _pressure(numbers: Numbers, label: str, index: int, count: int) -> Curve:
+    radius, mean = numbers["a"], numbers.mean_pressure
+    breaks = [float(numbers[b.name] / radius) for b in numbers.profile.breaks]
+    rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in _radii(breaks)]
+    rows = [(x, y) for x, y in rows if y < HIGHEST * 1.06]
+    wanted = (index + 0.6) / max(count, 1) * 0.75 + 0.05
+    x, y = min(rows, key=lambda row: abs(row[0] - wanted))
+    return Curve(_coordinates(rows), label, round(x, 3), round(min(y, HIGHEST - 0.25), 3))
+
+
+def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
+    """Force over depth, both in units of the contact that is drawn in the sketch."""
+    depth, force = numbers.depth, numbers("F")
+    if profile.contact == "complete":
+        start = numbers("dmin") if "dmin" in numbers.entries and not _needs_ring(numbers) else mp.mpf("1e-4")
+        depths = [start + (WIDEST * depth - start) * mp.mpf(i) / 40 for i in range(41)]
+        rows = [(float(d / depth), float(numbers.at(d=d)("F") / force)) for d in depths]
+        reference = "$(d_1, F_1)$: the contact of the sketch"
+    else:
+        low, high = _contact_range(profile, numbers)
+        radii = [low + (high - low) * (mp.mpf(i) / 40) ** 2 for i in range(41)]
+        members = [numbers.at(a=radius) for radius in radii]
+        rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
+        reference = r"$d_1=d(a_1)$, $F_1=F_{\mathrm N}(a_1)$" + _reference(profile, numbers)
+    x, y = rows[int(len(rows) * 0.7)]
+    return Curve(_coordinates(rows), "", round(x, 3), round(y, 3)), reference
+
+
+def _needs_ring(numbers: Numbers) -> bool:
+    return any(case.expr.has(nt.r_zero) for case in numbers.entries["dmin"].cases)
+
+
+def _reference(profile: Profile, numbers: Numbers) -> str:
+    """What the reference contact is, unless the curve is the same for all."""
+    if len(profile.pieces) == 1 and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r:
+        return "; one curve for all parameters"
+    length = next((s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a), None)
+    if length is None:
+        return " of the sketch"
+    ratio = mp.nstr(numbers["a"] / numbers[length.name], 3)
+    return f" at $a_1={ratio}\\,{nt.describe(length).latex}$"
+
+
+def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
+    """Contact radii from nothing to the depth at the right end of the plot, or to the largest contact there is."""
+    radius, goal = numbers["a"], mp.mpf(WIDEST) * numbers.depth
+    low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else radius * mp.mpf("1e-3")
+    highest = radius * 8
+    if nt.a in profile.chain:
+        highest = numbers[profile.chain[-1].name] * (1 - mp.mpf("1e-6"))
+    elif profile.largest is not None:
+        highest = numbers.values[nt.s] * mp.mpf("1.5")
+    if numbers.at(a=highest)("d") <= goal:
+        return low, highest
+    below, above = radius, highest
+    for _ in range(40):
+        middle = (below + above) / 2
+        below, above = (middle, above) if numbers.at(a=middle)("d") < goal else (below, middle)
+    return low, above
+
+
+def _coordinates(rows: list[tuple[float, float]]) -> str:
+    return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)

@@ -1,0 +1,75 @@
+"""Plain text of the profile files as LaTeX: mathematics written in ASCII becomes mathematics, specials are escaped.
+
+A run of mathematics is what is made of known symbols, numbers, functions and
+operators only.  A lone `a` or `A` is the article, a lone `wavelength` the word.
+"""
+
+from __future__ import annotations
+
+import re
+
+from .. import notation as nt
+
+_FUNCTION = r"(?:tan|sin|cos|ln|exp)\([^()]*\)"
+_SUBSCRIPTED = r"(?:[A-Za-z]_(?:\d|[A-Za-z]+))"
+_WORDS = ("theta", "wavelength")
+_ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|R[12]|[a-zA-Z]'?(?![a-zA-Z])|\d+(?:\.\d+)?)"
+_POWER = r"(?:\^(?:\([^()]*\)|\d+|[a-z]))?"
+_FACTOR = rf"{_ATOM}{_POWER}"
+_LINK = r"(?: ?/ ?| ?[-+*] | ?<< | ?>> | ?<= | ?>= | ?[<>=~] |, (?=\d)| \.\.\. | (?=[0-9a-zA-Z(]))"
+_RUN = re.compile(rf"(?<![\w'])({_FACTOR}(?:{_LINK}{_FACTOR})*(?: <<| >>)?)(?![\w'])")
+_SYMBOL = re.compile(r"[a-zA-Z]\w*")
+_RELATIONS = {"<<": r"\ll ", ">>": r"\gg ", "<=": r"\le ", ">=": r"\ge ", "~": r"\sim ", "...": r"\dots ", "*": r"\,"}
+_ESCAPES = {"&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+_MINIMA = {"F_min": r"F_{\mathrm{min}}", "d_min": r"d_{\mathrm{min}}"}
+
+
+def prose(text: str) -> str:
+    """The text as LaTeX."""
+    out, end = "", 0
+    for match in _RUN.finditer(text):
+        run = match[1]
+        if not _is_mathematics(run, text[match.end(1) :]):
+            continue
+        start = match.start(1)
+        out += escaped(text[end:start]) + f"${formula(run)}$"
+        end = match.end(1)
+    return out + escaped(text[end:])
+
+
+def _is_mathematics(run: str, rest: str) -> bool:
+    if run in ("a", "A"):  # the article, unless the sentence goes on without a noun
+        return not rest or rest[0] in ",;.:)" or rest.startswith(" is ")
+    if run in ("I", "wavelength") or re.fullmatch(r"\d+(\.\d+)?", run):
+        return False
+    return all(name in _WORDS or len(name) <= 2 or "_" in name or name in ("tan", "sin", "cos", "ln", "exp") for name in _names(run))
+
+
+def _names(run: str) -> list[str]:
+    return _SYMBOL.findall(run)
+
+
+def formula(run: str) -> str:
+    """ASCII mathematics as LaTeX."""
+    run = re.sub(r"(?<=[\w)']) (?=[\w(])", r"\\,", run)
+    run = re.sub(r"\b(tan|sin|cos|ln|exp)\((\w+)\)", lambda m: rf"\{m[1]} {_symbol(m[2])}", run)
+    run = re.sub(r"\^\(([^()]*)\)", lambda m: f"^{{{m[1]}}}", run)
+    run = re.sub(r"(?<![\\\w{])[a-zA-Z]\w*(?![^{}]*\}\})", lambda m: _symbol(m[0]), run)
+    for plain, tex in _RELATIONS.items():
+        run = run.replace(plain, tex)
+    return re.sub(r" ?([<>=+-]) ", r"\1", run).strip()
+
+
+def _symbol(name: str) -> str:
+    if name in _MINIMA:
+        return _MINIMA[name]
+    if "_" in name and not nt.known(name):
+        stem, _, subscript = name.partition("_")
+        return f"{stem}_{subscript}"
+    return nt.describe(name).latex if nt.known(name) else name
+
+
+def escaped(text: str) -> str:
+    """Plain words with TeX's special characters made harmless."""
+    text = "".join(_ESCAPES.get(c, c) for c in text)
+    return text.replace(" - ", " -- ").replace("...", r"\dots{}")

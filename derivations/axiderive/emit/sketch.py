@@ -1,0 +1,150 @@
+"""Sketches to scale, from the exact deflected surface: nothing in them is drawn by eye."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from .. import notation as nt
+from ..profiles.profile import Profile
+from .values import Numbers
+
+Points = list[tuple[float, float]]
+
+HALF_WIDTH = 4.7
+"""Half the width of the picture in its units of 9 mm."""
+RADIUS = 1.75
+DEEPEST = 1.3
+TOP = 0.66
+BODY = 1.95
+"""The indenter is drawn up to this multiple of the contact radius, or to the height of its top."""
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """A horizontal dimension line from the axis to `at`."""
+
+    name: str
+    at: float
+    start: float
+    level: float
+
+
+@dataclass(frozen=True)
+class Angle:
+    """Inclination of a straight flank, at the point where it starts."""
+
+    x: float
+    y: float
+    degrees: float
+
+
+@dataclass(frozen=True)
+class Picture:
+    """All coordinates in units of the picture, the undeformed surface at y = 0."""
+
+    body: str
+    contact: str
+    surface: str
+    surface_left: str
+    a: float
+    depth: float
+    edge: float
+    end: float
+    arrow: float
+    arrow_depth: float
+    half_top: float
+    dimensions: tuple[Dimension, ...]
+    angle: Angle | None
+
+
+def sketch(profile: Profile, numbers: Numbers) -> Picture:
+    """The picture of a profile at the values its file gives."""
+    radius, depth = float(numbers["a"]), float(numbers.depth)
+    scale = min(RADIUS / radius, DEEPEST / max(depth, 1e-9))
+    right = [(scale * r, scale * (float(numbers.shape(r)) - depth)) for r in _body_radii(profile, numbers, scale)]
+    inside = [(x, y) for x, y in right if x <= scale * radius * (1 + 1e-9)]
+    outside = _outside(numbers, scale)
+    first = 0.0 if profile.contact == "complete" else outside[0][1]
+    x_arrow = 3.75
+    return Picture(
+        body=_path([(x, y) for x, y in _closed(right, profile)]),
+        contact=_path([(-x, y) for x, y in reversed(inside)][:-1] + inside),
+        surface=_path(outside),
+        surface_left=_path([(-x, y) for x, y in reversed(outside)]),
+        a=_short(scale * radius),
+        depth=_short(scale * depth),
+        edge=_short(-inside[-1][1] if first else -outside[0][1]),
+        end=_short(outside[-1][1]),
+        arrow=x_arrow,
+        arrow_depth=_short(-float(numbers("w", x_arrow / scale)) * scale),
+        half_top=_short(right[-1][0] - 0.08),
+        dimensions=_dimensions(profile, numbers, scale, depth),
+        angle=_angle(profile, numbers, scale, depth),
+    )
+
+
+def _body_radii(profile: Profile, numbers: Numbers, scale: float) -> list[float]:
+    """Radii at which the outline is taken: dense, with the edge of contact and the breaks among them."""
+    radius = float(numbers["a"])
+    if profile.contact == "complete":
+        return [radius * i / 40 for i in range(41)]
+    last = BODY * radius
+    bound = [x for x in profile.chain if x != nt.a]
+    if bound and nt.a in profile.chain:
+        last = min(last, 0.985 * float(numbers[bound[-1].name]))
+    highest = (TOP - 0.25) / scale + float(numbers.depth)
+    while float(numbers.shape(last)) > highest and last > 1.02 * radius:
+        last *= 0.99
+    marks = {radius, last} | {float(numbers[b.name]) for b in profile.breaks}
+    marks |= {last * i / 60 for i in range(61)}
+    return sorted(x for x in marks if x <= last)
+
+
+def _closed(right: Points, profile: Profile) -> Points:
+    """The outline of the indenter with its vertical sides and flat top."""
+    x, _ = right[-1]
+    top = [(x, TOP), (-x, TOP)]
+    return [(-x, y) for x, y in reversed(right)][:-1] + right + top
+
+
+def _outside(numbers: Numbers, scale: float) -> Points:
+    """The free surface, dense near the edge of contact where it is steep."""
+    start, end = float(numbers["a"]), HALF_WIDTH / scale
+    radii = [start + (end - start) * (i / 32) ** 2 for i in range(33)]
+    radii[0] = start * (1 + 1e-9)
+    return [(scale * r, -scale * float(numbers("w", r))) for r in radii]
+
+
+def _dimensions(profile: Profile, numbers: Numbers, scale: float, depth: float) -> tuple[Dimension, ...]:
+    radius = float(numbers["a"])
+    edge = scale * (float(numbers.shape(radius)) - depth)
+    found = [Dimension("a", _short(scale * radius), _short(edge), -1.78)]
+    for b in profile.breaks:
+        at = float(numbers[b.name])
+        if at < radius:
+            height = scale * (float(numbers.shape(at)) - depth)
+            found.append(Dimension(nt.describe(b).latex, _short(scale * at), _short(height), -1.5))
+    return tuple(found)
+
+
+def _angle(profile: Profile, numbers: Numbers, scale: float, depth: float) -> Angle | None:
+    """The angle theta, drawn where a flank of that slope begins."""
+    starts: list[sp.Expr] = [sp.S.Zero, *profile.breaks]
+    for start, piece in zip(starts, profile.pieces, strict=True):
+        slope = sp.diff(piece.expr, nt.r)
+        if slope == sp.tan(nt.theta):
+            at = 0.0 if start == 0 else float(numbers[start.name])
+            y = scale * (float(numbers.shape(at)) - depth)
+            return Angle(_short(scale * at), _short(y), round(float(numbers["theta"]) * 57.29577951308232, 2))
+    return None
+
+
+def _short(x: Any) -> float:
+    return float(f"{float(x):.4f}")
+
+
+def _path(points: Points) -> str:
+    return " ".join(f"({x:.4f},{y:.4f})" for x, y in points).replace("-0.0000", "0.0000")

@@ -1,0 +1,95 @@
+"""Numbers behind pictures, plots and check tables: the entries of a profile at given parameter values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry
+from ..profiles.profile import Profile
+from ..proof.evaluate import at_precision, case_at
+from ..proof.shape import coefficient
+
+Values = dict[Any, Any]
+DIGITS = 25
+POLYNOMIAL = (sp.Rational(3, 20), sp.Rational(1, 5), sp.Rational(1, 10))
+"""Coefficients with which the polynomial profile is drawn and tabulated."""
+
+
+def evaluated(expr: sp.Expr, values: Values) -> Any:
+    """The value of a result at the working precision; integrals left in it by quadrature."""
+    known = dict(values)
+    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
+        variable, low, high = integral.limits[0]
+        ends = [at_precision(end, values) if end.free_symbols else mp.mpf(end) for end in (low, high)]
+        stand_in = sp.Symbol(f"integral{i}", positive=True)
+        known[stand_in] = mp.quad(lambda x, e=integral, v=variable: at_precision(e.function, {**values, v: x}), ends)
+        expr = expr.xreplace({integral: stand_in})
+    return at_precision(expr, known)
+
+
+def sketch_values(profile: Profile) -> Values:
+    """The parameters a profile is drawn with, exact, with E_star = 1; lengths in units of the picture."""
+    values: Values = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values}
+    values[nt.E_star] = sp.S.One
+    values[nt.a] = sp.Rational(str(profile.sketch.a))
+    if profile.sketch.d is not None:
+        values[nt.d] = sp.Rational(str(profile.sketch.d))
+    if nt.coefficients in profile.parameters:
+        values[nt.N] = sp.Integer(len(POLYNOMIAL))
+        values |= {coefficient(i + 1): value for i, value in enumerate(POLYNOMIAL)}
+    for symbol, expr in profile.abbreviations:
+        values[symbol] = expr.xreplace(values)
+    return values
+
+
+class Numbers:
+    """Evaluates the entries of one profile."""
+
+    def __init__(self, profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int = DIGITS) -> None:
+        self.profile, self.entries, self.values, self.digits = profile, entries, values, digits
+        self.compact = profile.contact == "compact"
+
+    def at(self, **changed: Any) -> Numbers:
+        """The same profile with other values, by the names of their symbols."""
+        values = self.values | {nt.describe(name).symbol: value for name, value in changed.items()}
+        return Numbers(self.profile, self.entries, values, self.digits)
+
+    def __getitem__(self, name: str) -> Any:
+        """The value of a parameter."""
+        with mp.workdps(self.digits):
+            return at_precision(sp.sympify(nt.describe(name).symbol), self.values)
+
+    def __call__(self, suffix: str, r: Any = None) -> Any:
+        """One quantity; a radius on a border of two cases is moved off it a little."""
+        values = dict(self.values)
+        with mp.workdps(self.digits):
+            if r is not None:
+                values[nt.r] = mp.mpf(r)
+            try:
+                case = case_at(self.entries[suffix], values)
+            except LookupError:
+                values[nt.r] = values[nt.r] * (1 + mp.mpf(10) ** (4 - self.digits))
+                case = case_at(self.entries[suffix], values)
+            return mp.re(evaluated(case.expr, values))
+
+    @property
+    def depth(self) -> Any:
+        return self("d") if self.compact else self["d"]
+
+    @property
+    def mean_pressure(self) -> Any:
+        return self("F") / (mp.pi * self["a"] ** 2)
+
+    def shape(self, r: Any) -> Any:
+        """f(r)."""
+        with mp.workdps(self.digits):
+            for piece in self.profile.pieces:
+                if piece.upper is None or mp.mpf(r) <= at_precision(piece.upper, self.values):
+                    return at_precision(piece.expr, {**self.values, nt.r: mp.mpf(r)})
+        message = f"{self.profile.name}: no piece of the profile reaches r = {r}"
+        raise LookupError(message)
