@@ -31,7 +31,7 @@ def c0(b, r, a):
 
     def integrand(y):
         t = mp.sqrt(large**2 + y**2)
-        if r > b:
+        if r >= b:
             return mp.atan(mp.sqrt(t**2 - b**2) / b) / t
         return mp.atan(y / b) * y / (t * mp.sqrt(t**2 - small**2))
 
