@@ -102,7 +102,7 @@ class Compact:
         return steps
 
     def _require_regimes(self, entry: Entry) -> None:
-        """One case at least for every place of a among the breaks; below its first break a truncated profile has none."""
+        """A case for every place of a among the breaks; a truncated profile has none below its first break."""
         breaks = self.profile.breaks
         found = {tuple(b for b in breaks if b in case.chain and case.below(b, a)) for case in entry.cases}
         wanted = {breaks[:i] for i in range(1 if self.profile.truncated else 0, len(breaks) + 1)}
@@ -120,7 +120,7 @@ class Compact:
     def _increment(self, primitive: Primitive, chain: Chain) -> sp.Expr:
         inner = [upper for _, upper, _ in self._intervals(chain)]
         if primitive.hi not in inner or primitive.lo not in [sp.S.Zero, *inner]:
-            message = f"the antiderivative from {primitive.lo} to {primitive.hi} does not end at the breaks of the profile"
+            message = f"the antiderivative from {primitive.lo} to {primitive.hi} does not end at breaks of the profile"
             raise NotProvedError(message)
         for point in inner:
             at(primitive.expr, x, point)
@@ -166,7 +166,9 @@ class Compact:
         def derivative(slope: sp.Expr) -> sp.Expr:
             return 2 / sp.pi * slope * sp.asin(a / r)
 
-        return self._integral("w", derivative, "dw/da = 2/pi g'(a) asin(a/r)", lambda chain: list(insert(chain, r, above=a)))
+        return self._integral(
+            "w", derivative, "dw/da = 2/pi g'(a) asin(a/r)", lambda chain: list(insert(chain, r, above=a))
+        )
 
     def _integral(self, suffix, derivative, statement, chains) -> list[str]:  # type: ignore[no-untyped-def]
         entry, steps = self.entry(suffix), []

@@ -82,7 +82,9 @@ class Complete:
     def force(self) -> list[str]:
         expr, steps = self._fixed("F")
         domain = self.domain((a,))
-        steps += [require_zero(sp.diff(expr, a) - 2 * E_star * self.gap, domain, "dF/da = 2 E* (d - g(a)) for a fixed face")]
+        steps += [
+            require_zero(sp.diff(expr, a) - 2 * E_star * self.gap, domain, "dF/da = 2 E* (d - g(a)) for a fixed face")
+        ]
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "F -> 0 as a -> 0")]
 
     def pressure(self) -> list[str]:
@@ -98,7 +100,9 @@ class Complete:
         expr, steps = self._fixed("w")
         domain = self.domain((a, r))
         slope = 2 / sp.pi * self.gap / sp.sqrt(r**2 - a**2)
-        steps += [require_zero(sp.diff(expr, a) - slope, domain, "dw/da = 2/pi (d - g(a))/sqrt(r^2 - a^2) for a fixed face")]
+        steps += [
+            require_zero(sp.diff(expr, a) - slope, domain, "dw/da = 2/pi (d - g(a))/sqrt(r^2 - a^2) for a fixed face")
+        ]
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "w -> 0 as a -> 0")]
 
     def stiffness(self) -> list[str]:
@@ -162,7 +166,9 @@ class Complete:
         """p >= 0 everywhere at d_min, p = 0 at r_0, and p grows with d."""
         (least,) = self._closed("dmin").cases
         if least.expr.has(r_zero):
-            message = f"d_min is given through r_0, the root of {self.entries['rz'].key}; that p < 0 nowhere else is not shown"
+            message = (
+                f"d_min is given through r_0, a root ({self.entries['rz'].key}); that p >= 0 elsewhere is not shown"
+            )
             raise NotProvedError(message)
         (ring,) = self._closed("rz").cases
         (pressure,) = self._closed("p").cases
@@ -181,7 +187,9 @@ class Complete:
         if unit < 0 or any(arithmetic.polynomial_sign(f) <= 0 and power % 2 for f, power in factors.items()):
             message = "p >= 0 at d_min is not shown"
             raise NotProvedError(message)
-        if not (sign(a - ring.expr, self.domain((a,))) > 0 and (ring.expr == 0 or sign(ring.expr, self.domain((a,))) > 0)):
+        if not (
+            sign(a - ring.expr, self.domain((a,))) > 0 and (ring.expr == 0 or sign(ring.expr, self.domain((a,))) > 0)
+        ):
             message = "0 <= r_0 < a is not shown"
             raise NotProvedError(message)
         steps += ["dp/dd > 0", "sqrt(a^2 - r^2) p >= 0 at d = d_min: positive factors and squares"]

@@ -21,7 +21,8 @@ from ..abel.masters import (
 )
 from ..notation import theta
 from .domain import Domain, NotProvedError
-from .tower import ONE, Element, Tower
+from .elements import ONE, Element
+from .tower import Tower
 
 ODD = (sp.asin, sp.atan, sp.atanh, sp.sinh, sp.asinh, LegendreChi2, ArctanIntegral)
 ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, ArctanIntegral, Dawson, StruveH, StruveL)

@@ -6,15 +6,14 @@ atanh, atan) are compared by one more derivative and an end value.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import sympy as sp
 
 from ..abel.masters import IncompleteBeta
 from ..notation import a
 from .domain import Domain, NotProvedError
+from .elements import Element
 from .functions import as_given, canonical, normal, tower
-from .tower import Element, Tower
+from .tower import Tower
 
 DEPTH = 6
 INFINITE = (sp.zoo, sp.nan, sp.oo, -sp.oo)
@@ -33,11 +32,13 @@ def is_zero(expr: sp.Expr, domain: Domain, depth: int = DEPTH) -> bool:
         return True
     if depth == 0:
         return False
-    for variable, coefficient in _linear_functions(arithmetic, element):
-        if arithmetic.sign(coefficient) == 0:
-            continue
-        inverse = arithmetic.power(coefficient, sp.S.NegativeOne)
-        quotient = as_given(arithmetic.expr(arithmetic.collect(arithmetic.mul(element, inverse))), domain)
+    linear = _linear_function(arithmetic, element)
+    if linear is None:
+        return False
+    function, coefficient = linear
+    inverse = arithmetic.power(coefficient, sp.S.NegativeOne)
+    quotient = as_given(arithmetic.expr(arithmetic.collect(arithmetic.mul(element, inverse))), domain)
+    for variable in sorted(function.free_symbols, key=lambda s: (s not in domain.symbols, s != a, str(s))):
         if not is_zero(sp.diff(quotient, variable), domain, depth - 1):
             return False
         if _zero_at_an_end(quotient, variable, domain, depth - 1):
@@ -54,16 +55,16 @@ def _zero_at_an_end(expr: sp.Expr, variable: sp.Symbol, domain: Domain, depth: i
     return False
 
 
-def _linear_functions(arithmetic: Tower, element: Element) -> Iterator[tuple[sp.Symbol, Element]]:
-    """Functions that occur linearly, as (variable to differentiate by, coefficient); lengths of the chain first."""
+def _linear_function(arithmetic: Tower, element: Element) -> tuple[sp.Expr, Element] | None:
+    """A function that occurs linearly and its coefficient without zeros; rather one of the lengths in the chain."""
     ring, ordered = arithmetic.ring, arithmetic.domain.symbols
     for symbol, function in sorted(arithmetic.functions.items(), key=lambda item: not item[1].free_symbols & ordered):
         generator = ring(symbol)
-        if max(polynomial.degree(generator) for polynomial in element.values()) != 1:
-            continue
-        coefficient = {m: p.diff(generator) for m, p in element.items() if p.degree(generator) == 1}
-        variables = sorted(function.free_symbols, key=lambda s: (s not in ordered, s != a, str(s)))
-        yield from ((variable, coefficient) for variable in variables)
+        if function.free_symbols and max(polynomial.degree(generator) for polynomial in element.values()) == 1:
+            coefficient = {m: p.diff(generator) for m, p in element.items() if p.degree(generator) == 1}
+            if arithmetic.sign(coefficient) != 0:
+                return function, coefficient
+    return None
 
 
 def at(expr: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> sp.Expr:

@@ -1,75 +1,23 @@
-"""Zero test in Q(lengths, functions)[f**e]: radicals of positive irreducible polynomials f.
+"""The tower Q(lengths, functions)[f**e]: zero test, roots, inverses and signs.
 
-An element is {monomial of powers f**e: polynomial}.  Roots of distinct
-irreducible polynomials are independent (Kummer), so that grouping by the
-exponents modulo 1 gives a canonical form: an element is zero iff nothing is
-left.  Exponents may contain symbols (a**n).  Functions are independent
-generators; what relates them is left to `identity`.
+The f are positive irreducible polynomials; exponents may contain symbols
+(a**n).  Functions are independent generators; what relates them is left to
+`identity`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import functools
 
 import sympy as sp
-from sympy.polys.orderings import lex
-from sympy.polys.rings import PolyElement, PolyRing
+from sympy.polys.rings import PolyElement
 
-from .domain import Domain, NotProvedError
-
-Monomial = frozenset[tuple[PolyElement, sp.Expr]]
-Element = dict[Monomial, PolyElement]
-
-ONE: Monomial = frozenset()
+from .domain import NotProvedError
+from .elements import LARGEST_POWER, ONE, Element, Elements, Monomial, factor_list
 
 
-def leaves(expr: sp.Expr) -> Iterator[sp.Expr]:
-    """Symbols, named numbers and outermost functions."""
-    stack = [expr]
-    while stack:
-        node = stack.pop()
-        if node.is_Symbol or node.is_NumberSymbol or (node.is_Function and not isinstance(node, sp.Abs)):
-            yield node
-        else:
-            stack.extend(node.args)
-
-
-class Tower:
-    """Arithmetic for the given expressions on a domain; `positive` tells whether a function is positive there."""
-
-    def __init__(self, domain: Domain, *exprs: sp.Expr, positive: Callable[[sp.Expr], bool] = lambda _: False) -> None:
-        self.domain = domain
-        self._positive = positive
-        found = sorted({leaf for expr in exprs for leaf in leaves(expr)} | domain.symbols, key=sp.default_sort_key)
-        self.generators = {leaf: leaf if leaf.is_Symbol else sp.Symbol(f"function_{i}") for i, leaf in enumerate(found)}
-        self.functions = {symbol: leaf for leaf, symbol in self.generators.items() if symbol != leaf}
-        self.ring = PolyRing(list(self.generators.values()), sp.QQ, lex)
-        self._factors: dict[PolyElement, tuple[int, dict[PolyElement, int]]] = {}
-        self._signs: dict[PolyElement, int] = {}
-
-    # arithmetic
-
-    def constant(self, value: sp.Expr) -> Element:
-        return {ONE: self.ring.from_expr(value)} if value != 0 else {}
-
-    def add(self, *elements: Element) -> Element:
-        total: Element = {}
-        for element in elements:
-            for monomial, polynomial in element.items():
-                total[monomial] = total[monomial] + polynomial if monomial in total else polynomial
-        return {monomial: polynomial for monomial, polynomial in total.items() if polynomial}
-
-    def scale(self, element: Element, factor: int) -> Element:
-        return {monomial: polynomial * factor for monomial, polynomial in element.items()}
-
-    def sub(self, left: Element, right: Element) -> Element:
-        return self.add(left, self.scale(right, -1))
-
-    def mul(self, left: Element, right: Element) -> Element:
-        products = (
-            {_multiply(m1, m2): p1 * p2} for m1, p1 in left.items() for m2, p2 in right.items()
-        )
-        return self.add(*products)
+class Tower(Elements):
+    """The field of the given expressions on a domain."""
 
     def power(self, element: Element, exponent: sp.Expr) -> Element:
         """Any rational or symbolic power; sums of radicals only to integer and half-integer powers."""
@@ -89,6 +37,9 @@ class Tower:
         raise NotProvedError(message)
 
     def _repeated(self, element: Element, count: int) -> Element:
+        if count > LARGEST_POWER:
+            message = f"a power with exponent {count} is not expanded"
+            raise NotProvedError(message)
         result = {ONE: self.ring.one}
         for _ in range(count):
             result = self.mul(result, element)
@@ -107,24 +58,27 @@ class Tower:
         sign = -1 if unit < 0 and exponent % 2 else 1
         return {frozenset((f, e) for f, e in powers.items() if e != 0): self.ring(sign)}
 
+    def _norm(self, rational: Element, radical: Element) -> Element:
+        """P^2 - Q^2 f."""
+        return self.collect(self.sub(self.mul(rational, rational), self.mul(radical, radical)))
+
     def _inverse(self, element: Element) -> Element:
         """1/(P + Q sqrt(f)) = (P - Q sqrt(f))/(P^2 - Q^2 f), until a single class is left."""
         if len(element) == 1:
             return self._single_power(element, sp.S.NegativeOne)
-        for radicand in self._radicands(element):
-            rational, radical = self._split(element, radicand)
+        for radicand in self.radicands(element):
+            rational, radical = self.split(element, radicand)
             if rational and radical:
-                norm = self.collect(self.sub(self.mul(rational, rational), self.mul(radical, radical)))
-                return self.mul(self.sub(rational, radical), self._inverse(norm))
+                return self.mul(self.sub(rational, radical), self._inverse(self._norm(rational, radical)))
         message = f"{self.expr(element)} cannot be inverted exactly"
         raise NotProvedError(message)
 
     def _denested_root(self, element: Element) -> Element:
         """sqrt(P + Q) = x + y with x^2, y^2 = (P +- sqrt(P^2 - Q^2))/2, checked by squaring."""
         half = self.constant(sp.S.Half)
-        for radicand in self._radicands(element):
-            rational, radical = self._split(element, radicand)
-            norm = self._root_up_to_sign(self.collect(self.sub(self.mul(rational, rational), self.mul(radical, radical))))
+        for radicand in self.radicands(element):
+            rational, radical = self.split(element, radicand)
+            norm = self._root_up_to_sign(self._norm(rational, radical))
             if norm is None:
                 continue
             squares = (self.mul(half, self.add(rational, norm)), self.mul(half, self.sub(rational, norm)))
@@ -143,7 +97,7 @@ class Tower:
         if len(element) != 1:
             return None
         ((monomial, polynomial),) = element.items()
-        content, factors = polynomial.factor_list()
+        content, factors = factor_list(polynomial)
         powers = {factor: sp.Integer(multiplicity) for factor, multiplicity in factors}
         for factor, power in monomial:
             powers[factor] = powers.get(factor, sp.S.Zero) + power
@@ -152,73 +106,13 @@ class Tower:
             return None
         return {frozenset((f, e / 2) for f, e in powers.items() if e != 0): self.ring.from_expr(root)}
 
-    # canonical form
-
-    def collect(self, element: Element) -> Element:
-        """Canonical form: exponents in [0, 1) times a polynomial over what does not divide it."""
-        classes: dict[Monomial, list[tuple[dict[PolyElement, int], PolyElement]]] = {}
-        for monomial, polynomial in element.items():
-            fractional, whole = [], {}
-            for factor, exponent in monomial:
-                floor = sp.floor(exponent.as_coeff_Add()[0])
-                if exponent != floor:
-                    fractional.append((factor, exponent - floor))
-                whole[factor] = int(floor)
-            classes.setdefault(frozenset(fractional), []).append((whole, polynomial))
-        out = {}
-        for fractional, terms in classes.items():
-            lowest = {f: min(0, *(whole.get(f, 0) for whole, _ in terms)) for whole, _ in terms for f in whole}
-            total = self.ring.zero
-            for whole, polynomial in terms:
-                for factor, low in lowest.items():
-                    surplus = whole.get(factor, 0) - low
-                    if surplus:
-                        polynomial = polynomial * factor**surplus
-                total += polynomial
-            if total:
-                total, below = _cancel(total, lowest)
-                out[_multiply(fractional, below)] = total
-        return out
-
-    def is_zero(self, element: Element) -> bool:
-        return not self.collect(element)
-
-    def factors(self, polynomial: PolyElement) -> tuple[int, dict[PolyElement, int]]:
-        """Unit and irreducible factors (primes included) with multiplicities.
-
-        Factors are positive on the domain, or have a positive leading coefficient if their sign is not known.
-        """
-        if polynomial not in self._factors:
-            content, factors = polynomial.factor_list()
-            unit, out = (1 if content > 0 else -1), {}
-            for factor, multiplicity in factors:
-                sign = self.polynomial_sign(factor) or (1 if factor.LC > 0 else -1)
-                unit *= sign**multiplicity
-                out[factor * sign] = multiplicity
-            for prime, multiplicity in sp.factorrat(abs(sp.QQ.to_sympy(content))).items():
-                out[self.ring(prime)] = multiplicity
-            self._factors[polynomial] = (unit, out)
-        return self._factors[polynomial]
-
-    def _radicands(self, element: Element) -> list[PolyElement]:
-        """Polynomials whose root occurs, simplest first."""
-        found = {f for monomial in element for f, e in monomial if e.is_Rational and e.q == 2}
-        return sorted(found, key=lambda f: (len(f), str(f)))
-
-    def _split(self, element: Element, radicand: PolyElement) -> tuple[Element, Element]:
-        """The part without and the part with sqrt(radicand)."""
-        with_root = {m for m in element if any(f == radicand and not e.is_Integer for f, e in m)}
-        rational = {m: p for m, p in element.items() if m not in with_root}
-        return rational, {m: element[m] for m in with_root}
-
     def primitive(self, element: Element) -> tuple[dict[PolyElement, sp.Expr], Element]:
         """Positive common factors with exponents, and what remains of a sum of radicals."""
         element = self.collect(element)
         shared = {factor for monomial in element for factor, _ in monomial}
         lowest = {f: min((dict(monomial).get(f, sp.S.Zero) for monomial in element), key=sp.Float) for f in shared}
         content = self.ring.from_expr(sp.gcd_list([sp.QQ.to_sympy(p.content()) for p in element.values()]))
-        for number, polynomial in enumerate(element.values()):
-            common = polynomial.monic() if number == 0 else common.gcd(polynomial)
+        common = functools.reduce(lambda one, other: one.gcd(other), element.values()).monic()
         unit, factors = self.factors(common * content)
         if any(self.polynomial_sign(factor) <= 0 for factor in (*factors, *lowest)):
             message = f"the factors of {self.expr(element)} are not shown to be positive"
@@ -227,16 +121,6 @@ class Tower:
         for factor, multiplicity in factors.items():
             lowest[factor] = lowest.get(factor, sp.S.Zero) + multiplicity
         return lowest, self.collect(self.mul(element, inverse))
-
-    # signs
-
-    def polynomial_sign(self, polynomial: PolyElement) -> int:
-        if polynomial not in self._signs:
-            ring = self.ring
-            used = [f for s, f in self.functions.items() if polynomial.degree(ring(s)) > 0]
-            known = all(self._positive(function) for function in used)
-            self._signs[polynomial] = self.domain.sign(polynomial) if known else 0
-        return self._signs[polynomial]
 
     def _class_sign(self, monomial: Monomial, polynomial: PolyElement) -> int:
         """Sign of one class; a factor of unknown sign leaves it open."""
@@ -254,15 +138,15 @@ class Tower:
         signs = {self._class_sign(*item) for item in element.items()}
         if len(signs) == 1 and signs != {0}:
             return signs.pop()
-        for radicand in self._radicands(element):
-            rational, radical = self._split(element, radicand)
+        for radicand in self.radicands(element):
+            rational, radical = self.split(element, radicand)
             if not rational:
                 continue
             one, other = self.sign(rational), self.sign(radical)
             if one and one == other:
                 return one
             if one and other:
-                return one * self.sign(self.sub(self.mul(rational, rational), self.mul(radical, radical)))
+                return one * self.sign(self._norm(rational, radical))
         return 0
 
     # to and from SymPy
@@ -295,32 +179,7 @@ class Tower:
 
     def expr(self, element: Element) -> sp.Expr:
         terms = [
-            polynomial.as_expr() * sp.Mul(*(f.as_expr() ** e for f, e in monomial)) for monomial, polynomial in element.items()
+            polynomial.as_expr() * sp.Mul(*(f.as_expr() ** e for f, e in monomial))
+            for monomial, polynomial in element.items()
         ]
         return sp.Add(*terms).xreplace(self.functions)
-
-
-def _multiply(left: Monomial, right: Monomial) -> Monomial:
-    if not left or not right:
-        return left or right
-    powers = dict(left)
-    for factor, exponent in right:
-        powers[factor] = powers[factor] + exponent if factor in powers else exponent
-    return frozenset((factor, exponent) for factor, exponent in powers.items() if exponent != 0)
-
-
-def _cancel(polynomial: PolyElement, lowest: dict[PolyElement, int]) -> tuple[PolyElement, Monomial]:
-    """Divide by the factors with negative exponents as often as they divide."""
-    below = {}
-    for factor, exponent in lowest.items():
-        if factor.is_ground:
-            polynomial = polynomial * factor.LC**exponent
-            continue
-        while exponent < 0:
-            quotient, remainder = polynomial.div(factor)
-            if remainder:
-                break
-            polynomial, exponent = quotient, exponent + 1
-        if exponent:
-            below[factor] = sp.Integer(exponent)
-    return polynomial, frozenset(below.items())
