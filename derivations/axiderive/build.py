@@ -131,7 +131,7 @@ def _emitted(outcomes: Sequence[Outcome], cache: Cache, settings: Settings) -> d
 
 def _emit(outcomes: Sequence[Outcome]) -> dict[str, bytes]:
     from . import profiles
-    from .emit import index, latex, python
+    from .emit import handbook, index, python
 
     pairs: Pairs = []
     for outcome in outcomes:
@@ -139,7 +139,7 @@ def _emit(outcomes: Sequence[Outcome]) -> dict[str, bytes]:
         pairs.append((profile, work.read_entries(profile, outcome.entries)))
     evidence = {outcome.name: outcome.evidence for outcome in outcomes}
     files = {f"axicontact/{path}": text.encode() for path, text in python.module_sources(pairs).items()}
-    files |= {f"handbook/{path}": text.encode() for path, text in latex.handbook_sources(pairs, evidence).items()}
+    files |= {f"handbook/{path}": text.encode() for path, text in handbook.handbook_sources(pairs, evidence).items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(pairs, evidence))
     for outcome, (profile, _) in zip(outcomes, pairs, strict=True):
         record = index.evidence_record(profile, outcome.entries, outcome.evidence)

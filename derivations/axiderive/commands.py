@@ -108,10 +108,12 @@ def _report_written(
     modules = sum(1 for path in files if path.startswith("axicontact/normal/") and not path.endswith("__init__.py"))
     functions = sum(files[path].count(b"\ndef ") for path in files if path.startswith("axicontact/normal/"))
     evidence = sum(1 for path in files if path.startswith("evidence/"))
+    book = "handbook.pdf" if (root / "handbook" / "handbook.pdf").exists() else "LaTeX only, no PDF"
+    shown = root.relative_to(Path.cwd()) if root.is_relative_to(Path.cwd()) else root
     rows = [
-        f"{root}/axicontact  {modules} modules, {functions} functions (NumPy only)",
-        f"{root}/handbook    {'handbook.pdf' if (root / 'handbook' / 'handbook.pdf').exists() else 'LaTeX only, no PDF'}",
-        f"{root}/evidence    {evidence} files",
+        f"{shown}/axicontact  {modules} modules, {functions} functions (NumPy only)",
+        f"{shown}/handbook    {book}",
+        f"{shown}/evidence    {evidence} files",
     ]
     changed, removed = counts
     progress.say("\nwrote  " + "\n       ".join(rows))

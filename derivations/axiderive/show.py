@@ -55,7 +55,7 @@ def shown(index: Index, key: str, form: str) -> str:
     if form == "python":
         return "\n\n".join(index.source(entry) for entry in entries)
     if form == "latex":
-        return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['latex']}" for e in entries for c in e["cases"])
+        return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
     head = [_profile_text(index.profile(key))] if whole else []
     return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
 
@@ -63,6 +63,7 @@ def shown(index: Index, key: str, form: str) -> str:
 def _profile_text(profile: Row) -> str:
     shape = "\n".join(f"  f(r) = {piece['text']}{_when(piece['conditions'])}" for piece in profile["shape"])
     rows = [f"{profile['title']} ({profile['name']}): {profile['subtitle']}", shape]
+    rows += [f"  with     {text}" for text in profile["abbreviations"]]
     rows += [f"  rule     {rule}" for rule in profile["rules"]]
     rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
     rows.append(f"  sources  {', '.join(profile['sources'])}")
@@ -74,10 +75,10 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
     rows = [f"{entry['key']}  {entry['label']}{unit}"]
     if entry["composed"]:
         outer, inner = (f"{entry['profile']}.{suffix}" for suffix in entry["composed"])
-        rows.append(f"  computed as {outer} at {inner}")
-    equation = entry["status"] == "root"
-    head = "solve" if equation else f"{entry['symbol']} ="
-    rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
+        rows.append(f"  {entry['symbol']} = {outer} with a from {inner}")
+    else:
+        head = f"{entry['symbol']} from" if entry["status"] == "root" else f"{entry['symbol']} ="
+        rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
     if brief:
         return "\n".join(rows)
     details = {
@@ -85,7 +86,7 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
             "root": "no closed form; solved by iteration",
             "integral": "definite integral; closed form not found",
         }.get(entry["status"], "closed form"),
-        "defined": entry["definition"]["text"],
+        "defined": entry["definition"],
         "python": entry["python"],
         "domain": "; ".join(entry["domain"]),
         "sources": ", ".join(entry["sources"]),

@@ -32,7 +32,7 @@ class Settings:
     """How hard the definitions are integrated, and where."""
 
     digits: int = 50
-    points: int = 24
+    points: int = 8
     seed: int = 17
 
     def record(self) -> dict[str, int]:

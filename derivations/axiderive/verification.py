@@ -1,0 +1,86 @@
+"""All evidence about one profile in one record: certificates, and the checks that do not trust them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from .proof import certificate, quadrature
+
+if TYPE_CHECKING:
+    from .entry import Entry
+    from .profiles.profile import Profile
+    from .proof.certificate import Certificate
+    from .proof.evidence import Evidence
+    from .work import Settings
+
+
+def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -> dict[str, Any]:
+    """Certify and check the entries of a profile.
+
+    Returns
+    -------
+    dict
+        JSON-able: `settings`, `entries` (by suffix: whether certified, worst
+        residual, a summary, the certificate and the checks) and `failures`, a
+        list of key and message.
+    """
+    certificates = certificate.certify_profile(profile, dict(entries))
+    checks = _checks(profile, dict(entries), settings)
+    by_key: dict[str, list[Evidence]] = {entry.key: [] for entry in entries.values()}
+    for check in checks:
+        by_key[check.key].append(check)
+    return {
+        "settings": settings.record(),
+        "entries": {suffix: _entry(certificates[suffix], by_key[entry.key]) for suffix, entry in entries.items()},
+        "failures": [{"key": c.key, "message": _failure(c)} for c in checks if c.outcome == "failed"],
+    }
+
+
+def _checks(profile: Profile, entries: dict[str, Entry], settings: Settings) -> list[Evidence]:
+    return list(quadrature.check_profile(profile, entries, **settings.record()).values())
+
+
+def _entry(proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
+    residuals = [check.worst for check in checks if check.passed and check.worst]
+    return {
+        "certified": proof.proved,
+        "residual": max(residuals, key=float, default=""),
+        "summary": _summary(proof, checks),
+        "details": _details(proof, checks),
+        "certificate": {"proved": proof.proved, "steps": list(proof.steps), "reason": proof.reason},
+        "checks": [asdict(check) for check in checks],
+    }
+
+
+def _summary(proof: Certificate, checks: Sequence[Evidence]) -> str:
+    """One line for `show`, the docstring and the handbook."""
+    parts = ["certified" if proof.proved else "not certified"]
+    parts += [f"{check.compared}: {_short(check)}" for check in checks if check.outcome != "not available"]
+    return "; ".join(parts)
+
+
+def _short(check: Evidence) -> str:
+    if not check.count:
+        return str(check.outcome)
+    return f"{check.outcome}, {check.digits} digits at {check.count} points"
+
+
+def _details(proof: Certificate, checks: Sequence[Evidence]) -> list[str]:
+    lines = [f"certificate: {step}" for step in proof.steps] if proof.proved else [f"no certificate: {proof.reason}"]
+    for check in checks:
+        reason = f" ({check.reason})" if check.reason else ""
+        worst = f", worst residual {check.worst} at {_point(check.worst_point)}" if check.worst_point else ""
+        lines.append(f"{check.compared}: {_short(check)}{worst}{reason}")
+    return lines
+
+
+def _failure(check: Evidence) -> str:
+    found = f"agrees to {check.digits} of {check.required} digits" if check.required else check.reason or "failed"
+    where = f" at {_point(check.worst_point)}" if check.worst_point else ""
+    return f"compared with {check.compared}: {found}, residual {check.worst or 'unknown'}{where}"
+
+
+def _point(values: Mapping[str, str]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in values.items())

@@ -1,0 +1,344 @@
+"""The command line: exit codes, messages, what is printed, and how fast."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from axiderive import cli, commands, index, pdf, pool, work
+from axiderive.build import Failure
+from axiderive.progress import failure_lines
+
+ROOT = Path(__file__).parents[1]
+
+
+def axicontact(*arguments, **options):
+    """The command in a process of its own, as a user runs it."""
+    command = [sys.executable, "-m", "axiderive.cli", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, **options)
+
+
+def test_every_profile_is_listed(capsys):
+    from axiderive.profiles import NAMES
+
+    assert cli.main(["list"]) == 0
+    rows = capsys.readouterr().out.splitlines()[1:]
+    assert [row.split()[0] for row in rows] == list(NAMES)
+
+
+@pytest.mark.parametrize("topic", ["profiles", "physics", "quantities", "units"])
+def test_lists_are_also_for_programs(topic, capsys):
+    assert cli.main(["list", topic, "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert cli.main(["list", topic]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == len(rows) + 1
+
+
+def test_every_key_can_be_shown_in_every_form(capsys):
+    for entry in index.load().entries:
+        for form in ("text", "latex", "python", "json"):
+            assert cli.main(["show", entry["key"], "--as", form]) == 0, entry["key"]
+            shown = capsys.readouterr().out
+            if form == "text":
+                assert shown.startswith(entry["key"])
+                assert entry["evidence"] in shown
+            elif form == "python":
+                assert f"def {entry['function']}(" in shown
+                compile(shown, entry["key"], "exec")
+            elif form == "json":
+                assert json.loads(shown) == entry
+            else:
+                assert all(region["text"] in shown for region in entry["latex"])
+
+
+def test_show_of_a_profile_has_all_its_formulas(capsys):
+    assert cli.main(["show", "rounded_punch"]) == 0
+    shown = capsys.readouterr().out
+    assert all(f"\n{key}  " in shown for key in index.load().profile("rounded_punch")["keys"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["show", "kone"], "unknown profile or key 'kone'; did you mean 'cone'?"),
+        (["show", "kone.p"], "unknown key 'kone.p'; did you mean 'cone.p'?"),
+        (["show", "cone.pp"], "unknown key 'cone.pp'; did you mean 'cone.p'?"),
+        (["show", "zzzzzz"], "unknown profile or key 'zzzzzz'; see axicontact list"),
+        (["check", "paraboloyd"], "unknown profile or key 'paraboloyd'; did you mean 'paraboloid'?"),
+        (["build", "--only", "cone,spere"], "unknown profile 'spere'; did you mean 'sphere'?"),
+    ],
+)
+def test_unknown_names_end_with_code_2_and_the_nearest_name(arguments, message, capsys):
+    assert cli.main(arguments) == 2
+    assert capsys.readouterr().err == f"axicontact: {message}\n"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [[], ["derive"], ["build", "--jobs", "0"], ["build", "--jobs", "two"], ["show"], ["show", "cone", "--as", "html"]],
+    ids=" ".join,
+)
+def test_bad_command_lines_end_with_code_2(arguments, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        cli.main(arguments)
+    assert stopped.value.code == 2
+    assert "usage: axicontact" in capsys.readouterr().err
+
+
+def test_list_and_show_answer_at_once_and_without_sympy():
+    """Best of five, because the machine may be busy; the limit is what makes a command feel instant."""
+    code = """
+import sys
+from axiderive.cli import main
+main(sys.argv[1:])
+print(sorted({"sympy", "numpy", "mpmath", "jinja2", "rich"} & set(sys.modules)))
+"""
+    for arguments in (["list"], ["show", "cone.p"]):
+        times = []
+        for _ in range(5):
+            start = time.perf_counter()
+            done = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True)
+            times.append(time.perf_counter() - start)
+        assert done.stdout.endswith("\n[]\n")
+        assert min(times) < 0.3
+
+
+def test_a_reader_that_goes_away_is_no_error():
+    done = subprocess.run(
+        f"{sys.executable} -m axiderive.cli show rounded_punch --as json | head -1",
+        shell=True, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert done.stderr == ""
+
+
+def test_without_a_catalogue_the_next_step_is_named(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(index, "find_spec", lambda name: None)
+    monkeypatch.setattr(index, "__file__", str(tmp_path / "a" / "b" / "index.py"))
+    assert cli.main(["list"]) == 3
+    assert capsys.readouterr().err == "axicontact: there is no catalogue yet; run axicontact build\n"
+
+
+@pytest.fixture
+def elsewhere(tmp_path, monkeypatch):
+    """Builds of this test have a cache and a catalogue of their own."""
+    monkeypatch.setattr(commands, "project_root", lambda: tmp_path)
+    return tmp_path
+
+
+SMALL = ["build", "--only", "cone", "--no-pdf", "--jobs", "1", "--points", "4"]
+
+
+def _bytes(root):
+    return {path.relative_to(root): path.read_bytes() for path in sorted(root.rglob("*")) if path.is_file()}
+
+
+def test_build_writes_a_catalogue_and_then_changes_nothing(elsewhere, capsys):
+    assert cli.main(SMALL) == 0
+    said = capsys.readouterr().err
+    assert re.search(r"^cone +\d+ +\d+", said, flags=re.M)
+    assert "next   axicontact show cone" in said
+    first = _bytes(elsewhere / "catalogue")
+    assert Path("axicontact/normal/cone.py") in first
+    assert Path("evidence/cone.json") in first
+    assert not [path for path in first if "tmp" in path.name or ".staging" in str(path)]
+    assert cli.main(SMALL) == 0
+    assert " 0 files changed, 0 removed" in capsys.readouterr().err
+    assert cli.main([*SMALL, "--fresh"]) == 0
+    assert _bytes(elsewhere / "catalogue") == first
+    assert cli.main([*SMALL, "--check"]) == 0
+    (elsewhere / "catalogue/axicontact/normal/cone.py").write_text("# mine\n")
+    assert cli.main([*SMALL, "--check"]) == 1
+    assert "-# mine\n" in capsys.readouterr().out
+    assert (elsewhere / "catalogue/axicontact/normal/cone.py").read_text() == "# mine\n"
+
+
+def test_an_entry_that_fails_its_check_is_left_out_and_listed(elsewhere, monkeypatch, capsys):
+    from axiderive import verification
+
+    genuine = verification.verify
+
+    def verify(profile, entries, settings):
+        found = genuine(profile, entries, settings)
+        return {**found, "failures": [{"key": "cone.w", "message": "got 1.0, wanted 2.0"}]}
+
+    monkeypatch.setattr(verification, "verify", verify)
+    assert cli.main(SMALL) == 1
+    said = capsys.readouterr().err
+    assert "cone.w: got 1.0, wanted 2.0\n    again: axicontact check cone.w --seed 17 -v" in said
+    assert said.rstrip().endswith("1 left out of the catalogue")
+    assert "def displacement(" not in (elsewhere / "catalogue/axicontact/normal/cone.py").read_text()
+    entries = json.loads((elsewhere / "catalogue/axicontact/index.json").read_text())["entries"]
+    assert "cone.w" not in [entry["key"] for entry in entries]
+
+
+def test_a_defect_in_one_profile_does_not_take_the_others(elsewhere, monkeypatch, capsys):
+    from axiderive.contact import normal
+
+    genuine = normal.derive
+
+    def derive(profile):
+        if profile.name == "paraboloid":
+            message = "no atoms"
+            raise ValueError(message)
+        return genuine(profile)
+
+    monkeypatch.setattr(normal, "derive", derive)
+    arguments = ["build", "--only", "cone,paraboloid", "--no-pdf", "--jobs", "1", "--points", "4"]
+    assert cli.main(arguments) == 1
+    assert "paraboloid: ValueError: no atoms" in capsys.readouterr().err
+    assert (elsewhere / "catalogue/axicontact/normal/cone.py").exists()
+    assert cli.main([*arguments[:2], "paraboloid", *arguments[3:]]) == 1
+    assert "nothing to publish" in capsys.readouterr().err
+    assert (elsewhere / "catalogue/axicontact/normal/cone.py").exists()
+
+
+def test_an_unwritable_folder_is_named_before_any_work(elsewhere, monkeypatch, capsys):
+    monkeypatch.setattr(work, "task", None)
+    (elsewhere / "file").write_text("")
+    assert cli.main([*SMALL, "--out", str(elsewhere / "file" / "catalogue")]) == 3
+    assert re.match(
+        r"axicontact: cannot write a catalogue to .*/file/catalogue: Not a directory; .*--out", capsys.readouterr().err
+    )
+
+
+def test_interruption_ends_with_code_130_and_keeps_finished_work(elsewhere, monkeypatch, capsys):
+    def interrupted(function, tasks, jobs):
+        yield function(*tasks[0])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(pool, "run", interrupted)
+    arguments = ["build", "--only", "cone,paraboloid", "--no-pdf", "--points", "4"]
+    assert cli.main(arguments) == 130
+    assert "the same command continues" in capsys.readouterr().err
+    assert not list((elsewhere / "catalogue").rglob("*.py"))
+    finished = []
+    monkeypatch.setattr(
+        pool, "run", lambda function, tasks, jobs: finished.extend(tasks) or map(lambda t: function(*t), tasks)
+    )
+    assert cli.main(arguments) == 0
+    assert len(finished) == 1
+
+
+def test_check_verifies_a_stored_formula_and_sees_a_wrong_one(elsewhere, monkeypatch, capsys):
+    assert cli.main(["check", "cone.F", "--points", "4"]) == 0
+    assert re.search(r"^cone\.F +closed ", capsys.readouterr().out, flags=re.M)
+    folder = elsewhere / "catalogue" / "evidence"
+    folder.mkdir(parents=True)
+    text = (ROOT / "catalogue/evidence/cone.json").read_text()
+    record = json.loads(text)
+    depth = record["entries"]["d"]["cases"][0]["expr"]
+    depth["="] = f"Mul(Integer(2), {depth['=']})"
+    (folder / "cone.json").write_text(json.dumps(record))
+    monkeypatch.setattr(work, "project_root", lambda: elsewhere)
+    assert cli.main(["check", "cone.d", "--points", "4"]) == 1
+    assert "FAILED cone.d: " in capsys.readouterr().err
+
+
+def test_failures_say_how_to_see_them_again():
+    lines = failure_lines([Failure("cone.w", "a"), Failure("sphere", "b", "Traceback")], seed=3, verbose=True)
+    assert lines == [
+        "cone.w: a\n    again: axicontact check cone.w --seed 3 -v",
+        "sphere: b\n    again: axicontact build --fresh --jobs 1 --only sphere -v",
+        "Traceback",
+        "2 left out of the catalogue",
+    ]
+
+
+DOCUMENT = rb"""\documentclass{article}
+\begin{document}
+%% cone.p
+See \ref{two}.\label{one}\par
+%% cone.w
+THE ROW
+\newpage Second page.\label{two}
+\end{document}
+"""
+
+with_latex = pytest.mark.skipif(not pdf._has_latex(), reason="needs pdflatex")
+
+
+@with_latex
+def test_a_document_is_compiled_until_its_references_settle_and_always_to_the_same_bytes():
+    sources = {"main.tex": b"\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=-1 \\pdftrailerid{}\n" + DOCUMENT}
+    content, warnings = pdf.compile_pdf(sources)
+    assert content.startswith(b"%PDF")
+    assert warnings == []
+    assert pdf.compile_pdf(sources)[0] == content
+
+
+@with_latex
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        (rb"\arccosh x", r"main.tex:6: [cone.w] Undefined control sequence. \arccosh"),
+        (rb"x^2", "main.tex:6: [cone.w] Missing $ inserted."),
+    ],
+)
+def test_errors_of_tex_name_the_key(row, message):
+    with pytest.raises(pdf.LatexError) as stopped:
+        pdf.compile_pdf({"main.tex": DOCUMENT.replace(b"THE ROW", row)})
+    assert message in str(stopped.value).splitlines()
+
+
+@with_latex
+def test_overfull_lines_and_dangling_references_are_remarks_with_a_key():
+    row = rb"\noindent\rule{500pt}{1pt}\par See \ref{nowhere}."
+    remarks = pdf.compile_pdf({"main.tex": DOCUMENT.replace(b"THE ROW", row)})[1]
+    assert any(re.fullmatch(r"main\.tex:\d+: \[cone\.w\] line is \d+\.\d mm too wide", remark) for remark in remarks)
+    assert any(remark.startswith("reference nowhere ") for remark in remarks)
+
+
+def test_without_latex_the_command_that_installs_it_is_printed(monkeypatch):
+    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
+    with pytest.raises(
+        pdf.NoLatexError, match="apt-get install --no-install-recommends texlive-latex-recommended .* tex-gyre"
+    ):
+        pdf.ensure_latex(install=False, say=lambda text: None)
+
+
+def test_as_root_latex_is_installed(monkeypatch, tmp_path):
+    """With a stand-in for apt-get that notes how it is called."""
+    log = tmp_path / "log"
+    (tmp_path / "apt-get").write_text(f'#!/bin/sh\necho "$DEBIAN_FRONTEND $@" >> {log}\n')
+    (tmp_path / "apt-get").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    monkeypatch.setattr(pdf, "_has_latex", lambda: log.exists() and "install" in log.read_text())
+    said = []
+    pdf.ensure_latex(install=True, say=said.append)
+    assert said == ["first run: installing pdflatex (4 Debian packages, 114 MB) ..."]
+    update, install = log.read_text().splitlines()
+    assert update.startswith("noninteractive update")
+    assert install.split()[1:3] == ["install", "--no-install-recommends"]
+    assert set(pdf.PACKAGES) < set(install.split())
+
+
+@pytest.mark.parametrize(("strict", "code"), [([], 0), (["--strict"], 4)])
+def test_a_missing_pdf_is_an_error_only_if_asked(elsewhere, monkeypatch, capsys, strict, code):
+    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
+    arguments = [argument for argument in SMALL if argument != "--no-pdf"]
+    assert cli.main([*arguments, "--no-install", *strict]) == code
+    assert "apt-get install --no-install-recommends" in capsys.readouterr().err
+    assert not (elsewhere / "catalogue/handbook/handbook.pdf").exists()
+
+
+@pytest.mark.slow
+def test_jobs_and_hash_seed_do_not_change_a_byte(tmp_path):
+    catalogues = []
+    for jobs, seed in (("1", "1"), ("2", "2")):
+        out = tmp_path / seed
+        done = axicontact(
+            *("build", "--only", "cone,rounded_punch,flat_punch", "--no-pdf", "--fresh"),
+            *("--jobs", jobs, "--out", str(out)),
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        )
+        assert done.returncode == 0, done.stderr
+        catalogues.append(_bytes(out))
+    assert catalogues[0] == catalogues[1]
