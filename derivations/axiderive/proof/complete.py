@@ -12,8 +12,9 @@ import sympy as sp
 
 from ..contact.normal import derive
 from ..entry import Case, Entry
-from ..notation import C, E_star, F, a, d, r, r_zero
+from ..notation import C, E_star, F, P, a, d, r, r_zero, x, x_zero
 from ..profiles.profile import Piece, Profile
+from . import plane_threshold
 from .compact import Compact, require_zero
 from .domain import Domain, NotProvedError
 from .functions import canonical, normal, require_analytic, sign, tower
@@ -166,10 +167,7 @@ class Complete:
         """p >= 0 everywhere at d_min, p = 0 at r_0, and p grows with d."""
         (least,) = self._closed("dmin").cases
         if least.expr.has(r_zero):
-            message = (
-                f"d_min is given through r_0, a root ({self.entries['rz'].key}); that p >= 0 elsewhere is not shown"
-            )
-            raise NotProvedError(message)
+            return self._minimum_at_root(least.expr)
         (ring,) = self._closed("rz").cases
         (pressure,) = self._closed("p").cases
         domain, steps = self.domain((r, a)), self.pressure()
@@ -194,6 +192,18 @@ class Complete:
             raise NotProvedError(message)
         steps += ["dp/dd > 0", "sqrt(a^2 - r^2) p >= 0 at d = d_min: positive factors and squares"]
         return [*steps, require_zero(at(weighted, r, ring.expr), self.domain((a,)), "p = 0 at d = d_min, r = r_0")]
+
+    def _minimum_at_root(self, least: sp.Expr) -> list[str]:
+        """As for a concave strip, with r for x and d for P: the pressure of r^n has the degree n - 1 in both."""
+        named = {r: x, d: P, r_zero: x_zero}
+        (face,), (pressure,) = self.compact.entry("p").cases, self._closed("p").cases
+        ring = self.entries["rz"]
+        place = replace(ring, cases=tuple(replace(case, expr=case.expr.xreplace(named)) for case in ring.cases))
+        growth = E_star / sp.pi * a * sp.diff(self.compact.depth_of((a,)), a)
+        domain, exponent = self.domain((x, a)), self._exponent(self.unbounded.pieces[0].expr)
+        shown = plane_threshold.by_root(face.expr.xreplace(named), growth, place, exponent, domain)
+        shown += plane_threshold.at_root(pressure.expr.xreplace(named), least.xreplace(named), place, domain)
+        return self.pressure() + self.compact.pressure() + [f"with x = r, P = d: {step}" for step in shown]
 
     def minimum_force(self) -> list[str]:
         steps = self.minimum_depth()
