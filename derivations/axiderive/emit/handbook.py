@@ -21,7 +21,7 @@ from . import page, references
 from .plots import plots
 from .printer import Printer
 from .prose import prose
-from .rows import kappa_row, ordered, pairs
+from .rows import kappa_row, lines, ordered
 from .sketch import sketch
 from .values import Numbers, sketch_values
 
@@ -86,9 +86,8 @@ def remark(one: dict[str, Any]) -> str:
     """The words behind a formula with the keys they refer to."""
     if not one["remark"]:
         return ""
-    keys = ", ".join(rf"\eqr{{{key}}}" for key in one["uses"])
-    joint = "" if one["remark"].endswith("from") else ", see"
-    return rf"\remark{{{one['remark']}{joint} {keys}}}"
+    key = rf" \own{{{one['uses']}}}" if one["uses"] else ""
+    return rf"\remark{{{one['remark']}{key}}}"
 
 
 def shade(index: int, count: int) -> str:
@@ -124,7 +123,7 @@ def _profile_model(profile: Profile, entries: dict[str, Entry], number: str, evi
         "plots": plots(profile, rough),
         "complete": profile.contact == "complete",
         "panel": _panel(profile, entries),
-        "lines": [[page.printed(one) for one in pair] for pair in pairs(rows)],
+        "lines": [[page.printed(one) for one in pair] for pair in lines(rows)],
         "checks": page.check_table(profile, Numbers(profile, entries, values)),
         "calls": page.calls(profile, entries),
         "derivation": page.derivation(profile, entries),
@@ -134,6 +133,7 @@ def _profile_model(profile: Profile, entries: dict[str, Entry], number: str, evi
         "equations": sorted({r for e in entries.values() for r in e.references}, key=_equation_order),
         "master_row": page.master_row(entries),
         "keys": [entry.key for entry in entries.values()],
+        "symbols": sorted(page.symbols(entries)),
     }
 
 
@@ -216,7 +216,7 @@ def _book_model(models: list[dict[str, Any]]) -> dict[str, Any]:
     return {
         "chapters": [(title, members) for title, members in chapters if members],
         "suffixes": page.suffixes(),
-        "notation": page.notation_rows(),
+        "notation": page.notation_rows({s for m in models for s in m["symbols"]}),
         "definitions": page.definition_rows(),
         "masters": page.master_rows(),
         "works": [(references.label(short), prose_reference(text)) for short, text in sorted(references.WORKS.items())],

@@ -16,8 +16,11 @@ from ..contact.medium import HOMOGENEOUS
 from ..entry import COMPACT, COMPLETE, Entry
 from ..profiles.profile import Profile
 from .printer import MASTER_NAMES, Printer
+from .prose import prose
 from .rows import LEFT, Row
+from .shorthand import with_kappa
 from .values import Numbers
+from .width import width
 
 INSIDE = ("0.1", "0.25", "0.5", "0.75", "0.9", "0.99")
 OUTSIDE = ("1.01", "1.25", "1.5", "2", "5", "10")
@@ -40,7 +43,7 @@ def printed(one: Row) -> dict[str, Any]:
         "small": small,
         "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],
         "remark": one.remark,
-        "uses": [f"{one.entry.profile.name}.{suffix}" for suffix in one.uses],
+        "uses": one.uses,
     }
 
 
@@ -91,7 +94,7 @@ def calls(profile: Profile, entries: Mapping[str, Entry]) -> list[str]:
 
 def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
-    slopes = [Printer()(sp.diff(piece.expr, nt.r)) for piece in profile.pieces]
+    slopes = [Printer()(sp.factor(sp.diff(piece.expr, nt.r))) for piece in profile.pieces]
     breaks = ", ".join(f"$r={Printer()(b)}$" for b in profile.breaks)
     pieces = f" in {len(slopes)} pieces, parted at {breaks}," if breaks else ""
     if profile.contact == "complete":
@@ -141,10 +144,10 @@ def evidence_rows(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> 
                 "key": entry.key,
                 "certified": record.get("certified", False),
                 "checks": [
-                    {"compared": tex_words(c["compared"]), "digits": c["digits"], "count": c["count"], "worst": power_of_ten(c["worst"])}
+                    {"compared": prose(c["compared"]), "digits": c["digits"], "count": c["count"], "worst": power_of_ten(c["worst"])}
                     for c in checks
                 ],
-                "reason": "" if record.get("certified") else tex_words(record.get("certificate", {}).get("reason", "")),
+                "reason": "" if record.get("certified") else prose(record.get("certificate", {}).get("reason", "")),
             }
         )
     return rows
@@ -156,42 +159,34 @@ def power_of_ten(text: str) -> str:
     return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
 
 
-def tex_words(text: str) -> str:
-    from .prose import prose
-
-    return prose(text)
-
-
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
-    """g(a) and F(a) of the last region for the table of all profiles."""
-    cells = {}
-    for suffix in ("d", "F", "k"):
-        entry = entries.get(suffix)
-        cells[suffix] = _last_formula(entry) if entry is not None else ""
-    return cells
+    """Depth and force for the table of all profiles; what is too wide for it is referred to."""
+    return {suffix: _cell(entries[suffix], room) if suffix in entries else "" for suffix, room in (("d", 150.0), ("F", 185.0))}
 
 
-def _last_formula(entry: Entry) -> str:
-    from .shorthand import with_kappa
-
+def _cell(entry: Entry, room: float) -> str:
     case = entry.cases[-1]
     short = with_kappa(case.expr)
-    return Printer(case.chain, short.names)(short.expr)
+    text = Printer(case.chain, short.names)(short.expr)
+    return f"${text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
 
 
-def notation_rows() -> list[dict[str, str]]:
-    from .prose import prose
+def symbols(entries: Mapping[str, Entry]) -> set[str]:
+    """Names of the symbols that occur in the rows of a profile."""
+    found = {"a", "f", "g", "d", "F"}
+    for entry in entries.values():
+        printed_symbols = {s.name for case in entry.cases for s in case.expr.free_symbols if isinstance(s, sp.Symbol)}
+        found |= printed_symbols | {s.name for s in (entry.quantity.symbol, *entry.quantity.arguments)}
+    return found
 
-    skip = {"x", "u", "psi", "C", "j", "N"}
+
+def notation_rows(used: set[str]) -> list[dict[str, str]]:
+    """The symbols that are used, in order of the notation."""
+    skip = {"j", "N", "stiffness"}
     return [
-        {
-            "latex": n.latex,
-            "unit": _unit(n.unit),
-            "meaning": prose(n.meaning),
-            "domain": _domain(n),
-        }
+        {"latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": _domain(n)}
         for n in nt.all_notation()
-        if n.name not in skip
+        if n.name in used - skip
     ]
 
 
@@ -239,13 +234,13 @@ def definition_rows() -> list[tuple[str, str, str]]:
     rows = []
     for title, quantities, formulas, equations in (
         ("", COMPACT, normal.definitions(), normal.REFERENCES),
-        ("complete: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
+        ("complete contact: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
     ):
         for suffix in ("d", "F", "p", "w", "k"):
             if suffix in formulas:
                 left = LEFT[suffix]
-                right = "" if suffix == "k" else "=" + printer(formulas[suffix])
-                rows.append((title + quantities[suffix].label.lower(), left + right, ", ".join(equations[suffix][0])))
+                right = "=" + printer(HOMOGENEOUS.stiffness() if suffix == "k" else formulas[suffix])
+                rows.append((title + quantities[suffix].label.lower().replace(" outside", ""), left + right, ", ".join(equations[suffix][0])))
     return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
 
 

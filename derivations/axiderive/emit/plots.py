@@ -6,6 +6,7 @@ depth, both related to one reference contact, against the same two.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,8 @@ import sympy as sp
 from .. import notation as nt
 from ..profiles.profile import Profile
 from .values import Numbers
+
+Rows = list[tuple[float, float]]
 
 HIGHEST = 3.2
 """Upper end of the pressure axis; curves are cut a little above it."""
@@ -45,7 +48,8 @@ class Plots:
 def plots(profile: Profile, numbers: Numbers) -> Plots:
     """Both plots at the values of the profile's file, with its most telling ratio varied on the left."""
     family, name = _family(profile, numbers)
-    curves = tuple(_pressure(member, label, i, len(family)) for i, (label, member) in enumerate(family))
+    rows = [_pressure(member) for _, member in family]
+    curves = tuple(_labelled(rows, i, label) for i, (label, _) in enumerate(family))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
     return Plots(curves, caption, force, reference)
@@ -96,14 +100,43 @@ def _radii(breaks: Iterable[float]) -> list[float]:
     return sorted(x for x in found if 0 < x < 1)
 
 
-def _pressure(numbers: Numbers, label: str, index: int, count: int) -> Curve:
+def _pressure(numbers: Numbers) -> Rows:
     radius, mean = numbers["a"], numbers.mean_pressure
     breaks = [float(numbers[b.name] / radius) for b in numbers.profile.breaks]
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in _radii(breaks)]
-    rows = [(x, y) for x, y in rows if y < HIGHEST * 1.06]
-    wanted = (index + 0.6) / max(count, 1) * 0.75 + 0.05
-    x, y = min(rows, key=lambda row: abs(row[0] - wanted))
-    return Curve(_coordinates(rows), label, round(x, 3), round(min(y, HIGHEST - 0.25), 3))
+    return [(x, y) for x, y in rows if y < HIGHEST * 1.06]
+
+
+def _labelled(family: list[Rows], index: int, label: str) -> Curve:
+    """The label sits where it has most room above or below its curve."""
+    own = family[index]
+    others = [rows for i, rows in enumerate(family) if i != index] + [SPHERE, PUNCH]
+    best = (-1.0, 0.5, 0.0, True)
+    for step in range(4, 46):
+        x = step / 50
+        near = [x + shift for shift in (-0.04, -0.02, 0.0, 0.02, 0.04)]
+        top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
+        if top > HIGHEST - 0.3:
+            continue
+        heights = [_height(rows, t) for rows in others for t in near]
+        above = min([y - top for y in heights if y > top - 0.02] + [HIGHEST - top])
+        below = min([bottom - y for y in heights if y < bottom + 0.02] + [bottom])
+        tilt = top - bottom
+        best = max(best, (min(above, 0.6) - tilt, x, top, True), (min(below, 0.6) - tilt - 0.05, x, bottom, False))
+    _, x, y, up = best
+    return Curve(_coordinates(own), label, x, round(y, 3), up)
+
+
+def _height(rows: Rows, x: float) -> float:
+    """Linear interpolation; beyond the ends the end value."""
+    for (x0, y0), (x1, y1) in zip(rows, rows[1:], strict=False):
+        if x0 <= x <= x1:
+            return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    return rows[0][1] if x < rows[0][0] else rows[-1][1]
+
+
+SPHERE: Rows = [(i / 100, 1.5 * math.sqrt(1 - (i / 100) ** 2)) for i in range(101)]
+PUNCH: Rows = [(i / 100, 0.5 / math.sqrt(1 - (i / 100) ** 2)) for i in range(100)]
 
 
 def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
@@ -157,5 +190,5 @@ def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
     return low, above
 
 
-def _coordinates(rows: list[tuple[float, float]]) -> str:
+def _coordinates(rows: Rows) -> str:
     return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)

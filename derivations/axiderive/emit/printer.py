@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from .. import notation as nt
 from ..abel import masters
@@ -189,6 +190,8 @@ class Printer:
             return self._bracketed(e, sp.S.One)
         if e.is_Integer:
             return str(e)
+        if e.is_Float:
+            return f"{float(e):.6g}"
         if isinstance(e, sp.Integral):
             return self._integral(e)
         if isinstance(e, sp.Sum):
@@ -294,7 +297,9 @@ def _is_scale(base: sp.Expr) -> bool:
         return bool(base.args[0].is_Symbol)
     if base.is_Add:
         return {s.name for s in base.free_symbols} <= {"n", "j", "k"}
-    return bool(base.is_Symbol or base is sp.pi or isinstance(base, (sp.Indexed, sp.gamma)) or base.is_Rational)
+    if isinstance(base, sp.Derivative):
+        return isinstance(base.expr, AppliedUndef)
+    return bool(base.is_Symbol or base is sp.pi or isinstance(base, (sp.Indexed, sp.gamma, AppliedUndef)) or base.is_Number)
 
 
 def _is_function(base: sp.Expr) -> bool:
@@ -311,7 +316,7 @@ def _rank(symbol: sp.Symbol) -> int:
 
 def _factor_key(factor: Factor) -> tuple[int, int, str]:
     base = factor[0]
-    if base.is_Rational:
+    if base.is_Number:
         return (0, 0, "")
     if base is sp.pi:
         return (1, 0, "")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -52,8 +54,8 @@ class Row:
     regions: tuple[Region, ...]
     remark: str = ""
     """Words behind the formula, as `solved for a`."""
-    uses: tuple[str, ...] = ()
-    """Suffixes of the rows the remark refers to."""
+    uses: str = ""
+    """Suffix of the row the remark refers to."""
 
     @property
     def key(self) -> str:
@@ -82,13 +84,12 @@ def row(entry: Entry) -> Row:
     """The row of an entry."""
     if entry.composed:
         outer, inner = entry.composed
-        unknown = "a"
         left = LEFT[entry.suffix]
         function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
-        return Row(entry, "composition", (Region("", (f"{left}={function}",)),), f"with ${unknown}$ from", (inner,))
+        return Row(entry, "composition", (Region("", (f"{left}={function}",)),), "with $a$ from", inner)
     if entry.status == "root" and entry.suffix in ("ad", "aF"):
         equation = "g(a)=d" if entry.suffix == "ad" else r"F_{\mathrm N}(a)=F_{\mathrm N}"
-        return Row(entry, "root", (Region("", (equation,)),), "solved for $a$", ("d" if entry.suffix == "ad" else "F",))
+        return Row(entry, "root", (Region("", (equation,)),), "solved for $a$")
     return Row(entry, "formula", tuple(_region(entry, pairs, expr) for pairs, expr in regions(entry)))
 
 
@@ -107,10 +108,12 @@ def chain_of(entry: Entry, expr: sp.Expr) -> tuple[sp.Expr, ...]:
 def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: Printer) -> str:
     """The range in print: r <= a for the pressure, a <= r outside, and what tells the cases apart."""
     own = _own_range(entry, chain)
-    loose = {pair for pair in own if not _implied(pair, pairs)}
+    loose = [pair for pair in own if not _implied(pair, (*pairs, *_always(entry)))]
     steps = [*pairs, *loose]
     if not steps:
         return ""
+    if steps == [(a, r)]:
+        return r"r\ge a"
     ascending = _as_chain(steps)
     signs = {pair: r"\le" if pair in own else "<" for pair in steps}
 
@@ -123,6 +126,12 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
     return out
+
+
+def _always(entry: Entry) -> Pairs:
+    """Comparisons of lengths other than r that hold in every case: b < a for a truncated cone."""
+    shared = [set(itertools.combinations([x for x in case.chain if x != r], 2)) for case in entry.cases]
+    return tuple(set.intersection(*shared)) if shared else ()
 
 
 def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
@@ -216,19 +225,18 @@ def kappa_row(entries: tuple[Entry, ...]) -> str:
     return ""
 
 
-def pairs(rows: list[Row]) -> list[tuple[Row, ...]]:
-    """Rows in printing order, two narrow neighbours on one line."""
-    fits = [(one.narrow and _half(one)) for one in rows]
-    out: list[tuple[Row, ...]] = []
-    i = 0
-    while i < len(rows):
-        if i + 1 < len(rows) and fits[i] and fits[i + 1]:
-            out.append((rows[i], rows[i + 1]))
-            i += 2
-        else:
-            out.append((rows[i],))
-            i += 1
-    return out
+def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
+    """Rows in printing order: depth and force first, fields last, two narrow ones on one line."""
+    narrow = [one for one in rows if one.narrow and _half(one)]
+    wide = [one for one in rows if one not in narrow]
+    out = [tuple(narrow[i : i + 2]) for i in range(0, len(narrow), 2)] + [(one,) for one in wide]
+    return sorted(out, key=lambda line: min(_place(one, len(line)) for one in line))
+
+
+def _place(one: Row, together: int) -> int:
+    """A wide row of depth or force comes before all pairs."""
+    at = ORDER.index(one.suffix)
+    return at - len(ORDER) if together == 1 and one.suffix in ("d", "F") else at
 
 
 HALF = 118.0
@@ -236,12 +244,13 @@ HALF = 118.0
 
 
 def _half(one: Row) -> bool:
-    return one.regions[0].width + (4.2 * len(one.remark) + 20 if one.remark else 0) <= HALF
+    room = HALF if not one.remark else HALF - 14 - 4.0 * len(one.remark.replace("$", "")) - (16 if one.uses else 0)
+    return one.regions[0].width <= room
 
 
 ORDER = ("d", "ad", "F", "Fd", "aF", "dF", "k", "pm", "p", "w", "rz", "dmin", "Fmin")
 
 
-def ordered(entries: dict[str, Entry]) -> list[Row]:
+def ordered(entries: Mapping[str, Entry]) -> list[Row]:
     """The rows of a profile, the short ones first, fields last."""
     return [row(entries[suffix]) for suffix in ORDER if suffix in entries]

@@ -16,7 +16,7 @@ from ..notation import j as index
 from .printer import Printer
 from .width import width
 
-LINE = 330.0
+LINE = 345.0
 """Points available for a formula between label and key."""
 
 ANGLES = (sp.asin, sp.acos, sp.atan, sp.atanh, sp.log)

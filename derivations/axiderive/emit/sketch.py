@@ -55,7 +55,6 @@ class Picture:
     end: float
     arrow: float
     arrow_depth: float
-    half_top: float
     dimensions: tuple[Dimension, ...]
     angle: Angle | None
 
@@ -80,7 +79,6 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
         end=_short(outside[-1][1]),
         arrow=x_arrow,
         arrow_depth=_short(-float(numbers("w", x_arrow / scale)) * scale),
-        half_top=_short(right[-1][0] - 0.08),
         dimensions=_dimensions(profile, numbers, scale, depth),
         angle=_angle(profile, numbers, scale, depth),
     )
