@@ -19,7 +19,7 @@ from ..abel.order import Chain, Order, insert
 from ..abel.plane_moments import Inside, Kernel, Outside, complementary
 from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
-from ..notation import C, E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
+from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
 from ..profiles.profile import Piece, Profile
 from . import complete, tilted
 from .inverse import closed_inverse
@@ -97,7 +97,7 @@ class Superposition:
 
 
 def _in_r(piece: Piece) -> Piece:
-    return Piece(piece.upper, piece.expr.subs(x, r))
+    return Piece(piece.upper, sp.expand_power_base(piece.expr).subs(x, r))
 
 
 def _entry(profile: Profile, quantity: Quantity, cases: tuple[Case, ...], **more: object) -> Entry:
@@ -164,24 +164,14 @@ class _Complete:
     profile: Profile
 
     def __post_init__(self) -> None:
-        face, self.coefficient = _fixed_face(self.profile)
-        self.strips = Superposition.of(face)
+        self.strips = Superposition.of(self.profile.pieces)
 
     def entries(self) -> dict[str, Entry]:
-        fixed = self._formulas()
-        entries = {
-            suffix: _entry(
-                self.profile,
-                PLANE_COMPLETE[suffix],
-                (Case(case.chain, case.expr.subs(C, self.coefficient)),),
-                fixed_face=(case,),
-            )
-            for suffix, case in fixed.items()
-        }
-        return entries | self._threshold() if self.coefficient != 0 else entries
+        formulas = self._formulas()
+        entries = {suffix: _entry(self.profile, PLANE_COMPLETE[suffix], (case,)) for suffix, case in formulas.items()}
+        return entries | self._threshold() if self.strips.atoms else entries
 
     def _formulas(self) -> dict[str, Case]:
-        """Pressure, slope and depth with the coefficient of the face independent of a."""
         inside, outside, far = (x, a), (a, x), (a, L)
         edge = Form.of(sp.S.One, P / E_star) + self.strips.load((a,)) * -1
         pressure = edge.times(1 / sp.sqrt(a**2 - x**2)) + self.strips.field(inside, Inside(Order(inside)))
@@ -211,12 +201,3 @@ class _Complete:
             "xz": _entry(self.profile, PLANE_COMPLETE["xz"], place, status=ring.status),
             "Pmin": _entry(self.profile, PLANE_COMPLETE["Pmin"], (Case((a,), least),)),
         }
-
-
-def _fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
-    """The face with C for its coefficient where that depends on a, and what C stands for."""
-    (piece,) = profile.pieces
-    if not piece.expr.has(a):
-        return profile.pieces, sp.S.Zero
-    factor, power = piece.expr.as_independent(x, as_Add=False)
-    return (Piece(None, -C * power),), -factor
