@@ -37,7 +37,9 @@ class Contact:
             case "w":
                 return integrals.displacement(self.shape, a, number(self.values[nt.r]), digits, self.free_depth)
             case "k" if self.free_depth is None:
-                return modulus * integrals.force_rate(self.shape, a, digits) / integrals.depth_rate(self.shape, a, digits)
+                # both rates vanish where the contact ceases to be compact, hence the extra digits
+                rates = [rate(self.shape, a, digits + 20) for rate in (integrals.force_rate, integrals.depth_rate)]
+                return modulus * rates[0] / rates[1]
             case "k":  # the force is linear in the free depth
                 deeper = integrals.force(self.shape, a, digits, self.free_depth + 1)
                 return modulus * (deeper - integrals.force(self.shape, a, digits, self.free_depth))

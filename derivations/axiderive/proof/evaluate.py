@@ -34,7 +34,7 @@ def decades(values: Values) -> int:
     """How far apart, or how close, two lengths of the point are, in powers of ten."""
     lengths = [s for s in numeric_symbols(values) if nt.known(str(s)) and nt.describe(s).dimension == nt.LENGTH]
     with mp.workdps(30):
-        sizes = [number(values[s]) for s in lengths]
+        sizes = [size for size in (number(values[s]) for s in lengths) if size]
         gaps = [abs(mp.log10(x / y)) for i, x in enumerate(sizes) for y in sizes[:i]]
         gaps += [-mp.log10(abs(1 - x / y)) for i, x in enumerate(sizes) for y in sizes[:i] if x != y]
     return int(mp.ceil(max(gaps, default=0)))

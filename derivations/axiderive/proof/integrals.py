@@ -137,14 +137,18 @@ def _pressure_piece(piece: Stretch, a: Number, r: Number, digits: int) -> Number
     singular = [cmath.asin(z / float(a)) for z in piece.singular]
     kernel_points = (complex(centre), complex(-centre), complex(mp.pi - centre))
     rest_at_r = (a - r) * (a + r)
+    across, along = mp.cos_sin(centre)
 
-    def integrand(x: Number, shift: Number) -> Number:
-        # shift = asin(r/a) next to r, where x is the exact distance to the logarithm, 0 elsewhere
-        u = x + shift
-        s, z = a * mp.sin(u), a * mp.cos(u)
-        distance = x if shift else x - centre
-        gap = abs(a * a * mp.sin(distance) * mp.sin(u + centre))
-        large, rest = (s, z * z) if distance > 0 else (r, rest_at_r)
+    def integrand(x: Number, near: bool) -> Number:
+        # next to r, x is the exact distance u - asin(r/a) to the logarithm; elsewhere it is u itself
+        c, i = mp.cos_sin(x)
+        if near:
+            cosine, sine, away = c * across - i * along, i * across + c * along, i
+        else:
+            cosine, sine, away = c, i, i * across - c * along
+        s, z = a * sine, a * cosine
+        gap = abs(a * a * away * (sine * across + cosine * along))
+        large, rest = (s, z * z) if away > 0 else (r, rest_at_r)
         return piece.bend(s) * _kernel(large, gap, rest) * z
 
     total = mp.mpf(0)
@@ -158,6 +162,6 @@ def _pressure_piece(piece: Stretch, a: Number, r: Number, digits: int) -> Number
         )
         ends = _longest(points, start - shift, end - shift, 6 * piece.wavelength / float(a))
         total += mp.fsum(
-            integrate(lambda x, c=shift: integrand(x, c), x, y, points, digits) for x, y in zip(ends, ends[1:], strict=False)
+            integrate(lambda x, n=near: integrand(x, n), x, y, points, digits) for x, y in zip(ends, ends[1:], strict=False)
         )
     return total

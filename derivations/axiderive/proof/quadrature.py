@@ -7,6 +7,7 @@ radius; the inverse must lead back to that radius.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 import mpmath as mp
 import sympy as sp
@@ -14,7 +15,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..profiles.profile import Profile
-from .balls import NotAvailableError, enclose
+from .balls import enclose
 from .definitions import Contact, contact
 from .evaluate import at_precision, case_at, evaluate, holds
 from .evidence import Evidence, judge, residual
@@ -77,7 +78,8 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
 def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
     if suffix in THRESHOLDS:
         return _threshold_residual(profile, entries, suffix, values, digits)
-    here = contact(profile, values, digits)
+    # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
+    here = contact(profile, values, digits + (20 if suffix in INVERSES else 0))
     if suffix not in INVERSES:
         return residual(value(entries[suffix], values, digits), here.quantity(suffix))
     given, target = INVERSES[suffix]
@@ -91,11 +93,11 @@ def value(entry: Entry, values: Values, digits: int) -> Number:
     expr = case_at(entry, values).expr
     if not expr.has(sp.Integral):
         return evaluate(expr, values, digits)
-    try:
+    if all(integral.limits[0][1] == 0 for integral in expr.atoms(sp.Integral)):
         ball = enclose(expr, values, digits)
-    except NotAvailableError:
-        return evaluate_integral(expr, values, digits)
-    return mp.mpf(ball.mid().str(digits + 10, radius=False))
+        return mp.mpf(ball.mid().str(digits + 10, radius=False))
+    # a lower limit at a break is a branch point, where an enclosure by boxes converges too slowly
+    return evaluate_integral(expr, values, digits)
 
 
 def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number:
@@ -106,19 +108,20 @@ def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number
         if entry.profile.contact == "complete" and suffix == "dF":
             without.pop(nt.d, None)
         return evaluate(case_at(entry, without).expr, without, digits)
-    radius = root(case_at(entry, known), nt.a, known, digits)
+    largest = entry.profile.largest
+    radius = root(case_at(entry, known), nt.a, known, digits, () if largest is None else (largest,))
     if suffix in ("ad", "aF"):
         return radius
     return evaluate(case_at(entries[str(entry.quantity.symbol)], known).expr, {**known, nt.a: radius}, digits)
 
 
-def root(case: Case, unknown: sp.Symbol, known: Values, digits: int) -> Number:
+def root(case: Case, unknown: sp.Symbol, known: Values, digits: int, beyond: tuple[sp.Expr, ...] = ()) -> Number:
     """The root of an equation by bracketing, from a start that is off by a thousandth of the way to the next border.
 
     The brackets only say which root; that the equation has its root at the known point is what the residual measures.
     """
     here = at_precision(unknown, known)
-    borders = [at_precision(x, known) for x in case.chain if x != unknown]
+    borders = [at_precision(x, known) for x in (*case.chain, *beyond) if x != unknown]
     reach = min([abs(border - here) for border in borders] + [here]) / 1000
 
     def gap(x: Number) -> Number:
@@ -130,10 +133,15 @@ def root(case: Case, unknown: sp.Symbol, known: Values, digits: int) -> Number:
         return mp.findroot(gap, (here - reach, here + reach * mp.mpf("0.7")), solver="secant", tol=tolerance, verify=False)
 
 
+@lru_cache(maxsize=8)
+def _ring(profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int) -> tuple[Number, Number]:
+    values = dict(items)
+    return ring(shape(profile, values), at_precision(nt.a, values), digits)
+
+
 def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
     """Ring, least depth and least force against the pressure of the definition, whose maximum is searched for."""
-    a = at_precision(nt.a, values)
-    radius, depth = ring(shape(profile, values), a, digits)
+    radius, depth = _ring(profile, tuple(values.items()), int(mp.mp.prec), digits)
     case = case_at(entries["rz"], values)
     equation = case.expr
     if isinstance(equation, sp.Eq):

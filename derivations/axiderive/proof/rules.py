@@ -85,7 +85,10 @@ def ellipse(lo: float, hi: float, point: complex) -> float:
 
 def strip(lo: float, hi: float, point: complex) -> float:
     """Height of the strip in which the double exponential map of (lo, hi) keeps clear of the point."""
-    return abs(cmath.asinh(2 / cmath.pi * cmath.atanh((2 * point - lo - hi) / (hi - lo))).imag)
+    w = (2 * point - lo - hi) / (hi - lo)
+    if abs(w * w - 1) < 1e-15:  # too near to an end to be told from it
+        return 0.0
+    return abs(cmath.asinh(2 / cmath.pi * cmath.atanh(w)).imag)
 
 
 def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0) -> list[tuple[float, float, float]]:

@@ -115,9 +115,17 @@ def _inverse(element: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return min(roots, key=sp.count_ops)
 
 
+def _order(profile: Profile) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Pairs of lengths in ascending order that hold in every contact with the profile."""
+    pairs = list(itertools.pairwise(profile.chain))
+    if profile.largest is not None:
+        pairs.append((nt.a, profile.largest.xreplace({x: sp.Rational(x) for x in profile.largest.atoms(sp.Float)})))
+    return pairs
+
+
 def _neighbours(profile: Profile, values: Values, rng: random.Random) -> None:
     """Lengths that the profile orders, such as a < R, but the case does not mention."""
-    for lo, hi in zip(profile.chain, profile.chain[1:], strict=False):
+    for lo, hi in _order(profile):
         ratio = rng.choice((NEARLY_ZERO, NEARLY_ONE, None, None)) or _ratio(rng)
         if not lo.free_symbols - set(values) and hi.free_symbols - set(values):
             _solve(hi, lo.xreplace(values) / ratio, values, rng)
@@ -152,9 +160,9 @@ def _parameters(profile: Profile, fields: tuple[sp.Symbol, ...], values: Values,
 
 
 def _allowed(profile: Profile, values: Values) -> bool:
-    sizes = [at_precision(x, values) for x in profile.chain if not x.free_symbols - set(values)]
-    if any(lo >= hi for lo, hi in zip(sizes, sizes[1:], strict=False)):
-        return False
+    for lo, hi in _order(profile):
+        if not (lo.free_symbols | hi.free_symbols) - set(values) and at_precision(lo, values) >= at_precision(hi, values):
+            return False
     for rule in profile.rules:
         left, right = at_precision(rule.left, values), at_precision(rule.right, values)
         if left > right or (rule.strict and left == right):

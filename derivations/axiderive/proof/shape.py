@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath as mp
 import sympy as sp
@@ -13,7 +13,7 @@ import sympy as sp
 from .. import notation as nt
 from ..profiles.profile import Profile
 
-Number = mp.mpf
+Number: TypeAlias = mp.mpf
 Values = Mapping[Any, Any]
 
 

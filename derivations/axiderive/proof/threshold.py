@@ -13,6 +13,7 @@ from .shape import Number, Shape
 
 COARSE = 16
 """Digits of the search for the ring."""
+SCAN = 16
 STENCIL = 9
 
 
@@ -25,36 +26,29 @@ def level(face: Shape, a: Number, r: Number, digits: int) -> Number:
 def ring(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
     """Radius at which the pressure first vanishes on unloading, and the depth at which it does."""
     with mp.workdps(2 * COARSE):
-        step = a / 16
-        radii = [step * i for i in range(16)]
-        best = max(range(16), key=lambda i: level(face, a, radii[i], COARSE))
-        if best == 0:
-            rough = mp.mpf(0)
-        else:
-            rough = _golden(face, a, radii[best] - step, min(radii[best] + step, a * (1 - mp.mpf(10) ** -3)))
-    if rough == 0:
+        radii = [a * i / SCAN for i in range(SCAN)]
+        levels = [level(face, a, r, COARSE) for r in radii]
+        best = max(range(SCAN), key=lambda i: levels[i])
+        rough = _vertex(face, a, radii[best]) if best else mp.mpf(0)
+    if best == 0:
         return rough, level(face, a, rough, digits)
     return _refined(face, a, rough, digits)
 
 
-def _golden(face: Shape, a: Number, lo: Number, hi: Number) -> Number:
-    """Golden section for the maximum of the level: good to the square root of the precision."""
-    ratio = (mp.sqrt(5) - 1) / 2
-    inner, outer = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
-    levels = [level(face, a, x, COARSE) for x in (inner, outer)]
-    while hi - lo > a * mp.mpf(10) ** -6:
-        if levels[0] > levels[1]:
-            hi, outer, inner = outer, inner, outer - ratio * (outer - lo)
-            levels = [level(face, a, inner, COARSE), levels[0]]
-        else:
-            lo, inner, outer = inner, outer, inner + ratio * (hi - inner)
-            levels = [levels[1], level(face, a, outer, COARSE)]
-    return (lo + hi) / 2
+def _vertex(face: Shape, a: Number, start: Number) -> Number:
+    """Repeated parabolas through three levels, narrower each time that the vertex lies between them."""
+    width = min(a / SCAN, (a - start) / 2)
+    while width > a * mp.mpf(10) ** -5:
+        below, here, above = (level(face, a, start + i * width, COARSE) for i in (-1, 0, 1))
+        move = (below - above) / (2 * (below - 2 * here + above))
+        start += max(-1, min(1, move)) * width
+        width = min(width / 10 if abs(move) < 1 else width, (a - start) / 2)
+    return start
 
 
 def _refined(face: Shape, a: Number, rough: Number, digits: int) -> tuple[Number, Number]:
-    """Maximum of the polynomial through equidistant levels 1e-6 a apart; its error is the ninth power of that."""
-    step, half = a * mp.mpf(10) ** -6, STENCIL // 2
+    """Maximum of the polynomial through equidistant levels 1e-7 a apart; its error is the ninth power of that."""
+    step, half = a * mp.mpf(10) ** -7, STENCIL // 2
     levels = [level(face, a, rough + i * step, digits) for i in range(-half, half + 1)]
     coefficients = _interpolate(levels, half)
     x = mp.mpf(0)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import mpmath as mp
 import sympy as sp
 
 from .evaluate import at_precision, decades
 from .rules import integrate
-from .shape import Number, Values, concrete, numeric_symbols
+from .shape import Number, Values, concrete
 
 
 def evaluate_integral(expr: sp.Expr, values: Values, digits: int) -> Number:
@@ -27,8 +29,12 @@ def evaluate_integral(expr: sp.Expr, values: Values, digits: int) -> Number:
 def _definite(integral: sp.Integral, values: Values, digits: int) -> Number:
     (variable, lower, upper), integrand = integral.limits[0], integral.function
     start, end = at_precision(lower, values), at_precision(upper, values)
-    singular = {0j, *(z - complex(start) for z in _singular_points(integrand, variable, values))}
-    points = tuple(z for z in singular if z == 0 or abs(z) > 1e-14 * float(end - start))
+    shifted = [z - start for part in _zeros_of(integrand, variable) for z in _roots(part, values)]
+    # what the lower limit itself is a root of comes out as rounding
+    negligible = (end - start) * mp.mpf(10) ** (-mp.mp.dps // 2)
+    # a feature behind the branch point, on another sheet, still asks for geometric panels down to its scale
+    behind = -float(end - start) * 10.0 ** (-2 * decades(values))
+    points = (0j, complex(behind), *(complex(z) for z in shifted if abs(z) > negligible))
 
     def f(x: Number) -> Number:
         return at_precision(integrand, {**values, variable: start + x})
@@ -36,15 +42,18 @@ def _definite(integral: sp.Integral, values: Values, digits: int) -> Number:
     return integrate(f, mp.mpf(0), end - start, points, digits)
 
 
-def _singular_points(integrand: sp.Expr, variable: sp.Symbol, values: Values) -> set[complex]:
-    """Zeros of the bases of roots and reciprocals that are polynomials or fractions of the variable."""
-    points: set[complex] = set()
-    exact = {s: sp.Rational(str(mp.nstr(v, 40))) if isinstance(v := values[s], mp.mpf) else v for s in numeric_symbols(values)}
+@lru_cache(maxsize=256)
+def _zeros_of(integrand: sp.Expr, variable: sp.Symbol) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Coefficients of the polynomials in the variable that stand under roots and in denominators."""
+    polynomials: set[tuple[sp.Expr, ...]] = set()
     for power in integrand.atoms(sp.Pow):
         if not power.base.has(variable) or (power.exp.is_Integer and power.exp > 0):
             continue
-        base = sp.together(power.base.xreplace(exact))
-        for part in sp.fraction(base):
+        for part in sp.fraction(sp.together(power.base)):
             if part.has(variable) and part.is_polynomial(variable):
-                points.update(complex(z) for z in sp.Poly(part, variable).nroots(n=25, maxsteps=200))
-    return points
+                polynomials.add(tuple(sp.Poly(part, variable).all_coeffs()))
+    return tuple(polynomials)
+
+
+def _roots(coefficients: tuple[sp.Expr, ...], values: Values) -> list[Number]:
+    return list(mp.polyroots([at_precision(c, values) for c in coefficients], maxsteps=500, extraprec=2 * mp.mp.prec))
