@@ -138,8 +138,8 @@ def _check(arguments: argparse.Namespace) -> int:
     if arguments.keys == ["chapter"]:
         from .chapter11.runner import GUARD, report
 
-        jobs = min(os.cpu_count() or 1, 4)
-        return 0 if report(arguments.digits - GUARD, arguments.seed, jobs) else FAILED
+        jobs = min(os.cpu_count() or 1, MOST_JOBS)
+        return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, jobs) else FAILED
     from .check import check
     from .work import Settings, project_root
 

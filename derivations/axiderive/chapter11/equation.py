@@ -55,9 +55,10 @@ class Residual:
     def in_units(self, other: Residual, draw: Draw) -> Any:
         """How far the right side misses the scaling of its dimension; `other` is the same in the units of `draw`."""
         factor = draw.factor(*self.dimension)
-        if self.right == 0 or other.right == 0:
-            return Residual(self.scale * factor, other.scale).relative() if self.scale is not None else mp.mpf(0)
-        return Residual(self.right * factor, other.right).relative()
+        missed = Residual(self.right * factor, other.right, scale=other.scale).relative()
+        if self.scale is None:
+            return missed
+        return max(missed, Residual(self.scale * factor, other.scale).relative())
 
 
 Check = Callable[[Draw, Formula], Iterator[Residual]]

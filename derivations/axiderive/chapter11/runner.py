@@ -159,7 +159,7 @@ WIDTHS = (8, 8, 6, 7, 7, 9, 0)
 
 
 def table(rows: Iterable[Row]) -> str:
-    """One line per equation: number, verdict, digits, residuals, what was checked and, for a misprint, the right form."""
+    """One line per equation: number, verdict, digits, residuals, what was checked, and the right form of a misprint."""
     return "\n".join([_text(HEAD), *map(line, rows)]) + "\n"
 
 
@@ -184,13 +184,14 @@ def line(row: Row) -> str:
 
 def report(digits: int = 30, seed: int = 11, jobs: int = 1) -> bool:
     """Print the table line by line; whether every equation holds as printed or as corrected."""
-    started, rows = time.perf_counter(), []
+    started = time.perf_counter()
+    rows: list[Row] = []
     print(_text(HEAD))
     for row in stream(digits=digits, seed=seed, jobs=jobs):
         print(line(row), flush=True)
         rows.append(row)
-    wrong = [row.verdict for row in rows]
+    verdicts = [row.verdict for row in rows]
     seconds = time.perf_counter() - started
-    counts = f"{len(rows)} equations, {wrong.count('misprint')} misprinted, {wrong.count('fails')} failures"
+    counts = f"{len(rows)} equations, {verdicts.count('misprint')} to be corrected, {verdicts.count('fails')} failures"
     print(f"{counts}, least agreement {min(row.digits() for row in rows)} digits, {seconds:.1f} s, seed {seed}")
-    return "fails" not in wrong
+    return "fails" not in verdicts

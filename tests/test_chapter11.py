@@ -1,0 +1,162 @@
+"""The 110 equations of chapter 11: the misprinted ones are found, no other is flagged, and an altered one is caught."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from axiderive.chapter11 import runner
+from axiderive.chapter11.equation import Formula
+from axiderive.chapter11.errata import REMARKS, agreement, errata
+
+MISPRINTED = {66, 88, 102, 106, 110}
+DIGITS = 30
+SECTIONS = {
+    "flat punch": range(1, 16),
+    "normal": range(16, 30),
+    "adhesive": range(30, 32),
+    "graded punch": range(32, 48),
+    "graded": range(48, 62),
+    "graded adhesive": range(62, 67),
+    "tangential": range(67, 81),
+    "special functions": range(81, 100),
+    "Föppl and Schubert": range(100, 111),
+}
+
+
+def assert_verdicts(rows: tuple[runner.Row, ...]) -> None:
+    wrong = [row for row in rows if row.verdict != ("misprint" if row.number in MISPRINTED else "OK")]
+    assert not wrong, "\n" + runner.table(wrong)
+    assert min(row.digits() for row in rows) >= DIGITS
+
+
+def test_every_equation_has_a_check() -> None:
+    assert list(runner.equations()) == list(range(1, 111))
+    assert {n for n, equation in runner.equations().items() if equation.corrected} == MISPRINTED
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_section(section: str) -> None:
+    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=1, draws=1))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("section", SECTIONS)
+def test_section_with_many_draws(section: str) -> None:
+    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=2, draws=6))
+
+
+def test_more_digits_are_reached_on_demand() -> None:
+    """The rules of quadrature scale with the precision."""
+    rows = runner.run([4, 24, 42, 68, 83, 104], digits=55, seed=3, draws=1)
+    assert all(row.verdict == "OK" for row in rows), "\n" + runner.table(rows)
+
+
+def test_rows_do_not_depend_on_the_number_of_processes() -> None:
+    numbers = [3, 5, 66, 88, 102]
+    assert runner.run(numbers, draws=1, jobs=2) == runner.run(numbers, draws=1)
+
+
+def test_only_misprinted_rows_bear_the_word() -> None:
+    rows = runner.run([5, 64, 66, 87, 88, 102, 103], draws=1)
+    lines = runner.table(rows).splitlines()[1:]
+    assert [row.number for row, line in zip(rows, lines, strict=True) if "misprint" in line] == [66, 88, 102]
+
+
+def test_an_unknown_number_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"no equation \(11\.111\)"):
+        runner.run([111])
+
+
+def test_a_correction_of_a_correct_equation_fails() -> None:
+    equation = runner.equations()[5]
+    assert runner.check(replace(equation, corrected=equation.formula), draws=1).verdict == "fails"
+
+
+def test_errata_are_the_misprints_and_the_remarks() -> None:
+    found = errata(DIGITS, seed=4)
+    assert [e.place for e in found[: len(MISPRINTED)]] == [f"(11.{n})" for n in sorted(MISPRINTED)]
+    assert all(e.printed != e.right and e.reason and e.evidence for e in found[: len(MISPRINTED)])
+    assert len(found) == len(MISPRINTED) + len(REMARKS)
+
+
+@pytest.mark.parametrize("remark", [r for r in REMARKS if r.check], ids=lambda r: r.place)
+def test_remarks_hold(remark: Any) -> None:
+    assert agreement(remark, DIGITS, seed=5) >= DIGITS
+
+
+# A check that cannot fail proves nothing: every operator, sign and number of the printed formulas is altered in turn.
+
+OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
+PRECISION_ONLY = {"max", "float", "workdps"}
+"""Calls that say how to integrate, not what."""
+RULES = {"around", "across"}
+"""Rules of quadrature, of which only the integrand is part of the formula."""
+
+
+def _sites(tree: ast.AST) -> Iterator[ast.AST]:
+    """The nodes of a formula that can be altered, without those that only steer a quadrature."""
+    for node in ast.iter_child_nodes(tree):
+        called = getattr(node.func, "id", getattr(node.func, "attr", "")) if isinstance(node, ast.Call) else ""
+        if called in PRECISION_ONLY or isinstance(node, ast.keyword):
+            continue
+        if called in RULES:
+            yield from _sites(node.args[0])
+            continue
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
+            yield node
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            yield node
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            yield node
+        yield from _sites(node)
+
+
+def mutants(formula: Formula) -> Iterator[tuple[str, Formula]]:
+    source = textwrap.dedent(inspect.getsource(formula))
+    count = len(list(_sites(ast.parse(source))))
+    for index in range(count):
+        tree = ast.parse(source)
+        node = list(_sites(tree))[index]
+        if isinstance(node, ast.BinOp):
+            node.op = OPERATORS[type(node.op)]()
+        elif isinstance(node, ast.UnaryOp):
+            node.op = ast.UAdd()
+        elif isinstance(node, ast.Constant):
+            node.value += 1
+        namespace = dict(formula.__globals__)
+        exec(compile(tree, "<mutant>", "exec"), namespace)
+        yield ast.unparse(tree), namespace[formula.__name__]
+
+
+def survives(number: int, formula: Formula) -> bool:
+    equation = runner.equations()[number]
+    try:
+        return runner.evaluate(equation, formula, DIGITS, seed=6, draws=1).digits() >= DIGITS
+    except (ArithmeticError, ValueError, TypeError, AssertionError):
+        return False  # a root of a negative number, a division by zero
+
+
+CHEAP = (
+    3, 5, 7, 9, 12, 13, 15, 21, 24, 32, 36, 38, 40, 42, 45, 53, 58, 64, 74, 75,
+    79, 81, 84, 85, 90, 92, 96, 102, 103, 108,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("number", CHEAP)
+def test_altered_equation_is_flagged(number: int) -> None:
+    equation = runner.equations()[number]
+    survivors = [text for text, formula in mutants(equation.corrected or equation.formula) if survives(number, formula)]
+    assert not survivors, "\n\n".join(survivors)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(1, 111))
+def test_every_altered_equation_is_flagged(number: int) -> None:
+    test_altered_equation_is_flagged(number)
