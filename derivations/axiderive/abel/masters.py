@@ -7,18 +7,20 @@ itself with mpmath (`numeric`, at the working precision in force).
 
 from __future__ import annotations
 
+from typing import Any, TypeAlias
+
 import mpmath as mp
 import sympy as sp
 from sympy.core.function import ArgumentIndexError
 
-Number = mp.mpf
+Number: TypeAlias = mp.mpf
 
 
 class Master(sp.Function):
     """Common part: evaluation through `numeric`, inside the requested precision."""
 
     @staticmethod
-    def numeric(*args: Number) -> Number:
+    def numeric(*args: Any, **options: Any) -> Number:
         message = "a master integral must say how it is evaluated"
         raise TypeError(message)
 
