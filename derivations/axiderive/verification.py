@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from .proof import certificate, quadrature
+from .proof import certificate, quadrature, units
 
 if TYPE_CHECKING:
     from .entry import Entry
@@ -39,7 +39,10 @@ def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -
 
 
 def _checks(profile: Profile, entries: dict[str, Entry], settings: Settings) -> list[Evidence]:
-    return list(quadrature.check_profile(profile, entries, **settings.record()).values())
+    return [
+        *quadrature.check_profile(profile, entries, **settings.record()).values(),
+        *units.check_profile(profile, entries).values(),
+    ]
 
 
 def _entry(proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
@@ -62,7 +65,7 @@ def _summary(proof: Certificate, checks: Sequence[Evidence]) -> str:
 
 
 def _short(check: Evidence) -> str:
-    if not check.count:
+    if not check.worst:
         return str(check.outcome)
     return f"{check.outcome}, {check.digits} digits at {check.count} points"
 
