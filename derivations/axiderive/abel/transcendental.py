@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..entry import Primitive
-from ..notation import a, r
+from ..notation import a, r, x
 from .form import Form
 from .masters import Dawson, Kummer, StruveH, StruveL, gamma_normalised
 from .moments import ONE, ZERO
@@ -70,6 +70,12 @@ class GaussianAtom(_SingleScale):
             return Form.of(Dawson(a / self.s), 2 * self.h * a / self.s)
         z = a**2 / self.s**2
         return Form.of(Kummer(ONE, (3 + k) / 2, -z), 2 * self.h * z / (1 + k))
+
+    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+        """Dawson's function of sqrt(a^2 - x^2)/s, times exp(-x^2/s^2)."""
+        bell, root = sp.exp(-(x**2) / self.s**2), sp.sqrt(a**2 - x**2)
+        integrand = 2 * a * self.h * x / self.s**2 * bell / root
+        return (Primitive(ZERO, a, integrand, -2 * a * self.h / self.s * bell * Dawson(root / self.s)),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         if k != 0:
