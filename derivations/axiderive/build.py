@@ -90,11 +90,11 @@ def build(
 
 
 def _expected_effort(name: str) -> tuple[int, int]:
-    """Longest first, so that no process is left alone with a long task at the end: many pieces take long."""
+    """Longest first, so that no process is left alone with a long task at the end: many pieces and symbols take long."""
     from . import profiles
 
     profile = profiles.load(name)
-    return len(profile.pieces), len(profile.parameters)
+    return len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
 
 
 def _publishable(outcomes: Sequence[Outcome]) -> tuple[list[Outcome], list[Failure]]:
