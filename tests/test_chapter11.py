@@ -14,6 +14,7 @@ import pytest
 from axiderive.chapter11 import runner
 from axiderive.chapter11.equation import Formula
 from axiderive.chapter11.errata import REMARKS, agreement, errata
+from axiderive.chapter11.first_principles import Step, steps
 
 MISPRINTED = {66, 88, 102, 106, 110}
 DIGITS = 30
@@ -160,3 +161,10 @@ def test_altered_equation_is_flagged(number: int) -> None:
 @pytest.mark.parametrize("number", range(1, 111))
 def test_every_altered_equation_is_flagged(number: int) -> None:
     test_altered_equation_is_flagged(number)
+
+
+@pytest.mark.parametrize("step", steps(), ids=lambda step: f"{step.equations} {step.claim}")
+def test_first_principles(step: Step) -> None:
+    """Exact, and not because everything is taken to vanish."""
+    assert step.holds()
+    assert not replace(step, right=2 * step.right + 1).holds()

@@ -10,7 +10,7 @@ import mpmath as mp
 from .draw import Draw
 from .equation import FORCE, LENGTH, NUMBER, STRESS, Dimension, Formula, Residual, chain, equation
 from .quadrature import half_turn, panels, singular, weighted
-from .round_trip import catalogue_inversion, catalogue_pressures
+from .round_trip import catalogue_inversion, catalogue_pressures, load_displacements
 from .routes import around, derivative, even_pressure, kappa, pressure, rings, total_force
 
 Function = Callable[[Any], Any]
@@ -162,13 +162,15 @@ def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     def load(t: Any) -> Any:
         return p0 * mp.cos((t / a) ** 2)
 
-    left = rings(load, r, a, E_star)
-    for form in range(2):
+    left, ds, dphi = rings(load, r, a, E_star), draw.length(), draw.number(0.1, 1)
 
-        def integrand(s: Any, phi: Any, form: int = form) -> Any:
-            return formula(load(mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi))), s, 1, 1, E_star)[form]
+    def integrands(s: Any, phi: Any) -> tuple[Any, Any]:
+        pressure_there = load(mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi)))
+        first, second = formula(pressure_there, s, ds, dphi, E_star)
+        return first / (ds * dphi), second / (ds * dphi)
 
-        yield Residual(left, around(integrand, r, a), LENGTH)
+    yield Residual(left, around(lambda s, phi: integrands(s, phi)[0], r, a), LENGTH)
+    yield Residual(left, around(lambda s, phi: integrands(s, phi)[1], r, a), LENGTH)
 
 
 @equation(101, chords, "full chords against ring kernels, power load of random exponent")
@@ -213,7 +215,7 @@ def check_coordinate_slopes(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(1 / derivative(lambda t: r * mp.sin(t), phi, HALF), turning, Dimension(-1))
 
 
-@equation(104, chord_displacement, "Föppl's three pressures and any exponent above -1: closed w1D against both forms")
+@equation(104, chord_displacement, "closed w1D of Föppl's pressures and of any exponent above -1, both forms")
 def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = _load(draw, -0.9)
     xi = a * draw.number(0.2, 0.8)
@@ -223,7 +225,9 @@ def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]
 
 
 @equation(
-    105, displacement_from_chords, "known displacement of Föppl's three pressures; ring kernels for a random exponent"
+    105,
+    displacement_from_chords,
+    "known displacement of Föppl's three pressures; ring kernels and the derived loads for a random exponent",
 )
 def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = _load(draw)
@@ -234,6 +238,7 @@ def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Res
         yield from chain(known, formula(PowerLoadChord(p0, a, power, E_star), r), LENGTH)
     left = rings(power_load(p0, a, exponent), r, a, E_star)
     yield from chain(left, formula(PowerLoadChord(p0, a, exponent, E_star), r), LENGTH)
+    yield from load_displacements(draw, formula, PowerLoadChord)
 
 
 @equation(

@@ -140,8 +140,11 @@ def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, first, m = _contact(draw)
     last = first * draw.number(1.2, 2)
     left = _area_force(g, last, m) - _area_force(g, first, m)
-    yield Residual(left, singular(lambda x: formula(x, g.slope(x), g.slope, 1, m)[0], first, last), FORCE)
-    yield Residual(left, singular(lambda x: formula(x, g.slope(x), g.slope, 1, m)[1], first, last), FORCE)
+    dx = draw.length()
+    side = singular(lambda x: formula(x, g.slope(x) * dx, g.slope, dx, m)[0] / dx, first, last)
+    yield Residual(left, side, FORCE)
+    side = singular(lambda x: formula(x, g.slope(x) * dx, g.slope, dx, m)[1] / dx, first, last)
+    yield Residual(left, side, FORCE)
 
 
 @equation(50, force_from_slope, "closed pressure of random powers integrated over the area")
@@ -161,8 +164,11 @@ def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]
     g, first, m = _contact(draw)
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
     left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
-    yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), g.slope, 1, m)[0], first, last), STRESS)
-    yield Residual(left, singular(lambda x: formula(r, x, g.slope(x), g.slope, 1, m)[1], first, last), STRESS)
+    dx = draw.length()
+    side = singular(lambda x: formula(r, x, g.slope(x) * dx, g.slope, dx, m)[0] / dx, first, last)
+    yield Residual(left, side, STRESS)
+    side = singular(lambda x: formula(r, x, g.slope(x) * dx, g.slope, dx, m)[1] / dx, first, last)
+    yield Residual(left, side, STRESS)
 
 
 @equation(53, pressure_from_slope, "both forms against the closed pressure of random powers")

@@ -49,7 +49,8 @@ def spring_energy(g: PowerSum, d: Any, a: Any, m: Medium) -> Any:
 def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The springs under a flat punch add up to its stiffness (11.46)."""
     a, m = draw.length(), medium(draw)
-    total = panels(lambda x: formula(m.foundation(x), 1), -a, a, (mp.mpf(0),))
+    dx = draw.length()
+    total = panels(lambda x: formula(m.foundation(x), dx) / dx, -a, a, (mp.mpf(0),))
     yield Residual(2 * m.H * a ** (1 + m.k) / (1 + m.k), total, STIFFNESS)
 
 

@@ -12,13 +12,15 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
+from ..contact.loads import derive as derive_load
 from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..contact.normal import derive
 from ..entry import Case, Entry
 from ..profiles import NAMES, load
+from ..profiles.loads import LOADS
 from ..profiles.profile import Profile
 from .draw import Draw
-from .equation import LENGTH, STRESS, Formula, Residual
+from .equation import LENGTH, STRESS, Formula, Residual, chain
 from .quadrature import singular
 
 Function = Callable[[Any], Any]
@@ -226,6 +228,17 @@ def catalogue_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
         if not body.compact:
             right += edge_pressure(body.w1D(body.a), r, body.a, E_star)
         yield Residual(body.pressure(r), right, STRESS)
+
+
+def load_displacements(draw: Draw, formula: Formula, chord: Callable[..., Function]) -> Iterator[Residual]:
+    """The derived displacements under the prescribed pressures; `chord` makes w1D of a power load."""
+    for prescribed in LOADS:
+        a, p0, E_star, exponent = draw.length(), draw.stress(), draw.stress(), draw.number(-0.9, 1.5)
+        r = a * draw.number(0.2, 0.9)
+        values = {nt.a: a, nt.p_0: p0, nt.E_star: E_star, nt.sigma: exponent, nt.r: r}
+        power = _number(prescribed.exponent, values)
+        known = _number(derive_load(prescribed)["w"].cases[0].expr, values)
+        yield from chain(known, formula(chord(p0, a, mp.mpf(power), E_star), r), LENGTH)
 
 
 def edge_pressure(w1D_at_edge: Any, r: Any, a: Any, E_star: Any) -> Any:
