@@ -28,6 +28,7 @@ from .values import Numbers, sketch_values
 Derived = Mapping[str, Mapping[str, Entry]] | Iterable[tuple[Profile, Mapping[str, Entry]]]
 PLOT_DIGITS = 16
 HALF_SPACE = r"homogeneous half-space, $1/E^{*}=\sum_i(1-\nu_i^2)/E_i$"
+NOT_ABOVE, NOT_BELOW = r"\le ", r"\ge "
 CHAPTERS = ("Compact contact", "Complete contact")
 
 
@@ -144,16 +145,20 @@ def _equation_order(text: str) -> tuple[int, ...]:
 def _panel(profile: Profile, entries: dict[str, Entry]) -> list[tuple[str, str]]:
     """Label and content of each line of the definition panel."""
     lines = [("Profile", shape_tex(profile))]
-    parameters = [_domain(symbol) for symbol in profile.parameters]
+    bounded = {rule.right for rule in profile.rules if rule.left.is_number}
+    parameters = [_domain(symbol) for symbol in profile.parameters if symbol not in bounded]
     for rule in profile.rules:
-        sign = "<" if rule.strict else r"\le "
-        parameters.append(f"${Printer()(rule.left)}{sign}{Printer()(rule.right)}$")
+        left, right = Printer()(rule.left), Printer()(rule.right)
+        if rule.left.is_number:
+            parameters.append(f"${right}{'>' if rule.strict else NOT_BELOW}{left}$")
+        else:
+            parameters.append(f"${left}{'<' if rule.strict else NOT_ABOVE}{right}$")
     if len(profile.chain) > 1:
         parameters.append("$" + "<".join(Printer()(x) for x in profile.chain) + "$")
     lines.append(("Parameters" if len(parameters) > 1 else "Parameter", ", ".join(p for p in parameters if p)))
     shorthands = [f"${Printer()(symbol)}={Printer()(expr)}$" for symbol, expr in profile.abbreviations]
     if kappa := kappa_row(tuple(entries.values())):
-        shorthands.append(f"${kappa}$")
+        shorthands.append(rf"$\displaystyle {kappa}$\rule[-4mm]{{0pt}}{{9mm}}")
     if shorthands:
         lines.append(("Shorthand", ", ".join(shorthands)))
     lines.append(("Medium", HALF_SPACE))
@@ -198,7 +203,9 @@ def shape_tex(profile: Profile) -> str:
         else:
             texts.append(f"$f(r)={expr}$ for $r>{Printer()(lower)}$")
         lower = piece.upper
-    return r",\newline ".join(texts).replace(r"\frac", r"\tfrac") if len(texts) > 1 else texts[0]
+    if len(texts) == 1:
+        return texts[0]
+    return r",\newline ".join(rf"\rule[-2mm]{{0pt}}{{6mm}}{text}" for text in texts).replace(r"\frac", r"\tfrac")
 
 
 def _domain(symbol: Any) -> str:

@@ -64,12 +64,18 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     """Dimensionless values to twelve decimals, at the parameters of the sketch and E_star = 1."""
     with mp.workdps(numbers.digits):
         mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
-        inside = [(x, spaced(numbers("p", mp.mpf(x) * radius) / mean)) for x in INSIDE]
+        breaks = [numbers[b.name] / radius for b in profile.breaks]
+        inside = [(x, spaced(numbers("p", mp.mpf(x) * radius) / mean)) for x in _off_breaks(INSIDE, breaks)]
         outside = [(x, spaced(numbers("w", mp.mpf(x) * radius) / depth)) for x in OUTSIDE]
         heads = [("d", spaced(depth)), (r"F_{\mathrm N}", spaced(numbers("F"))), (r"\bar p", spaced(mean))]
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
     where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s != nt.N]
     return {"where": ", ".join(f"${text}$" for text in where), "heads": heads, "rows": list(zip(inside, outside, strict=True))}
+
+
+def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
+    """The ratios with those moved on that meet a break, where the pressure may be infinite."""
+    return [f"{float(x) + 0.05:g}" if any(abs(mp.mpf(x) - b) < 1e-3 for b in breaks) else x for x in ratios]
 
 
 def _symbol_tex(symbol: sp.Symbol) -> str:
@@ -94,18 +100,18 @@ def calls(profile: Profile, entries: Mapping[str, Entry]) -> list[str]:
 
 def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
-    slopes = [Printer()(sp.factor(sp.diff(piece.expr, nt.r))) for piece in profile.pieces]
-    breaks = ", ".join(f"$r={Printer()(b)}$" for b in profile.breaks)
-    pieces = f" in {len(slopes)} pieces, parted at {breaks}," if breaks else ""
     if profile.contact == "complete":
         start = (
-            r"The flat punch carries $p_0=E^{*}d/(\pi\sqrt{a^2-r^2})$; with $w_{\mathrm{1D}}=d-g$ the edge term of (11.107), "
-            r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains because the edge is fixed."
+            r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ the edge term of (11.107), "
+            r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains, because the edge is fixed and $d$ is free."
         )
     else:
+        slope = Printer()(sp.factor(sp.diff(profile.pieces[-1].expr, nt.r)))
+        beyond = f" beyond $r={Printer()(profile.breaks[-1])}$" if profile.breaks else ""
+        split = ", split at the break," if profile.breaks else ""
         start = (
-            rf"The slope $f'(r)={slopes[-1]}$" + (f" beyond the last break{pieces}" if pieces else "") + " enters (11.29) and gives $g(a)$;"
-            r" exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), $p$ (11.23) and $w$ (11.26)."
+            rf"The slope $f'(r)={slope}${beyond} enters the integral (11.29), which{split} gives $g(a)$. "
+            r"Exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), $p$ (11.23) and $w$ (11.26)."
         )
     needed = _functions(entries)
     open_ends = [e.suffix for e in entries.values() if e.status == "integral"]
@@ -161,14 +167,14 @@ def power_of_ten(text: str) -> str:
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
     """Depth and force for the table of all profiles; what is too wide for it is referred to."""
-    return {suffix: _cell(entries[suffix], room) if suffix in entries else "" for suffix, room in (("d", 150.0), ("F", 185.0))}
+    return {suffix: _cell(entries[suffix], room) if suffix in entries else "" for suffix, room in (("d", 165.0), ("F", 200.0))}
 
 
 def _cell(entry: Entry, room: float) -> str:
     case = entry.cases[-1]
     short = with_kappa(case.expr)
     text = Printer(case.chain, short.names)(short.expr)
-    return f"${text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
+    return rf"$\displaystyle {text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
 
 
 def symbols(entries: Mapping[str, Entry]) -> set[str]:

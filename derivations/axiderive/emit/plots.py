@@ -7,7 +7,6 @@ depth, both related to one reference contact, against the same two.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,10 +48,12 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     """Both plots at the values of the profile's file, with its most telling ratio varied on the left."""
     family, name = _family(profile, numbers)
     rows = [_pressure(member) for _, member in family]
-    curves = tuple(_labelled(rows, i, label) for i, (label, _) in enumerate(family))
+    curves: list[Curve] = []
+    for i, (label, _) in enumerate(family):
+        curves.append(_labelled(rows, i, label, [(curve.x, curve.y) for curve in curves]))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
-    return Plots(curves, caption, force, reference)
+    return Plots(tuple(curves), caption, force, reference)
 
 
 def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
@@ -92,12 +93,12 @@ def _lift(profile: Profile, n: sp.Rational) -> dict[str, Any]:
     return {"d": sp.Integer(3) * max(n, 1) * sp.Rational(15, 100)} if profile.contact == "complete" else {}
 
 
-def _radii(breaks: Iterable[float]) -> list[float]:
+def _radii(breaks: list[float]) -> list[float]:
     """Fractions of the contact radius, dense at the edge and around every break."""
     found = {0.002, 0.005, 0.01, 0.02, *(i / 40 for i in range(1, 39)), 0.96, 0.97, 0.98, 0.985, 0.99, 0.995, 0.998, 0.9995}
     for b in breaks:
-        found |= {b * (1 + s * gap) for gap in (1e-4, 5e-4, 2e-3, 5e-3, 0.01, 0.02, 0.04) for s in (-1, 1)}
-    return sorted(x for x in found if 0 < x < 1)
+        found |= {b * (1 + s * gap) for gap in (1e-6, 1e-5, 1e-4, 5e-4, 2e-3, 5e-3, 0.01, 0.02, 0.04) for s in (-1, 1)}
+    return sorted(x for x in found if 0 < x < 1 and all(abs(x - b) > 1e-9 for b in breaks))
 
 
 def _pressure(numbers: Numbers) -> Rows:
@@ -107,22 +108,23 @@ def _pressure(numbers: Numbers) -> Rows:
     return [(x, y) for x, y in rows if y < HIGHEST * 1.06]
 
 
-def _labelled(family: list[Rows], index: int, label: str) -> Curve:
-    """The label sits where it has most room above or below its curve."""
+def _labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
+    """The label sits where it has most room above or below its curve, away from other curves and labels."""
     own = family[index]
     others = [rows for i, rows in enumerate(family) if i != index] + [SPHERE, PUNCH]
-    best = (-1.0, 0.5, 0.0, True)
-    for step in range(4, 46):
+    best = (-9.0, 0.5, 0.0, True)
+    for step in range(11, 47):
         x = step / 50
         near = [x + shift for shift in (-0.04, -0.02, 0.0, 0.02, 0.04)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
-        if top > HIGHEST - 0.3:
+        if top > HIGHEST - 0.3 or any(abs(x - x1) < 0.12 and abs(top - y1) < 0.45 for x1, y1 in taken):
             continue
         heights = [_height(rows, t) for rows in others for t in near]
+        apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))
         above = min([y - top for y in heights if y > top - 0.02] + [HIGHEST - top])
         below = min([bottom - y for y in heights if y < bottom + 0.02] + [bottom])
-        tilt = top - bottom
-        best = max(best, (min(above, 0.6) - tilt, x, top, True), (min(below, 0.6) - tilt - 0.05, x, bottom, False))
+        base = apart - (top - bottom)
+        best = max(best, (min(above, 0.4) + base, x, top, True), (min(below, 0.4) + base - 0.05, x, bottom, False))
     _, x, y, up = best
     return Curve(_coordinates(own), label, x, round(y, 3), up)
 

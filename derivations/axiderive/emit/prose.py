@@ -21,11 +21,21 @@ _RUN = re.compile(rf"(?<![\w'])({_FACTOR}(?:{_LINK}{_FACTOR})*(?: <<| >>)?)(?![\
 _SYMBOL = re.compile(r"[a-zA-Z]\w*")
 _RELATIONS = {"<<": r"\ll ", ">>": r"\gg ", "<=": r"\le ", ">=": r"\ge ", "~": r"\sim ", "...": r"\dots ", "*": r"\,"}
 _ESCAPES = {"&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+_PHRASES = {
+    "1/E_star = sum (1 - nu_i^2)/E_i": r"$1/E^{*}=\sum_i(1-\nu_i^2)/E_i$",
+    "F/(pi a^2)": r"$F_{\mathrm N}/(\pi a^2)$",
+    "c_N(x) = H |x|^k": r"$c_{\mathrm N}(x)=H\,|x|^k$",
+}
+"""Formulas of the notation that no rule reads."""
 _MINIMA = {"F_min": r"F_{\mathrm{min}}", "d_min": r"d_{\mathrm{min}}"}
 
 
 def prose(text: str) -> str:
     """The text as LaTeX."""
+    for phrase, tex in _PHRASES.items():
+        if phrase in text:
+            before, after = text.split(phrase, 1)
+            return prose(before) + tex + prose(after)
     out, end = "", 0
     for match in _RUN.finditer(text):
         run = match[1]

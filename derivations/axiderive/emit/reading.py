@@ -128,8 +128,8 @@ def _holding(one: Row, env: Mapping[str, Any]) -> Region:
 def holds(condition: str, env: Mapping[str, Any]) -> bool:
     """Whether a printed range, chains of < and <= separated by commas, contains the point."""
     for chain in filter(None, condition.split(r",\; ")):
-        if r"\ge" in chain:
-            chain = r"\le".join(reversed(chain.split(r"\ge")))
+        if re.search(r">|\\ge(?![a-z])", chain):
+            chain = "<".join(reversed(re.split(r">|\\ge(?![a-z])", chain)))
         members = [read(part)[0].members[0](env) for part in re.split(r"<|\\le(?![a-z])", chain)]
         if any(lo >= hi for lo, hi in zip(members, members[1:], strict=False)):
             return False

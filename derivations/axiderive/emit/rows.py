@@ -11,7 +11,7 @@ from typing import Literal
 import sympy as sp
 
 from ..entry import Entry
-from ..notation import a, r
+from ..notation import F, a, d, n, r
 from .printer import Printer
 from .shorthand import LINE, Short, shortened, with_kappa
 from .width import width
@@ -90,7 +90,12 @@ def row(entry: Entry) -> Row:
     if entry.status == "root" and entry.suffix in ("ad", "aF"):
         equation = "g(a)=d" if entry.suffix == "ad" else r"F_{\mathrm N}(a)=F_{\mathrm N}"
         return Row(entry, "root", (Region("", (equation,)),), "solved for $a$")
-    return Row(entry, "formula", tuple(_region(entry, pairs, expr) for pairs, expr in regions(entry)))
+    left = LEFT[entry.suffix]
+    found = []
+    for pairs, expr in regions(entry):
+        found.append(_region(entry, pairs, expr, left))
+        left = left.partition("=")[0]
+    return Row(entry, "formula", tuple(found))
 
 
 def regions(entry: Entry) -> tuple[tuple[Pairs, sp.Expr], ...]:
@@ -112,8 +117,10 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     steps = [*pairs, *loose]
     if not steps:
         return ""
-    if steps == [(a, r)]:
-        return r"r\ge a"
+    if len(steps) == 1 and steps[0][1] in (r, d, F, n):  # the variable stands on the left
+        ((low, high),) = steps
+        sign = r"\ge" if steps[0] in own else ">"
+        return f"{printer.small(high)}{sign} {printer.small(low)}"
     ascending = _as_chain(steps)
     signs = {pair: r"\le" if pair in own else "<" for pair in steps}
 
@@ -160,12 +167,12 @@ def _as_chain(steps: list[tuple[sp.Expr, sp.Expr]]) -> list[sp.Expr] | None:
     return chain
 
 
-def _region(entry: Entry, pairs: Pairs, expr: sp.Expr) -> Region:
+def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
     if isinstance(expr, sp.Equality):
         printer = Printer(chain, with_kappa(expr).names)
         return Region(condition(entry, pairs, chain, printer), (printer(expr),))
-    left = LEFT[entry.suffix] + "="
+    left += "="
     short = shortened(expr, chain, width(left))
     printer = Printer(chain, short.names)
     lines = _broken(left, short.expr, printer)
@@ -228,24 +235,25 @@ def kappa_row(entries: tuple[Entry, ...]) -> str:
 def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
     """Rows in printing order: depth and force first, fields last, two narrow ones on one line."""
     narrow = [one for one in rows if one.narrow and _half(one)]
+    if not {"d", "F"} <= {one.suffix for one in narrow}:
+        narrow = [one for one in narrow if one.suffix not in ("d", "F")]
     wide = [one for one in rows if one not in narrow]
     out = [tuple(narrow[i : i + 2]) for i in range(0, len(narrow), 2)] + [(one,) for one in wide]
-    return sorted(out, key=lambda line: min(_place(one, len(line)) for one in line))
+    return sorted(out, key=lambda line: min(_place(one, line in out[-len(wide) :]) for one in line))
 
 
-def _place(one: Row, together: int) -> int:
-    """A wide row of depth or force comes before all pairs."""
-    at = ORDER.index(one.suffix)
-    return at - len(ORDER) if together == 1 and one.suffix in ("d", "F") else at
+def _place(one: Row, wide: bool) -> float:
+    """The force follows the depth at once where they have lines of their own."""
+    return 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
 
 
-HALF = 118.0
+HALF = 122.0
 """Points for the formula of half a row."""
 
 
 def _half(one: Row) -> bool:
-    room = HALF if not one.remark else HALF - 14 - 4.0 * len(one.remark.replace("$", "")) - (16 if one.uses else 0)
-    return one.regions[0].width <= room
+    remark = 12 + 3.7 * len(one.remark.replace("$", "")) + (12 if one.uses else 0) if one.remark else 0
+    return one.regions[0].width + remark <= HALF
 
 
 ORDER = ("d", "ad", "F", "Fd", "aF", "dF", "k", "pm", "p", "w", "rz", "dmin", "Fmin")

@@ -16,7 +16,7 @@ from ..notation import j as index
 from .printer import Printer
 from .width import width
 
-LINE = 345.0
+LINE = 356.0
 """Points available for a formula between label and key."""
 
 ANGLES = (sp.asin, sp.acos, sp.atan, sp.atanh, sp.log)
@@ -59,6 +59,8 @@ class Short:
 def shortened(expr: sp.Expr, chain: tuple[sp.Expr, ...], width_before: float = 0.0) -> Short:
     """The formula with as many definitions as it needs to fit on a line, or to be read."""
     short = with_kappa(_merged_roots(_constants_out(expr)))
+    if not short.expr.has(sp.Integral):
+        short.expr = _gathered(short.expr)
     short.taken = {s.name for s in expr.free_symbols}
     if expr.has(sp.Integral):
         _name_radius(short)
@@ -87,6 +89,23 @@ def with_kappa(expr: sp.Expr) -> Short:
         short.definitions[kappa] = sp.sqrt(sp.pi) * above / below
         short.names[kappa] = name
     return short
+
+
+def _gathered(expr: sp.Expr) -> sp.Expr:
+    """Terms of the same root or function under one bracket: d/s + 2 h/s -> (d + 2 h)/s."""
+
+    def collected(total: sp.Add) -> sp.Expr:
+        groups: dict[sp.Expr, list[sp.Expr]] = {}
+        for term in total.args:
+            plain, special = [], []
+            for factor in sp.Mul.make_args(term):
+                (special if factor.atoms(sp.Function) or _radicands(factor) else plain).append(factor)
+            groups.setdefault(sp.Mul(*special), []).append(sp.Mul(*plain))
+        if len(groups) == len(total.args):
+            return total
+        return sp.Add(*(key * (sp.factor(sp.Add(*own)) if key != 1 else sp.Add(*own)) for key, own in groups.items()))
+
+    return expr.replace(lambda e: e.is_Add and (e.atoms(sp.Function) or _radicands(e)), collected)
 
 
 def _cancelled(base: sp.Expr) -> sp.Expr:
@@ -169,14 +188,18 @@ def _composite_angles(short: Short) -> None:
 
 
 def _recurring_roots(short: Short) -> None:
-    for base in sorted(_radicands(short.expr), key=str):
+    for base in sorted(_radicands(short.expr), key=_familiar_first):
         if short.count(sp.sqrt(base)) >= 2:
             _name_root(short, base)
 
 
 def _all_roots(short: Short) -> None:
-    for base in sorted(_radicands(short.expr), key=str):
+    for base in sorted(_radicands(short.expr), key=_familiar_first):
         _name_root(short, base)
+
+
+def _familiar_first(base: sp.Expr) -> tuple[bool, str]:
+    return base not in ROOTS, str(base)
 
 
 def _name_root(short: Short, base: sp.Expr) -> None:
