@@ -184,12 +184,20 @@ ECCENTRIC: dict[str, Rule] = {
 }
 
 
+def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
+    if e in profile.parameters:
+        return Prover(entries, ECCENTRIC, lambda: Tilted(profile, entries))
+    if profile.contact == "complete":
+        return Prover(entries, COMPLETE, lambda: PlaneComplete(profile, entries))
+    return Prover(entries, COMPACT, lambda: Plane(profile, entries))
+
+
+def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:
+    """The certificate of one entry; `entries` are all entries of the plane profile by suffix."""
+    return _prover(profile, entries).certify(suffix)
+
+
 def certify_profile(profile: Profile, entries: dict[str, Entry]) -> dict[str, Certificate]:
     """The certificates of all entries of a plane profile, keyed by suffix."""
-    if e in profile.parameters:
-        prover = Prover(entries, ECCENTRIC, lambda: Tilted(profile, entries))
-    elif profile.contact == "complete":
-        prover = Prover(entries, COMPLETE, lambda: PlaneComplete(profile, entries))
-    else:
-        prover = Prover(entries, COMPACT, lambda: Plane(profile, entries))
+    prover = _prover(profile, entries)
     return {suffix: prover.certify(suffix) for suffix in entries}

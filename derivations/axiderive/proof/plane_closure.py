@@ -13,6 +13,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import mpmath as mp
 import sympy as sp
@@ -38,51 +39,46 @@ def _working(digits: int) -> int:
 
 @dataclass(frozen=True)
 class Pressed:
-    """The pressure over the contact: its middle, half-width, and pieces (from, to, formula, mirrored)."""
+    """The pressure over the contact: middle, half-width and pieces (from, to, formula); if even, of the right half."""
 
     values: Values
     middle: Number
     half: Number
-    pieces: tuple[tuple[Number, Number, sp.Expr, bool], ...]
+    pieces: tuple[tuple[Number, Number, sp.Expr], ...]
+    even: bool
 
-    def at(self, s: Number, expr: sp.Expr, mirrored: bool) -> Number:
-        return at_precision(expr, {**self.values, nt.x: -s if mirrored else s})
-
-    def pressure(self, s: Number) -> Number:
-        _, _, expr, mirrored = next(piece for piece in self.pieces if piece[0] <= s <= piece[1])
-        return self.at(s, expr, mirrored)
+    def at(self, s: Number, expr: sp.Expr) -> Number:
+        return at_precision(expr, {**self.values, nt.x: s})
 
     def integral(self, kernel: Callable[[Number, Number], Number], poles: list[complex], digits: int) -> Number:
         """int kernel(s, p(s)) ds over the contact."""
         angles = [self._angle(left) for left, *_ in self.pieces] + [self._angle(self.pieces[-1][1])]
-        inner = [complex(angle) for angle in angles[1:-1]]
+        inner = [complex(angle) for angle in (angles[:-1] if self.even else angles[1:-1])]
+        inner += [-angle for angle in inner if self.even]
         # sin(u) takes every value again at pi - u, where the pressure continues with the other sign
         singular = [z for angle in inner for z in (angle, cmath.pi - angle, -cmath.pi - angle)] + poles
         total = mp.mpf(0)
-        for (_, _, expr, mirrored), lo, hi in zip(self.pieces, angles, angles[1:], strict=False):
+        for (_, _, expr), lo, hi in zip(self.pieces, angles, angles[1:], strict=False):
 
-            def integrand(u: Number, expr: sp.Expr = expr, mirrored: bool = mirrored) -> Number:
+            def integrand(u: Number, expr: sp.Expr = expr) -> Number:
                 s = self.middle + self.half * mp.sin(u)
-                return kernel(s, self.at(s, expr, mirrored)) * self.half * mp.cos(u)
+                p = self.at(s, expr)
+                both = kernel(s, p) + (kernel(-s, p) if self.even else 0)
+                return both * self.half * mp.cos(u)
 
             halfway = (lo + hi) / 2
             for end, sign in ((lo, 1), (hi, -1)):
                 moved = [sign * (z - complex(end)) for z in singular]
                 moved = [0j if abs(z) < 1e-30 else z for z in moved]
-                total += integrate(
-                    lambda v, end=end, sign=sign: integrand(end + sign * v),
-                    mp.mpf(0),
-                    abs(halfway - end),
-                    moved,
-                    digits,
-                )
+                part = partial(_from, integrand, end, sign)
+                total += integrate(part, mp.mpf(0), abs(halfway - end), moved, digits)
         return total
 
     def _split(self, x: Number) -> Pressed:
         pieces = [
             part
-            for lo, hi, *rest in self.pieces
-            for part in ([(lo, x, *rest), (x, hi, *rest)] if lo < x < hi else [(lo, hi, *rest)])
+            for lo, hi, expr in self.pieces
+            for part in ([(lo, x, expr), (x, hi, expr)] if lo < x < hi else [(lo, hi, expr)])
         ]
         return replace(self, pieces=tuple(pieces))
 
@@ -91,15 +87,20 @@ class Pressed:
         return mp.asin(max(-1, min(1, z)))
 
     def slope(self, x: Number, digits: int) -> Number:
-        """dw/dx over 1/E*."""
+        """E* dw/dx."""
         z = (x - self.middle) / self.half
         if abs(z) > 1:
             pole = complex(mp.pi / 2 * mp.sign(z), mp.acosh(abs(z)))
-            return -2 / mp.pi * self.integral(lambda s, p: p / (x - s), [pole, pole.conjugate()], digits)
-        here = self.pressure(x)
-        # removable at x, but the formula continued to -x and the root continued past the edge leave poles behind
-        rest = self._split(x)._split(-x).integral(lambda s, p: (p - here) / (x - s), [], digits)
+            poles = [pole, pole.conjugate(), -pole, -pole.conjugate()]
+            return -2 / mp.pi * self.integral(lambda s, p: p / (x - s), poles, digits)
+        here = self.at(x, next(expr for lo, hi, expr in self.pieces if lo <= x <= hi))
+        # removable at x, but the root continued past the edge leaves a pole behind
+        rest = self._split(x).integral(lambda s, p: (p - here) / (x - s), [], digits)
         return -2 / mp.pi * (rest + here * mp.log((1 + z) / (1 - z)))
+
+
+def _from(integrand: Callable[[Number], Number], end: Number, sign: int, v: Number) -> Number:
+    return integrand(end + sign * v)
 
 
 def pressed(profile: Profile, entry: Entry, values: Values) -> Pressed:
@@ -110,14 +111,11 @@ def pressed(profile: Profile, entry: Entry, values: Values) -> Pressed:
         side = mp.sign(number(values[nt.e]))
         half = a - lost / 2
         middle = side * (a - half)
-        return Pressed(values, middle, half, ((middle - half, middle + half, case.expr, False),))
+        return Pressed(values, middle, half, ((middle - half, middle + half, case.expr),), False)
     ends = [mp.mpf(0), *(b for b in (number(values[b]) for b in profile.breaks) if b < a), a]
-    right = []
-    for lo, hi in zip(ends, ends[1:], strict=False):
-        expr = case_at(entry, {**values, nt.x: (lo + hi) / 2}).expr
-        right.append((lo, hi, expr, False))
-    left = [(-hi, -lo, expr, True) for lo, hi, expr, _ in reversed(right)]
-    return Pressed(values, mp.mpf(0), a, tuple(left + right))
+    cut = zip(ends, ends[1:], strict=False)
+    pieces = tuple((lo, hi, case_at(entry, {**values, nt.x: (lo + hi) / 2}).expr) for lo, hi in cut)
+    return Pressed(values, mp.mpf(0), a, pieces, True)
 
 
 def check_profile(

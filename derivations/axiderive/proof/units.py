@@ -81,6 +81,10 @@ class Units:
             return self._sum(expr)
         if isinstance(expr, sp.Integral):
             return self._integral(expr)
+        if isinstance(expr, sp.Abs | sp.Max):
+            return self._common(sp.Tuple(*(term for term in expr.args if term != 0)))
+        if isinstance(expr, sp.sign):
+            return nt.NUMBER
         if isinstance(expr, OF_LENGTHS):
             self._common(expr)
             return nt.NUMBER

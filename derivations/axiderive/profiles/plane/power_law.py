@@ -1,6 +1,8 @@
 """Power law of any positive exponent."""
 
-from ...notation import A, n, x
+import sympy as sp
+
+from ...notation import A, R, n, theta, x
 from ..profile import Limit, Piece, Profile, Sketch
 
 PROFILE = Profile(
@@ -14,8 +16,8 @@ PROFILE = Profile(
     sources=(),
     sketch=Sketch(((A, 0.45), (n, 1.5)), a=1.0),
     limits=(
-        Limit("wedge", n, 1),
-        Limit("parabola", n, 2),
+        Limit("wedge", n, 1, ((theta, sp.atan(A)),)),
+        Limit("parabola", n, 2, ((R, 1 / (2 * A)),)),
         Limit("quartic", n, 4),
         Limit("sextic", n, 6),
     ),
