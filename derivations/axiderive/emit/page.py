@@ -106,7 +106,8 @@ def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
             r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains, because the edge is fixed and $d$ is free."
         )
     else:
-        slope = Printer()(sp.factor(sp.diff(profile.pieces[-1].expr, nt.r)))
+        derivative = sp.diff(profile.pieces[-1].expr, nt.r)
+        slope = min((Printer()(form) for form in (derivative, sp.factor(derivative))), key=width)
         beyond = f" beyond $r={Printer()(profile.breaks[-1])}$" if profile.breaks else ""
         split = ", split at the break," if profile.breaks else ""
         start = (
@@ -141,22 +142,46 @@ def evidence_rows(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> 
     records = evidence.get("entries", {})
     rows = []
     for suffix, entry in entries.items():
-        record = records.get(suffix)
-        if record is None:
+        if suffix not in records:
             continue
-        checks = [c for c in record.get("checks", []) if c["outcome"] == "passed" and c.get("count") and c.get("worst")]
-        rows.append(
-            {
-                "key": entry.key,
-                "certified": record.get("certified", False),
-                "checks": [
-                    {"compared": prose(c["compared"]), "digits": c["digits"], "count": c["count"], "worst": power_of_ten(c["worst"])}
-                    for c in checks
-                ],
-                "reason": "" if record.get("certified") else prose(record.get("certificate", {}).get("reason", "")),
-            }
-        )
+        record = records[suffix]
+        passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
+        by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
+        for check in passed:
+            by_kind[kind_of(check["compared"])].append(check)
+        certified = bool(record.get("certified"))
+        reason = record.get("certificate", {}).get("reason", "")
+        cells = [_agreement(by_kind[kind]) for kind in KINDS]
+        rows.append({"key": entry.key, "suffix": suffix, "certified": certified, "cells": cells, "reason": "" if certified else prose(reason)})
     return rows
+
+
+KINDS = ("quadrature", "enclosure", "identity", "units")
+
+
+def kind_of(compared: str) -> str:
+    """Which column of the evidence table a check belongs to."""
+    words = compared.lower()
+    if "quadrature" in words:
+        return "quadrature"
+    if "ball" in words or "arb" in words or "enclosure" in words:
+        return "enclosure"
+    return "units" if "dimension" in words or "unit" in words else "identity"
+
+
+def _agreement(checks: list[Any]) -> str:
+    """Digits at points with the worst residual; several identities as their number and the fewest digits."""
+    if not checks:
+        return "--"
+    counted = [check for check in checks if check.get("digits")]
+    if not counted:
+        return r"\ok"
+    least = min(check["digits"] for check in counted)
+    if len(checks) > 1:
+        return f"{len(checks)} of them, {least} digits"
+    (check,) = counted
+    worst = f" (${power_of_ten(check['worst'])}$)" if check.get("worst") else ""
+    return f"{least} digits, {check['count']} points{worst}"
 
 
 def power_of_ten(text: str) -> str:

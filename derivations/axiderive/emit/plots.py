@@ -39,6 +39,7 @@ class Curve:
 @dataclass(frozen=True)
 class Plots:
     pressure: tuple[Curve, ...]
+    references: tuple[Curve, ...]
     pressure_caption: str
     force: Curve
     force_caption: str
@@ -49,11 +50,12 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     family, name = _family(profile, numbers)
     rows = [_pressure(member) for _, member in family]
     curves: list[Curve] = []
-    for i, (label, _) in enumerate(family):
-        curves.append(_labelled(rows, i, label, [(curve.x, curve.y) for curve in curves]))
+    shown = [*rows, SPHERE, PUNCH]
+    for i, label in enumerate([*(label for label, _ in family), "sphere", "flat punch"]):
+        curves.append(_labelled(shown, i, label, [(curve.x, curve.y) for curve in curves if curve.label]))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
-    return Plots(tuple(curves), caption, force, reference)
+    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, reference)
 
 
 def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
@@ -110,14 +112,15 @@ def _pressure(numbers: Numbers) -> Rows:
 
 def _labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
     """The label sits where it has most room above or below its curve, away from other curves and labels."""
-    own = family[index]
-    others = [rows for i, rows in enumerate(family) if i != index] + [SPHERE, PUNCH]
+    own, others = family[index], [rows for i, rows in enumerate(family) if i != index]
+    half = 0.02 + 0.012 * len(label)
     best = (-9.0, 0.5, 0.0, True)
-    for step in range(11, 47):
+    for step in range(3, 47):
         x = step / 50
-        near = [x + shift for shift in (-0.04, -0.02, 0.0, 0.02, 0.04)]
+        near = [x + half * shift / 2 for shift in (-2, -1, 0, 1, 2)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
-        if top > HIGHEST - 0.3 or any(abs(x - x1) < 0.12 and abs(top - y1) < 0.45 for x1, y1 in taken):
+        crowded = any(abs(x - x1) < half + 0.1 and abs(top - y1) < 0.45 for x1, y1 in taken)
+        if x - half < 0.01 or top > HIGHEST - 0.3 or crowded:
             continue
         heights = [_height(rows, t) for rows in others for t in near]
         apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))

@@ -82,7 +82,6 @@ def _compared(one: Row, entries: Mapping[str, Entry], case: Case, values: Values
         want = _value(case.expr, values)
         if one.suffix == "pm":
             env["F_N"] = _forward(entries, "F", values)(values[nt.a])
-        env["g()"] = lambda radius: want
         return [_difference(member(env), want) for member in first[1:]]
     value = evaluate(case.expr, values, DIGITS)  # d(a) or F(a) of the forward formula
     argument, result = {"ad": ("d", "a"), "aF": ("F_N", "a"), "Fd": ("d", "F_N"), "dF": ("F_N", "d")}[one.suffix]
