@@ -1,0 +1,1 @@
+"""Views of the entries: Python modules, the handbook, the index."""

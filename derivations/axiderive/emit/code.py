@@ -1,0 +1,184 @@
+"""SymPy expressions as the text of NumPy expressions, in the order a person would type them."""
+
+from __future__ import annotations
+
+import math
+
+import sympy as sp
+
+from ..abel import masters
+from ..stable import opaque
+from ..stable.signs import squares
+
+# material and load first, then lengths from the contact to the profile, intermediates and functions last
+ORDER = (
+    "E_star", "F", "d", "n", "A", "h", "a", "r", "t", "u", "b", "R", "R1", "R2", "s", "wavelength", "theta", "r_zero",
+)  # fmt: skip
+FUNCTIONS = {
+    sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
+    sp.cosh: "np.cosh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
+    opaque.Log1p: "np.log1p", opaque.Arctan2: "np.arctan2",
+    opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
+    masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
+    opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
+}  # fmt: skip
+HELPERS = ("arctan_gap", "dawson", "gamma_ratio", "struve_h0", "struve_h1", "tanh_gap")
+SUM, PRODUCT, POWER, ATOM = range(4)
+
+
+def python(expr: sp.Expr) -> str:
+    """The expression as Python source."""
+    return _code(sp.sympify(expr))[0]
+
+
+def helpers(text: str) -> list[str]:
+    """The functions of the runtime a text calls."""
+    return [name for name in HELPERS if f"{name}(" in text]
+
+
+def _wrapped(expr: sp.Expr, level: int) -> str:
+    text, own = _code(expr)
+    return text if own >= level else f"({text})"
+
+
+def _code(expr: sp.Expr) -> tuple[str, int]:
+    if expr.is_Rational and not expr.is_Integer:
+        return f"{expr.p} / {expr.q}", PRODUCT
+    if expr.is_Integer:
+        return str(int(expr)), ATOM if expr >= 0 else SUM
+    if expr.is_Float:
+        return repr(float(expr)), ATOM
+    if expr is sp.pi:
+        return "np.pi", ATOM
+    if expr.is_Symbol:
+        return str(expr.name), ATOM
+    if expr.is_Add:
+        return _sum(expr)
+    if expr.is_Mul or expr.is_Pow:
+        return _product(expr)
+    return _function(expr), ATOM
+
+
+def _function(expr: sp.Expr) -> str:
+    if isinstance(expr, opaque.Root):
+        x, y = expr.args
+        return f"np.sqrt(({python(x - y)}) * ({python(x + y)}))"
+    if isinstance(expr, sp.Sum):
+        (index, first, _), base = expr.limits[0], expr.function.atoms(sp.IndexedBase).pop()
+        term = expr.function.subs(base[index], sp.Symbol(f"{base.label}_{index}", positive=True))
+        return f"sum({python(term)} for {index}, {base.label}_{index} in enumerate({base.label}, {first}))"
+    if isinstance(expr, masters.StruveH):
+        return f"struve_h{expr.args[0]}({python(expr.args[1])})"
+    return f"{FUNCTIONS[expr.func]}({', '.join(python(arg) for arg in expr.args)})"
+
+
+def _sum(expr: sp.Expr) -> tuple[str, int]:
+    pair = squares(expr)
+    if pair:
+        x, y = pair
+        return f"({python(x - y)}) * ({python(x + y)})", PRODUCT
+    terms = sorted(expr.args, key=lambda term: (term.could_extract_minus_sign(), _rank(term)))
+    text = (
+        _wrapped(terms[0], PRODUCT) if not terms[0].could_extract_minus_sign() else "-" + _wrapped(-terms[0], PRODUCT)
+    )
+    for term in terms[1:]:
+        minus = term.could_extract_minus_sign()
+        text += f" {'-' if minus else '+'} {_wrapped(-term if minus else term, PRODUCT)}"
+    return text, SUM
+
+
+def _rank(expr: sp.Expr) -> tuple[int, list[int], str]:
+    """Powers of the contact radius first, as in the handbook; ties by text."""
+    names = [symbol.name for symbol in expr.free_symbols]
+    return (
+        not expr.free_symbols,
+        [ORDER.index(name) if name in ORDER else -1 for name in sorted(names)],
+        sp.sstr(expr),
+    )
+
+
+def _factor_rank(factor: sp.Expr) -> tuple[int, int, str]:
+    base = factor.as_base_exp()[0]
+    if base.is_number:
+        return (0, 0, sp.sstr(base))
+    if base.is_Symbol and not isinstance(base, opaque.Named):
+        return (1, ORDER.index(base.name) if base.name in ORDER else len(ORDER), base.name)
+    if base.is_Function and len(base.free_symbols) == 1 and isinstance(base, (sp.tan, sp.sin, sp.cos)):
+        return (2, 0, sp.sstr(base))
+    if base.is_Add:
+        return (3, 0, sp.sstr(base))
+    return (4, 0, sp.sstr(base))
+
+
+def _product(expr: sp.Expr) -> tuple[str, int]:
+    number, factors = sp.S.One, []
+    for factor in sp.Mul.make_args(expr):
+        if factor.is_Rational:
+            number *= factor
+        else:
+            factors.append(factor)
+    radical, number, factors = _radical(number, factors)
+    top, bottom = [], []
+    for factor in sorted(factors, key=_factor_rank):
+        base, exponent = factor.as_base_exp()
+        negative = exponent.could_extract_minus_sign()
+        (bottom if negative else top).append(_power(base, -exponent if negative else exponent))
+    if radical:
+        top.append((radical, ATOM))
+    if number < 0:
+        text, level = _product(-expr)
+        return f"-{text if level >= PRODUCT else f'({text})'}", SUM
+    if number.p != 1 or not top:
+        top.insert(0, (str(number.p), ATOM))
+    if number.q != 1:
+        bottom.insert(0, (str(number.q), ATOM))
+    return _fraction(top, bottom)
+
+
+def _fraction(top: list[tuple[str, int]], bottom: list[tuple[str, int]]) -> tuple[str, int]:
+    if len(top) == 1 and not bottom:
+        return top[0]
+    text = " * ".join(part if level >= PRODUCT else f"({part})" for part, level in top)
+    if not bottom:
+        return text, PRODUCT
+    if len(bottom) == 1:
+        part, level = bottom[0]
+        return f"{text} / {part if level >= POWER else f'({part})'}", PRODUCT
+    below = " * ".join(part if level >= PRODUCT else f"({part})" for part, level in bottom)
+    return f"{text} / ({below})", PRODUCT
+
+
+def _power(base: sp.Expr, exponent: sp.Expr) -> tuple[str, int]:
+    if exponent == 1:
+        return _code(base)
+    if exponent == sp.S.Half:
+        return f"np.sqrt({python(base)})", ATOM
+    if exponent == sp.Rational(1, 3):
+        return f"np.cbrt({python(base)})", ATOM
+    left, right = _wrapped(base, ATOM), _wrapped(exponent, ATOM)
+    simple = all(text.replace("_", "").replace(".", "").isalnum() for text in (left, right))
+    return (f"{left}**{right}" if simple else f"{left} ** {right}"), POWER
+
+
+def _radical(number: sp.Rational, factors: list[sp.Expr]) -> tuple[str, sp.Rational, list[sp.Expr]]:
+    """All fractional powers under one root: sqrt(2)*sqrt(F)/sqrt(pi*E) as sqrt(2*F/(pi*E))."""
+    whole, roots = [], []
+    for factor in factors:
+        base, exponent = factor.as_base_exp()
+        if not exponent.is_Rational or exponent.is_Integer:
+            whole.append(factor)
+            continue
+        integer = sp.Integer(int(exponent))
+        if integer:
+            whole.append(base**integer)
+        roots.append((base, exponent - integer))
+    if not roots:
+        return "", number, factors
+    if all(base is sp.pi for base, _ in roots):
+        return "", number, factors
+    degree = math.lcm(*(exponent.q for _, exponent in roots))
+    inside = sp.Mul(*(base ** (exponent * degree) for base, exponent in roots))
+    if all(factor.is_number for factor in whole):
+        inside, number = inside * number**degree, sp.S.One
+    text, _ = _power(sp.powdenest(inside), sp.Rational(1, degree))
+    return text, number, whole

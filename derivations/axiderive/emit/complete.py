@@ -1,0 +1,196 @@
+"""Bodies of the functions of a complete contact: a rigid punch sunk by the excess d - g(a), and its face."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..contact.medium import HOMOGENEOUS
+from ..entry import Entry
+from ..notation import a, d, r, r_zero
+from ..stable.forms import evaluation_form
+from ..stable.signs import cancels, facts_of
+from ..stable.slopes import slope_form
+from .code import python
+from .compact import SMOOTH
+from .private import Private, PrivateFunctions
+
+THRESHOLD = "np.where({field} >= {least} * (1.0 - 1e-15), {value}, np.nan)"
+
+
+@dataclass
+class Complete:
+    """The private functions behind the entries of one profile in complete contact."""
+
+    entries: Mapping[str, Entry]
+    functions: PrivateFunctions
+
+    def __post_init__(self) -> None:
+        self.profile = self.entries["F"].profile
+        self.partial = self.entries["F"].partial is not None
+        self.concave = "dmin" in self.entries
+
+    def add_all(self) -> None:
+        if self.concave:
+            self._thresholds()
+        if self.partial:
+            self._capped()
+            return
+        self._closed("F")
+        self._closed("dF")
+        self._closed("k")
+        self._pressure()
+        self._displacement()
+
+    def _add(self, suffix: str, value: str, lines: list[str], symbols: set[str]) -> Private:
+        quantity = self.entries[suffix].quantity
+        fields = tuple(str(argument) for argument in quantity.arguments)
+        return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], symbols - set(fields))
+
+    def _closed(self, suffix: str) -> Private:
+        entry = self.entries[suffix]
+        form = evaluation_form(entry.cases[-1].expr, facts_of(()))
+        value, needs = python(form.value), self.functions.needs(form, ())
+        if suffix in ("F", "dF"):
+            value, needs = self._from_threshold(value, needs, "dmin" if suffix == "F" else "Fmin")
+        return self._add(suffix, value, self.functions.steps(form), needs)
+
+    def _from_threshold(self, value: str, needs: set[str], least: str) -> tuple[str, set[str]]:
+        """NaN where the contact is not complete."""
+        if not self.concave:
+            return value, needs
+        threshold = self.functions.functions[self.entries[least].quantity.function]
+        field = "d" if least == "dmin" else "F"
+        return THRESHOLD.format(field=field, least=threshold.call(), value=value), needs | set(threshold.needs)
+
+    def _thresholds(self) -> None:
+        ring = self.entries["rz"]
+        if ring.status == "root":
+            lines = ["return a * np.sqrt(ring_of_zero_pressure(n))"]
+            self.functions.add("zero_radius", (), lines, {"a", "n"})
+        else:
+            value = python(ring.cases[0].expr) if ring.cases[0].expr != 0 else "0.0"
+            self.functions.add(
+                "zero_radius", (), [f"return {value}"], {str(s) for s in ring.cases[0].expr.free_symbols}
+            )
+        for suffix in ("dmin", "Fmin"):
+            expr = self.entries[suffix].cases[0].expr
+            form = evaluation_form(expr, facts_of(()))
+            lines, needs = [], self.functions.needs(form, ())
+            if expr.has(r_zero):
+                radius = self.functions.functions["zero_radius"]
+                lines.append(f"r_zero = {radius.call()}")
+                needs = (needs - {"r_zero"}) | set(radius.needs)
+            self._add(suffix, python(form.value), [*lines, *self.functions.steps(form)], needs)
+
+    def _pressure(self) -> None:
+        """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
+        expr = self.entries["p"].cases[0].expr
+        form = evaluation_form(expr, facts_of((r, a)))
+        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
+        excess = self._excess_over_threshold() if self.concave else None
+        if excess is not None:
+            least = self.functions.functions["minimum_depth"]
+            scale = HOMOGENEOUS.pressure_scale
+            lines = ["root = np.sqrt((a - r) * (a + r))"]
+            value = f"{python(scale)} * (d - {least.call()} + {python(excess)}) / root"
+            needs = {str(s) for s in (scale * excess).free_symbols} | {*least.needs, "a"}
+        value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
+        value, needs = self._from_threshold(value, needs | {"a"}, "dmin")
+        self._add("p", value, lines, needs - {"r"})
+
+    def _excess_over_threshold(self) -> sp.Expr | None:
+        """M(r) >= 0 in p = E*/pi (d - d_min + M)/root."""
+        expr = self.entries["p"].cases[0].expr
+        root = sp.sqrt(a**2 - r**2)
+        bracket = sp.expand(sp.expand(expr * root / HOMOGENEOUS.pressure_scale))
+        face = sp.factor(sp.expand(bracket - d + self.entries["dmin"].cases[0].expr))
+        return (
+            face
+            if face.is_polynomial(r) and not cancels(sp.numer(face), facts_of((r, a))) or _is_square(face)
+            else None
+        )
+
+    def _displacement(self) -> None:
+        expr = self.entries["w"].cases[0].expr
+        form = evaluation_form(expr, facts_of((a, r)))
+        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
+        if form.cancels:
+            n = self.profile.pieces[0].expr.as_independent(r, as_Add=False)[1].as_base_exp()[1]
+            stiffness = HOMOGENEOUS.stiffness()
+            sunk = sp.factor((sp.expand(self.entries["F"].cases[0].expr / stiffness) - d) * (n + 1))
+            lines = ["angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))"]
+            scale = python(HOMOGENEOUS.displacement_scale)
+            value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
+            needs = {str(s) for s in sunk.free_symbols} | {"a"}
+        profile = self.functions.functions["profile"]
+        value = f"np.where(r > a, {value}, d - {profile.call()})"
+        value, needs = self._from_threshold(value, needs | set(profile.needs) | {"a"}, "dmin")
+        self._add("w", value, lines, needs - {"r"})
+
+    def _capped(self) -> None:
+        """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
+        entries, profile = self.entries, self.functions.functions["profile"]
+        rho, edge = entries["F"].cases[0].chain
+        compact = {suffix: entries[suffix].partial for suffix in ("F", "p", "w", "k")}
+        assert all(compact.values())
+        stiffness = entries["k"].cases[-1].expr
+        whole = entries["F"].cases[-1].expr
+        depth = sp.expand(d - (whole - compact["F"].cases[0].expr) / stiffness)
+        slope_form_ = slope_form(depth, facts_of((a,)))
+        slope = self.functions.add(
+            "slope", ("t",), [f"return {python(slope_form_.value)}"], self.functions.needs(slope_form_, ("t",)),
+            "Rate g'(t) of the indentation depth of the uncut profile.",
+        )  # fmt: skip
+        start = [f"excess = d - {python(depth)}", f"rho = np.minimum({python(rho)}, a)"]
+        base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
+        inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
+        punch = "np.maximum(excess, 0.0)"
+        values = {
+            "F": f"{python(inner['F'])} + {python(stiffness)} * {punch}",
+            "k": f"{python(inner['k'])}",
+        }
+        for suffix, value in values.items():
+            needs = base | {"E_star"}
+            lines = start if suffix == "F" else start[1:]
+            if suffix == "k":
+                quantity = entries["k"].quantity
+                self.functions.add(quantity.function, ("d",), [*lines, f"return {value}"], needs - {"d"})
+            else:
+                self._add(suffix, value, lines, needs)
+        self._capped_fields(start, base, punch, inner["p"], slope, profile)
+        cases = entries["dF"].cases
+        limit = cases[0].chain[1]
+        texts = [python(evaluation_form(case.expr, facts_of(())).value) for case in cases]
+        value = f"np.where(F < {python(limit)}, {texts[0]}, {texts[1]})"
+        self._add("dF", value, [], {"a", "E_star", *(str(s) for s in limit.free_symbols)})
+
+    def _capped_fields(
+        self, start: list[str], base: set[str], punch: str, inner: sp.Expr, slope: Private, profile: Private
+    ) -> None:
+        form = evaluation_form(inner, facts_of((r, sp.Symbol("rho", positive=True))))
+        pressure = python(HOMOGENEOUS.pressure_scale)
+        lines = [
+            *start,
+            "root = np.sqrt(np.maximum(rho - r, 0.0) * (rho + r))",
+            f"face = {python(inner.subs(sp.sqrt(sp.Symbol('rho', positive=True) ** 2 - r**2), sp.Symbol('root', positive=True)))}",
+            f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
+        ]
+        del form
+        self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
+        scale = python(HOMOGENEOUS.displacement_scale)
+        lines = [
+            *start,
+            f"face = displacement_integral({slope.growth('t')}, r, rho, {SMOOTH})",
+            "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
+            f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
+        ]
+        value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
+        self._add("w", value, lines, base | set(slope.needs) | set(profile.needs))
+
+
+def _is_square(face: sp.Expr) -> bool:
+    """Whether r occurs only in a squared factor."""
+    return all(not factor.has(r) or (factor.is_Pow and factor.exp == 2) for factor in sp.Mul.make_args(sp.numer(face)))

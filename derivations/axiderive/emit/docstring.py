@@ -1,0 +1,129 @@
+"""numpydoc docstrings of the public functions, read off the entries."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry, Quantity
+from ..profiles.profile import Profile
+from .private import parameter_name
+
+WIDTH = 106
+SUMMARY = {
+    "f": "Profile f(r) of the indenter.",
+    "d": "Indentation depth at contact radius a.",
+    "F": "Normal force.",
+    "p": "Contact pressure, positive in compression; zero outside the contact.",
+    "w": "Displacement of the surface into the half space, inside and outside the contact.",
+    "k": "Contact stiffness dF/dd.",
+    "pm": "Mean pressure F/(pi a^2).",
+    "ad": "Contact radius at indentation depth d.",
+    "aF": "Contact radius under the normal force F.",
+    "Fd": "Normal force at indentation depth d.",
+    "dF": "Indentation depth under the normal force F.",
+    "rz": "Radius of the ring where the pressure first vanishes on unloading.",
+    "dmin": "Least indentation depth of complete contact.",
+    "Fmin": "Least normal force of complete contact.",
+}
+
+
+def docstring(
+    profile: Profile, quantity: Quantity, entry: Entry | None, notes: Sequence[str], example: Sequence[str]
+) -> list[str]:
+    """Everything below the summary line, without indentation."""
+    fields = [str(argument) for argument in quantity.arguments]
+    symbols = entry.parameters if entry is not None else profile.parameters
+    lines = [*formula(profile, quantity, entry), "", "Parameters", "----------"]
+    for name in fields:
+        record = nt.describe(name)
+        lines += [f"{name} : array_like", *_wrapped(f"{_capital(record.meaning)} [{record.unit}].", 4)]
+    for symbol in symbols:
+        name, record = parameter_name(symbol), nt.describe(symbol)
+        kind = "sequence of float" if isinstance(symbol, sp.IndexedBase) else "array_like"
+        text = f"{_capital(record.meaning)} [{record.unit}], {record.domain}."
+        if isinstance(symbol, sp.IndexedBase):
+            text = f"{_capital(profile.note)}."
+        lines += [f"{name} : {kind}", *_wrapped(text, 4)]
+    result = nt.describe(quantity.symbol)
+    shape = "The shape to which the arguments broadcast." if fields else "A number for numbers."
+    lines += [
+        "",
+        "Returns",
+        "-------",
+        "float or ndarray",
+        *_wrapped(f"{_capital(result.meaning)} [{result.unit}]. {shape}", 4),
+    ]
+    lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
+    lines += ["", "Notes", "-----"]
+    for note in notes:
+        lines += _wrapped(note)
+    sources = [
+        *(f"chapter 11, equation {reference}" for reference in (entry.references if entry else ())),
+        *profile.sources,
+    ]
+    if sources:
+        lines += ["", "References", "----------", *_wrapped("; ".join(sources) + ".")]
+    return [*lines, "", "Examples", "--------", *example]
+
+
+def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:
+    """The formula in plain text, one line per region."""
+    name = sp.sstr(quantity.symbol) if quantity.suffix != "k" else "dF/dd"
+    if entry is None:
+        rows, lower = [], "0"
+        for piece in profile.pieces:
+            upper = f" < {piece.upper}" if piece.upper is not None else ""
+            where = f"{lower} < r{upper}" if len(profile.pieces) > 1 else ""
+            rows.append((sp.sstr(piece.expr), where))
+            lower = str(piece.upper)
+    elif entry.composed and entry.status == "root":
+        outer, inner = (COMPOSED[suffix] for suffix in entry.composed)
+        return _wrapped(f"{name} = {outer.replace('(a)', '')}({inner}), through the contact radius.")
+    else:
+        rows = _rows(entry)
+    lines = []
+    for text, where in rows:
+        if len(text) > 400:
+            return _wrapped(f"{name} = {sp.sstr(entry.definition)}" if entry else text)
+        equation = text if entry is not None and entry.status == "root" and "=" in text else f"{name} = {text}"
+        lines += _wrapped(equation + (f"   for {where}" if where else ""))
+    for symbol, expr in profile.abbreviations:
+        lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
+    return lines
+
+
+COMPOSED = {"F": "F(a)", "d": "d(a)", "ad": "a(d)", "aF": "a(F)"}
+
+
+def _rows(entry: Entry) -> list[tuple[str, str]]:
+    if len({case.expr for case in entry.cases}) == 1:
+        return [(_text(entry.cases[0].expr), "")]
+    chains = {case.chain for case in entry.cases}
+    same = all(set(chain) == set(next(iter(chains))) for chain in chains)
+    if not same:
+        return [(_text(case.expr), " < ".join(sp.sstr(x) for x in case.chain)) for case in entry.cases]
+    return [
+        (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
+        for comparisons, expr in entry.regions()
+    ]
+
+
+def _text(expr: sp.Expr) -> str:
+    if isinstance(expr, sp.Eq):
+        return f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}"
+    return sp.sstr(expr)
+
+
+def _wrapped(text: str, indent: int = 0) -> list[str]:
+    space = " " * indent
+    return textwrap.wrap(
+        text, WIDTH, initial_indent=space, subsequent_indent=space, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,1 @@
+"""From exact expressions to forms that double precision evaluates without loss."""

@@ -1,0 +1,67 @@
+"""Functions with a fixed meaning that SymPy leaves alone: what the printed code calls."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+
+class Named(sp.Symbol):
+    """An intermediate of the code; a difference of two of them is not exact."""
+
+
+def named(label: str) -> Named:
+    return Named(label, positive=True)
+
+
+class Root(sp.Function):
+    """sqrt(x**2 - y**2), computed as sqrt((x - y)*(x + y))."""
+
+    nargs = 2
+
+
+class Arctan2(sp.Function):
+    """atan(y/x)."""
+
+    nargs = 2
+
+
+class Log1p(sp.Function):
+    """ln(1 + x)."""
+
+    nargs = 1
+
+
+class ArctanGap(sp.Function):
+    """x - atan(x)."""
+
+    nargs = 1
+
+
+class TanhGap(sp.Function):
+    """y - tanh(y)."""
+
+    nargs = 1
+
+
+class GammaRatio(sp.Function):
+    """Gamma(x + 1/2)/Gamma(x)."""
+
+    nargs = 1
+
+
+class PowerPressure(sp.Function):
+    """int_r^a t**(n-1)/sqrt(t^2 - r^2) dt / a**(n-1), of (r, a, n)."""
+
+    nargs = 3
+
+
+class PowerDisplacement(sp.Function):
+    """int_0^a n t**(n-1) asin(t/r) dt / a**n, of (r, a, n)."""
+
+    nargs = 3
+
+
+class PowerPunches(sp.Function):
+    """int_0^a t**n/sqrt(r^2 - t^2) dt / a**n, of (r, a, n)."""
+
+    nargs = 3
