@@ -17,7 +17,7 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from ..abel import masters
-from .shape import Values, concrete, numeric_symbols
+from .shape import Number, Values, concrete, numeric_symbols
 
 HIGHEST = 1 << 14
 """Bits at which an enclosure that is still too wide is given up."""
@@ -48,6 +48,13 @@ def enclose(expr: sp.Expr, values: Values, digits: int) -> arb:
     """
     plain = concrete(sp.sympify(expr), values)
     return shrinking(lambda: Ball(point(values), False)(plain), digits)
+
+
+def enclose_value(expr: sp.Expr, values: Values, digits: int) -> Number:
+    """The middle of the enclosure, as a number of mpmath."""
+    ball = enclose(expr, values, digits)
+    with mp.workdps(digits + 10):
+        return mp.mpf(ball.mid().str(digits + 10, radius=False))
 
 
 def point(values: Values) -> dict[sp.Symbol, acb]:

@@ -8,6 +8,8 @@ wrong there.
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Callable
 from functools import lru_cache
 
@@ -30,14 +32,18 @@ def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., 
     return function
 
 
+COMPARING = 400
+"""Digits at which lengths are compared."""
+
+
 def decades(values: Values) -> int:
     """How far apart, or how close, two lengths of the point are, in powers of ten."""
     lengths = [s for s in numeric_symbols(values) if nt.known(str(s)) and nt.describe(s).dimension == nt.LENGTH]
-    with mp.workdps(30):
+    with mp.workdps(COMPARING):
         sizes = [size for size in (number(values[s]) for s in lengths) if size]
-        gaps = [abs(mp.log10(x / y)) for i, x in enumerate(sizes) for y in sizes[:i]]
-        gaps += [-mp.log10(abs(1 - x / y)) for i, x in enumerate(sizes) for y in sizes[:i] if x != y]
-    return int(mp.ceil(max(gaps, default=0)))
+        ratios = [x / y for x, y in itertools.combinations(sizes, 2)]
+        measures = [*ratios, *(1 - ratio for ratio in ratios if ratio != 1)]
+    return max((math.ceil(abs(mp.mag(x)) * math.log10(2)) for x in measures), default=0)
 
 
 def evaluate(expr: sp.Expr, values: Values, digits: int) -> Number:
@@ -89,7 +95,7 @@ def _real(value: Number, digits: int, expr: sp.Expr) -> Number:
 
 def holds(case: Case, values: Values) -> bool:
     """Whether the region of the case contains the point; lengths without a value are not compared."""
-    with mp.workdps(60):
+    with mp.workdps(COMPARING):
         known = [at_precision(x, values) for x in case.chain if not (x.free_symbols - set(values))]
     return all(lo < hi for lo, hi in zip(known, known[1:], strict=False))
 

@@ -15,6 +15,7 @@ has a logarithm at s = r.  d - g(a) vanishes for a compact contact.
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Callable
 
 import mpmath as mp
@@ -26,9 +27,9 @@ GUARD = 30
 """Digits carried beyond those asked for: 1 - 1e-9 costs 9 to 18 of them."""
 
 
-def _longest(points: tuple[complex, ...], lo: Number, hi: Number, longest: float) -> list[Number]:
-    """Breakpoints that keep every panel shorter than `longest`."""
-    count = max(1, int(mp.ceil((hi - lo) / longest))) if longest != float("inf") else 1
+def panels_no_longer_than(longest: float, lo: Number, hi: Number) -> list[Number]:
+    """Equidistant breakpoints from lo to hi."""
+    count = max(1, math.ceil((hi - lo) / longest))
     return [lo + (hi - lo) * i / count for i in range(count)] + [hi]
 
 
@@ -42,7 +43,7 @@ def _over_angle(
     def f(u: Number) -> Number:
         return integrand(u, a * mp.sin(u), a * mp.cos(u))
 
-    ends = _longest(singular, lo, hi, 6 * piece.wavelength / float(a))
+    ends = panels_no_longer_than(6 * piece.wavelength / float(a), lo, hi)
     return mp.fsum(integrate(f, x, y, singular, digits) for x, y in zip(ends, ends[1:], strict=False))
 
 
@@ -160,7 +161,7 @@ def _pressure_piece(piece: Stretch, a: Number, r: Number, digits: int) -> Number
             [z - complex(shift) for z in singular]
             + [complex(0) if near and i == 0 else z - complex(shift) for i, z in enumerate(kernel_points)]
         )
-        ends = _longest(points, start - shift, end - shift, 6 * piece.wavelength / float(a))
+        ends = panels_no_longer_than(6 * piece.wavelength / float(a), start - shift, end - shift)
         total += mp.fsum(
             integrate(lambda x, n=near: integrand(x, n), x, y, points, digits) for x, y in zip(ends, ends[1:], strict=False)
         )

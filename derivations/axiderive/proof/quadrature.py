@@ -15,7 +15,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..profiles.profile import Profile
-from .balls import enclose
+from .balls import enclose_value
 from .definitions import Contact, contact
 from .evaluate import at_precision, case_at, evaluate, holds
 from .evidence import Evidence, judge, residual
@@ -94,8 +94,7 @@ def value(entry: Entry, values: Values, digits: int) -> Number:
     if not expr.has(sp.Integral):
         return evaluate(expr, values, digits)
     if all(integral.limits[0][1] == 0 for integral in expr.atoms(sp.Integral)):
-        ball = enclose(expr, values, digits)
-        return mp.mpf(ball.mid().str(digits + 10, radius=False))
+        return enclose_value(expr, values, digits)
     # a lower limit at a break is a branch point, where an enclosure by boxes converges too slowly
     return evaluate_integral(expr, values, digits)
 

@@ -13,10 +13,11 @@ import cmath
 import math
 from collections.abc import Callable, Iterable
 from functools import lru_cache
+from typing import TypeAlias
 
 import mpmath as mp
 
-Number = mp.mpf
+Number: TypeAlias = mp.mpf
 Integrand = Callable[[Number], Number]
 Rule = tuple[tuple[Number, Number], ...]
 

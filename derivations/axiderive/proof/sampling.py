@@ -43,6 +43,15 @@ def points(profile: Profile, chain: tuple[sp.Expr, ...], count: int, seed: int, 
     return [_draw(profile, chain, fields, next(plans), i, rng) for i in range(count)]
 
 
+def border(
+    profile: Profile, chain: tuple[sp.Expr, ...], position: int, gap: sp.Rational, seed: int, fields: tuple[sp.Symbol, ...]
+) -> Values:
+    """A random point at which the elements `position` and `position + 1` of the chain are a ratio 1 - gap apart."""
+    rng = random.Random(f"{seed} {profile.name} {chain} {position}")
+    plan = tuple(1 - gap if i == position else None for i in range(len(chain) - 1))
+    return _draw(profile, chain, fields, plan, 0, rng).values
+
+
 def _plans(pairs: int) -> Any:
     """Extremes of each pair of neighbours, None for random: low and high alternate, then every combination, then random."""
     yield (None,) * pairs
