@@ -1,0 +1,171 @@
+"""The handbook: complete, deterministic, true to scale, and it compiles without a remark from TeX."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import mpmath as mp
+import pytest
+
+from axiderive import pdf
+from axiderive.contact.normal import derive
+from axiderive.emit.handbook import handbook_sources
+from axiderive.emit.page import kind_of, spaced
+from axiderive.emit.prose import prose
+from axiderive.emit.references import WORKS, label
+from axiderive.emit.rows import ordered
+from axiderive.emit.sketch import sketch
+from axiderive.emit.values import Numbers, sketch_values
+from axiderive.profiles import NAMES, catalogue, load
+
+SAMPLE = ("cone", "paraboloid", "rounded_punch", "capped_cylinder")
+"""Profiles that bring every kind of row, one of them in complete contact."""
+
+
+@pytest.fixture(scope="module")
+def sources() -> dict[str, str]:
+    return handbook_sources({name: derive(load(name)) for name in SAMPLE}, {"cone": EVIDENCE})
+
+
+EVIDENCE = {
+    "settings": {"digits": 50, "points": 24, "seed": 17},
+    "entries": {
+        "p": {
+            "certified": True,
+            "certificate": {"proved": True, "steps": [], "reason": ""},
+            "checks": [
+                {"compared": "mpmath quadrature of the defining integral", "outcome": "passed", "digits": 50, "count": 24, "worst": "2.7e-51"},
+                {"compared": "F = 2 pi int p r dr", "outcome": "failed", "digits": 3, "count": 24, "worst": "1e-3"},
+            ],
+        },
+        "w": {"certified": False, "certificate": {"proved": False, "reason": "no rule for C0"}, "checks": []},
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("tan(theta) << 1; a << size of the body", r"$\tan \theta \ll  1$; $a \ll$ size of the body"),
+        ("F ~ d^(1 + 1/n)", r"$F_{\mathrm N} \sim  d^{1+1/n}$"),
+        ("A paraboloid of radius R1", r"A paraboloid of radius $R_1$"),
+        ("a worn sphere of radius b", "a worn sphere of radius $b$"),
+        ("keeps g' >= 0 for every a", r"keeps $g' \ge  0$ for every $a$"),
+        ("b = R sin(theta)", r"$b=R\,\sin \theta$"),
+        ("needs the force F_min.", r"needs the force $F_{\mathrm{min}}$."),
+        ("Popov, Heß & Willert 2019", r"Popov, Heß \& Willert 2019"),
+        ("100 % of A_1 ... A_N", r"100 \% of $A_1 \dots  A_N$"),
+        ("Cone, paraboloid and quartic are n = 1, 2, 4.", "Cone, paraboloid and quartic are $n=1, 2, 4$."),
+    ],
+)
+def test_prose(text: str, wanted: str) -> None:
+    assert prose(text) == wanted
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_special_character_of_a_profile_reaches_tex(name: str) -> None:
+    profile = load(name)
+    for text in (profile.title, profile.subtitle, profile.validity, profile.note, *profile.synonyms, *profile.sources):
+        outside = re.sub(r"\$[^$]*\$", "", prose(text))
+        assert not re.search(r"(?<!\\)[&%#_^]|<<|>=|<=", outside), outside
+
+
+def test_every_source_has_its_reference() -> None:
+    cited = {work for profile in catalogue() for work in profile.sources}
+    assert cited <= set(WORKS)
+    assert len({label(work) for work in WORKS}) == len(WORKS)
+
+
+@pytest.mark.parametrize(
+    ("value", "wanted"),
+    [("2.9932228461262", r"2.993\,222\,846\,126"), ("0.0000000000005", r"0.000\,000\,000\,000"), ("-1.5", r"-1.500\,000\,000\,000")],
+)
+def test_check_values_are_rounded_to_nearest(value: str, wanted: str) -> None:
+    with mp.workdps(30):
+        assert spaced(mp.mpf(value)) == wanted
+
+
+def test_every_key_is_printed_once_and_every_reference_has_a_target(sources: dict[str, str]) -> None:
+    for name in SAMPLE:
+        text = sources[f"profiles/{name}.tex"]
+        printed = re.findall(r"^%% (.*)$", text, flags=re.M)
+        keys = {key for line in printed for key in line.split()}
+        assert keys == {entry.key for entry in derive(load(name)).values()}
+        targets = {suffix for suffix in re.findall(r"\\own\{(\w+)\}", text)}
+        assert targets <= {key.partition(".")[2] for key in keys}
+
+
+def test_what_is_compiled_is_what_was_read_back(sources: dict[str, str]) -> None:
+    """The rows that `worst_residual` evaluates stand in the source, letter by letter."""
+    for name in SAMPLE:
+        text = sources[f"profiles/{name}.tex"]
+        for one in ordered(derive(load(name))):
+            for region in one.regions:
+                assert f"{{{region.tex}" in text
+                assert not region.condition or f"${region.condition}$" in text
+
+
+def test_evidence_is_shown_and_failures_are_not_claimed(sources: dict[str, str]) -> None:
+    text = sources["profiles/cone.tex"]
+    assert r"50 digits, 24 points ($2.7\times10^{-51}$)" in text
+    assert "3 digits" not in text
+    assert "no certificate: no rule for C0" in text
+    assert r"\sect[" in text
+    assert "{Evidence}" in text
+    assert "{Evidence}" not in sources["profiles/paraboloid.tex"]
+
+
+def test_kinds_of_evidence() -> None:
+    kinds = ["mpmath quadrature of the defining integral", "Arb balls of both sides", "dimension of every term", "w(a) = d - f(a)"]
+    assert [kind_of(text) for text in kinds] == ["quadrature", "enclosure", "units", "identity"]
+
+
+@pytest.mark.parametrize("name", ["cone", "rounded_punch", "concave_paraboloid", "sphere_tipped_cone", "flat_punch"])
+def test_the_sketch_is_the_solution(name: str) -> None:
+    """The drawn surface leaves the drawn indenter at the edge of contact: w(a) = d - f(a)."""
+    profile = load(name)
+    numbers = Numbers(profile, derive(profile), sketch_values(profile))
+    picture = sketch(profile, numbers)
+    contact = _points(picture.contact)
+    surface = _points(picture.surface)
+    assert contact[-1][0] == pytest.approx(picture.a, abs=2e-4)
+    # the displacement leaves the edge like a square root where the edge is sharp
+    assert surface[0][1] == pytest.approx(contact[-1][1], abs=2e-3)
+    assert contact[len(contact) // 2] == pytest.approx((0.0, -picture.depth), abs=2e-4)
+    heights = [y for _, y in surface]
+    assert heights == sorted(heights)
+
+
+def _points(text: str) -> list[tuple[float, float]]:
+    return [(float(x), float(y)) for x, y in re.findall(r"\(([-\d.]+),([-\d.]+)\)", text)]
+
+
+def test_the_sources_do_not_depend_on_the_hash_seed() -> None:
+    program = (
+        "import hashlib; from axiderive.emit.handbook import handbook_sources; from axiderive.contact.normal import derive;"
+        "from axiderive.profiles import load;"
+        "s = handbook_sources({n: derive(load(n)) for n in ('truncated_cone', 'concave_power')});"
+        "print(hashlib.sha256(repr(sorted(s.items())).encode()).hexdigest())"
+    )
+    seen = set()
+    for seed in ("1", "2"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(sys.path)}
+        done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True, timeout=120)
+        seen.add(done.stdout.strip())
+    assert len(seen) == 1
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_the_book_compiles_without_a_remark(sources: dict[str, str]) -> None:
+    """No overfull line over 2 pt, no undefined reference, no font substitution; twice the same bytes."""
+    encoded = {path: text.encode() for path, text in sources.items()}
+    first, remarks = pdf.compile_pdf(encoded)
+    missing = [remark for remark in remarks if "sec:" not in remark]  # limits to profiles outside the sample
+    assert missing == []
+    second, _ = pdf.compile_pdf(encoded)
+    assert first == second
+    assert first.startswith(b"%PDF")
