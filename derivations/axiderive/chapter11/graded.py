@@ -11,7 +11,7 @@ from .draw import Draw, PowerSum
 from .equation import FORCE, LENGTH, STRESS, Formula, Residual, chain, equation
 from .graded_medium import Medium, exponent, medium
 from .quadrature import panels, singular, weighted
-from .round_trip import graded_catalogue_depths
+from .round_trip import graded_catalogue_depths, graded_catalogue_pressures
 from .routes import around, even_pressure, graded_centre, graded_rings, kappa, pressure, total_force
 
 Function = Callable[[Any], Any]
@@ -48,12 +48,12 @@ def pressure_increment(r: Any, x: Any, dd: Any, slope: Function, dx: Any, m: Med
 
 
 def pressure_from_slope(
-    slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium
+    slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium, breaks: tuple[Any, ...] = ()
 ) -> tuple[Any, Any]:
     E0, c0, k, nu, h_N = m
 
     def abel(f: Function) -> Any:
-        return singular(lambda x: f(x) / (x**2 - r**2) ** ((1 - k) / 2), r, a, max(0.0, float(1 - k) / 2))
+        return panels(lambda x: f(x) / (x**2 - r**2) ** ((1 - k) / 2), r, a, breaks, max(0.0, float(1 - k) / 2))
 
     return h_N * E0 / (mp.pi * (1 - nu**2) * c0**k) * abel(slope), -foundation(c0) / (mp.pi * c0**k) * abel(w1D_slope)
 
@@ -171,12 +171,21 @@ def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(left, side, STRESS)
 
 
-@equation(53, pressure_from_slope, "both forms against the closed pressure of random powers")
+@equation(
+    53,
+    pressure_from_slope,
+    "closed pressure of random powers against both forms; closed graded pressures of the catalogue",
+)
 def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     r = a * draw.number(0.2, 0.9)
     sides = formula(g.slope, lambda x: -g.slope(x), m.foundation, r, a, m)
     yield from chain(pressure(g, r, a, m.H, m.k), sides, STRESS)
+
+    def inverted(w1D_slope: Function, r: Any, a: Any, breaks: tuple[Any, ...]) -> Any:
+        return formula(lambda x: -w1D_slope(x), w1D_slope, m.foundation, r, a, m, breaks)[1]
+
+    yield from graded_catalogue_pressures(draw, inverted, m.H, m.k)
 
 
 @equation(54, displacement_increment, "flat punch: depth at the centre, ring kernels outside")

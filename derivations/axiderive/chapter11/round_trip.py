@@ -116,7 +116,7 @@ class Indenter:
         return None
 
     def _radius_law(self, x: Any) -> tuple[sp.Expr, Values]:
-        """d - g over the contact radius; for a complete contact from dF/da = 2 E* (d - g) at a fixed face."""
+        """d - g over the contact radius; for a complete contact from dF/da = 2 c_N(a) (d - g) at a fixed face."""
         entries, at = self.entries, {**self.values, nt.a: x}
         if self.compact:
             case = self._case(entries["d"].cases, at)
@@ -124,7 +124,7 @@ class Indenter:
         force = entries["F"].fixed_face[0].expr
         if nt.C in force.free_symbols:
             at = {**at, nt.C: self._face_coefficient()}
-        return _slope(force, nt.a) / (2 * nt.E_star), at
+        return _slope(force, nt.a) / (self.medium.force_scale * nt.a**self.medium.k), at
 
     def _face_coefficient(self) -> Any:
         """C of the face -C r**n."""
@@ -154,14 +154,14 @@ def _coefficient(i: int) -> sp.Symbol:
     return sp.Symbol(f"A_{i}", positive=True)
 
 
-def indenter(name: str, draw: Draw, k: Any = None) -> Indenter:
-    """The profile of that name with parameters scattered about those of its sketch, on a half space of exponent k."""
+def indenter(name: str, draw: Draw, graded: tuple[Any, Any] | None = None) -> Indenter:
+    """The profile of that name with parameters scattered about those of its sketch; `graded` is H and k."""
     profile = load(name)
     values: dict[sp.Symbol, Any] = {nt.E_star: draw.stress()}
     medium = HOMOGENEOUS
-    if k is not None:
-        medium, values[nt.k] = GRADED, k
-        values[nt.H] = draw.quantity(-2 - k, 1)
+    if graded is not None:
+        medium = GRADED
+        values[nt.H], values[nt.k] = graded
     sketch = dict(profile.sketch.values)
     exponent = sketch.get(nt.n)
     if exponent is not None:
@@ -204,7 +204,7 @@ def catalogue_depths(draw: Draw, formula: Formula) -> Iterator[Residual]:
 def graded_catalogue_depths(draw: Draw, formula: Formula, k: Any) -> Iterator[Residual]:
     """(11.61) by quadrature against the derived graded depth of every compact profile."""
     for name in NAMES if draw.first else ():
-        body = indenter(name, draw, k)
+        body = indenter(name, draw, (draw.quantity(-2 - k, 1), k))
         if body.compact:
             yield Residual(body.d, formula(body.slope, body.a, k, body.breaks), LENGTH)
 
@@ -227,6 +227,18 @@ def catalogue_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
         right = formula(body.w1D_slope, r, body.a, E_star, tuple(b for b in body.breaks if b > r))
         if not body.compact:
             right += edge_pressure(body.w1D(body.a), r, body.a, E_star)
+        yield Residual(body.pressure(r), right, STRESS)
+
+
+def graded_catalogue_pressures(draw: Draw, formula: Callable[..., Any], H: Any, k: Any) -> Iterator[Residual]:
+    """(11.53) applied to the derived d - g against every graded pressure that is not itself left as that integral."""
+    closed = [name for name in NAMES if _entries(name, GRADED)["p"].status == "closed"]
+    for name in closed if draw.first else ():
+        body = indenter(name, draw, (H, k))
+        r = body.a * draw.number(0.2, 0.9)
+        right = formula(body.w1D_slope, r, body.a, tuple(b for b in body.breaks if b > r))
+        if not body.compact:
+            right += H * body.w1D(body.a) / (mp.pi * ((body.a - r) * (body.a + r)) ** ((1 - k) / 2))
         yield Residual(body.pressure(r), right, STRESS)
 
 

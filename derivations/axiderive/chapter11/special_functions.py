@@ -90,13 +90,17 @@ def beta_incomplete(z: Any, x: Any, y: Any) -> Any:
     return singular(lambda u: u ** (x - 1) * (1 - u) ** (y - 1), ZERO, z, strongest)
 
 
+def _terms(ratio: Any) -> int:
+    """How many terms of a series that falls by `ratio` from term to term, after some that may grow."""
+    return int(mp.mp.dps * mp.log(10) / -mp.log(ratio)) + 40
+
+
 def gauss_series(a: Any, b: Any, c: Any, z: Any) -> Any:
     def term(n: int) -> Any:
         rising = mp.gamma(a + n) * mp.gamma(b + n) * mp.gamma(c) / (mp.gamma(a) * mp.gamma(b) * mp.gamma(c + n))
         return rising * z**n / mp.factorial(n)
 
-    count = int(mp.mp.dps * mp.log(10) / -mp.log(abs(z))) + 40
-    return mp.fsum(term(n) for n in range(count))
+    return mp.fsum(term(n) for n in range(_terms(abs(z))))
 
 
 def gauss_equation(a: Any, b: Any, c: Any, z: Any, y: Any, slope: Any, bend: Any) -> Any:
@@ -115,7 +119,7 @@ def struve_series(n: Any, z: Any) -> Any:
     def term(k: int) -> Any:
         return (-1) ** k / (mp.gamma(k + mp.mpf(3) / 2) * mp.gamma(k + n + mp.mpf(3) / 2)) * (z / 2) ** (2 * k + n + 1)
 
-    return mp.fsum(term(k) for k in range(int(mp.mp.dps) + 20))
+    return mp.fsum(term(k) for k in range(_terms(HALF / 2)))
 
 
 def struve_equation(n: Any, z: Any) -> Any:
