@@ -37,11 +37,18 @@ class Reduced:
         forms = [getattr(atom, name)(order, self.k) for atom in self.atoms]
         return None if any(form is None for form in forms) else Form.total(forms)
 
-    def depth(self, order: Order) -> Form | None:
-        return self._total("depth", order)
+    def _known(self, name: str, order: Order) -> Form:
+        form = self._total(name, order)
+        if form is None:
+            message = f"no closed {name} is known for the sum of {self.atoms} with k = {self.k}; use k = 0"
+            raise NotReducibleError(message)
+        return form
 
-    def force(self, order: Order) -> Form | None:
-        return self._total("force", order)
+    def depth(self, order: Order) -> Form:
+        return self._known("depth", order)
+
+    def force(self, order: Order) -> Form:
+        return self._known("force", order)
 
     def pressure(self, order: Order) -> Form | None:
         return self._total("pressure", order)
@@ -50,7 +57,7 @@ class Reduced:
         return self._total("displacement", order)
 
     def primitives(self, order: Order) -> tuple[Primitive, ...]:
-        return tuple(primitive for atom in self.atoms for primitive in atom.primitives(order))
+        return tuple(primitive for atom in self.atoms for primitive in atom.primitives(order, self.k))
 
     def shape(self, order: Order) -> sp.Expr:
         return sp.Add(*(atom.shape(order) for atom in self.atoms))

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..abel.atoms import PowerAtom
 from ..abel.form import Form
 from ..abel.masters import Master
 from ..abel.order import Order
-from ..abel.reduce import Reduced, parse
+from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import COMPLETE, Case, Entry, Status
 from ..notation import C, F, a, d, r, r_zero, t
 from ..profiles.profile import Piece, Profile
@@ -103,6 +104,9 @@ def _fixed_formulas(reduced: Reduced, medium: Medium) -> dict[str, Case]:
     inside, outside, edge = (r, a), (a, r), (a,)
     g, force = reduced.depth(Order(edge)), reduced.force(Order(edge))
     pressure, displacement = reduced.pressure(Order(inside)), reduced.displacement(Order(outside))
+    if pressure is None or displacement is None:
+        message = f"the face {reduced.atoms} has no closed pressure; use a sum of powers of r"
+        raise NotReducibleError(message)
     stiffness = medium.stiffness()
     gap = Form.of(d) + g * -1
     depth = Form.of(F, 1 / stiffness) + g + force * (-medium.force_scale / stiffness)
@@ -129,7 +133,7 @@ def _with_partial(profile: Profile, medium: Medium, cases: dict[str, Case], fixe
     for suffix, case in cases.items():
         if suffix == "dF":
             partial = Case((F, full_force), unbounded["dF"].cases[0].expr)
-            both = (partial, Case((full_force, F), case.expr))
+            both: tuple[Case, ...] = (partial, Case((full_force, F), case.expr))
         else:
             source = unbounded[suffix].cases[0]
             moved = source.expr.subs(a, rho)
@@ -148,8 +152,8 @@ def _threshold(
     sqrt(a^2 - r^2) p = E*/pi [d - g(a) + sqrt(a^2 - r^2) P^(r)] has its minimum over r at the centre for n <= 2
     and on a ring for n > 2; there d is the least depth of complete contact.
     """
-    k, (exponent,) = medium.k, [atom.n for atom in reduced.atoms]
-    form = reduced.pressure(Order((r, a)))
+    k, (exponent,) = medium.k, [atom.n for atom in reduced.atoms if isinstance(atom, PowerAtom)]
+    form = reduced.pressure(Order((r, a))) or Form()
     depth = reduced.depth(Order((a,))).expr()
     z, q = sp.symbols("z q", positive=True)  # z = 1 - r^2/a^2 and q = r^2/a^2, kept apart so that powers merge
 
@@ -167,7 +171,8 @@ def _threshold(
         at_ring = sp.cancel(sp.powsimp(sp.expand(weighted.subs(master, solved))))
         ring = sp.Eq(master, _in_ratio(solved, q)).subs({z: 1 - r_zero**2 / a**2, q: r_zero**2 / a**2})
         status: Status = "root"
-        ring_cases = (Case((1 - k, exponent, sp.Integer(2)), sp.S.Zero), Case((sp.Integer(2), exponent), ring))
+        two = sp.Integer(2)
+        ring_cases: tuple[Case, ...] = (Case((1 - k, exponent, two), sp.S.Zero), Case((two, exponent), ring))
         radius: sp.Expr = r_zero
     else:
         stationary = sp.Poly(sp.expand(slope).subs(z, 1 - q), q)
@@ -193,6 +198,6 @@ def _merged(expr: sp.Expr) -> sp.Expr:
 
 
 def _in_ratio(expr: sp.Expr, q: sp.Symbol) -> sp.Expr:
-    """Powers of q = (r_zero/a)**2 as one power of r_zero/a, which SymPy 1.12 to 1.14 would merge each in its own way."""
+    """Powers of q = (r_zero/a)**2 as one power of r_zero/a, which every SymPy would merge in its own way."""
     ratio = sp.Symbol("ratio", positive=True)
     return sp.powsimp(expr.subs(q, ratio**2), combine="exp").subs(ratio, r_zero / a)

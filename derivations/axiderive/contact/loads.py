@@ -11,7 +11,7 @@ import sympy as sp
 from ..abel.masters import Hypergeometric, gamma_normalised
 from ..abel.moments import outside_moment
 from ..entry import Case, Entry, Quantity
-from ..notation import E_star, a, p_0, r, sigma, w
+from ..notation import E_star, a, p_0, r, w
 from ..profiles.loads import Load
 
 HALF = sp.S.Half
@@ -31,7 +31,7 @@ def derive(load: Load) -> dict[str, Entry]:
         status="closed",
         cases=cases,
         definition=2 / sp.pi * sp.Integral(w1D(x) / sp.sqrt(r**2 - x**2), (x, 0, sp.Min(r, a))),
-        parameters=(a, p_0, E_star) + ((sigma,) if s == sigma else ()),
+        parameters=(*load.parameters, E_star),
         references=("(11.104)", "(11.105)"),
     )
     return {"w": entry}

@@ -58,7 +58,7 @@ class Profile:
     name: str
     title: str
     subtitle: str
-    contact: Literal["compact", "complete"]
+    contact: Literal["compact", "complete", "prescribed"]
     parameters: tuple[sp.Symbol, ...]
     pieces: tuple[Piece, ...]
     validity: str
