@@ -16,7 +16,7 @@ PROFILE = Profile(
     rules=(
         Rule(
             R2, R1, False,
-            "a slope that falls at b would separate the surfaces there and the contact would not be compact; exchange R1 and R2",
+            "a slope that falls at b would open a gap there and the contact would not be compact; exchange R1 and R2",
         ),
     ),
     limits=(Limit("paraboloid", b, 0, ((R1, R2),)),),
