@@ -109,28 +109,32 @@ def test_remarks_hold(remark: Any) -> None:
 # A check that cannot fail proves nothing: every operator, sign and number of the printed formulas is altered in turn.
 
 OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
-PRECISION_ONLY = {"max", "float", "workdps"}
-"""Calls that say how to integrate, not what."""
-RULES = {"around", "across"}
-"""Rules of quadrature, of which only the integrand is part of the formula."""
+PRECISION_ONLY = {"max", "float", "workdps", "_terms"}
+"""Calls that say how to integrate or sum, not what."""
+RULES = {"around": 1, "across": 1, "weighted": 3, "singular": 3, "panels": 3}
+"""Rules of quadrature, and how many of their arguments are part of the formula: the integrand, the ends."""
 
 
-def _sites(tree: ast.AST) -> Iterator[ast.AST]:
+def _sites(node: ast.AST) -> Iterator[ast.AST]:
     """The nodes of a formula that can be altered, without those that only steer a quadrature."""
-    for node in ast.iter_child_nodes(tree):
-        called = getattr(node.func, "id", getattr(node.func, "attr", "")) if isinstance(node, ast.Call) else ""
-        if called in PRECISION_ONLY or isinstance(node, ast.keyword):
-            continue
-        if called in RULES:
-            yield from _sites(node.args[0])
-            continue
-        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-            yield node
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-            yield node
-        if isinstance(node, ast.Constant) and type(node.value) is int:
-            yield node
-        yield from _sites(node)
+    alterable = (
+        (isinstance(node, ast.BinOp) and type(node.op) in OPERATORS)
+        or (isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub))
+        or (isinstance(node, ast.Constant) and type(node.value) is int)
+    )
+    if alterable:
+        yield node
+    for part in _parts(node):
+        yield from _sites(part)
+
+
+def _parts(node: ast.AST) -> list[ast.AST]:
+    called = getattr(node.func, "id", getattr(node.func, "attr", "")) if isinstance(node, ast.Call) else ""
+    if called in PRECISION_ONLY:
+        return []
+    if isinstance(node, ast.Call) and called in RULES:
+        return list(node.args[: RULES[called]])
+    return [part for part in ast.iter_child_nodes(node) if not isinstance(part, ast.keyword)]
 
 
 def _helpers(formula: Formula) -> list[Formula]:
