@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import sympy as sp
 
@@ -17,7 +18,7 @@ ORDER = (
 FUNCTIONS = {
     sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
     sp.cosh: "np.cosh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
-    opaque.Log1p: "np.log1p", opaque.Arctan2: "np.arctan2",
+    opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
     opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
     masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
@@ -124,10 +125,11 @@ def _product(expr: sp.Expr) -> tuple[str, int]:
         negative = exponent.could_extract_minus_sign()
         (bottom if negative else top).append(_power(base, -exponent if negative else exponent))
     if radical:
-        top.append((radical, ATOM))
+        top.append((radical, PRODUCT if " * (" in radical else ATOM))
     if number < 0:
         text, level = _product(-expr)
-        return f"-{text if level >= PRODUCT else f'({text})'}", SUM
+        text = text if level >= PRODUCT else f"({text})"
+        return "-" + re.sub(r"^(\w+\*\*\w+)", r"(\1)", text), SUM
     if number.p != 1 or not top:
         top.insert(0, (str(number.p), ATOM))
     if number.q != 1:
@@ -177,8 +179,28 @@ def _radical(number: sp.Rational, factors: list[sp.Expr]) -> tuple[str, sp.Ratio
     if all(base is sp.pi for base, _ in roots):
         return "", number, factors
     degree = math.lcm(*(exponent.q for _, exponent in roots))
+    if degree > 3:
+        return _separate_powers(number, whole, roots, degree)
     inside = sp.Mul(*(base ** (exponent * degree) for base, exponent in roots))
     if all(factor.is_number for factor in whole):
         inside, number = inside * number**degree, sp.S.One
     text, _ = _power(sp.powdenest(inside), sp.Rational(1, degree))
     return text, number, whole
+
+
+def _separate_powers(
+    number: sp.Rational, whole: list[sp.Expr], roots: list[tuple[sp.Expr, sp.Rational]], degree: int
+) -> tuple[str, sp.Rational, list[sp.Expr]]:
+    """High roots by exponent, (F/E)**(6/7) and not (F**6/E**6)**(1/7), which would leave the range of doubles."""
+    groups: dict[sp.Rational, sp.Expr] = {}
+    for base, exponent in roots:
+        if base.is_number:
+            groups[sp.Rational(1, degree)] = groups.get(sp.Rational(1, degree), sp.S.One) * base ** (exponent * degree)
+        else:
+            size = abs(exponent)
+            groups[size] = groups.get(size, sp.S.One) * (base if exponent > 0 else 1 / base)
+    if all(factor.is_number for factor in whole):
+        least = sp.Rational(1, degree)
+        groups[least], number = groups.get(least, sp.S.One) * number**degree, sp.S.One
+    texts = [_power(groups[exponent], exponent)[0] for exponent in sorted(groups, reverse=True)]
+    return " * ".join(texts), number, whole

@@ -78,7 +78,9 @@ class Compact:
         form = slope_form(case.expr, self.facts(case))
         rooted = any(str(name) == ROOT for name, _ in form.steps)
         fields = ("t", "root") if rooted or key == "beyond" else ("t",)
-        lines = [*self.functions.steps(form, fields), f"return {python(form.value)}"]
+        lines = self.functions.steps(form, fields)
+        text = self.functions.value_lines(form.value, lines)
+        lines.append(f"return {text}")
         name = "slope_beyond" if key == "beyond" else "slope"
         doc = "Rate g'(t) of the indentation depth g(t)" + (f" for t > {self.b}." if key == "beyond" else ".")
         return self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc), form
@@ -108,7 +110,8 @@ class Compact:
         for key, form in forms.items():
             lines += self.functions.steps(form, given)
             needs |= self.functions.needs(form, given)
-            lines.append(f"{key} = {python(form.value)}" if len(forms) > 1 else f"return {python(form.value)}")
+            value = self.functions.value_lines(form.value, lines)
+            lines.append(f"{key} = {value}" if len(forms) > 1 else f"return {value}")
         if len(forms) > 1:
             lines.append(f"return np.where(a < {self.b}, tip, beyond)")
             needs.add(str(self.b))
@@ -201,6 +204,9 @@ class Compact:
 
     def _inside(self, value: str, lines: list[str], needs: set[str]) -> Private:
         condition, more = self.domain()
+        if len(value) > 80:
+            lines.append(f"pressed = {value}")
+            value = "pressed"
         within = f"np.where(r < a, {value}, 0.0)"
         if condition:
             lines.append(f"inside = {within}")
@@ -233,7 +239,7 @@ class Compact:
                 tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
             )
             lines += self.functions.steps(moved)
-            value = python(moved.value)
+            value = self.functions.value_lines(moved.value, lines)
             more |= self.functions.needs(form, ("r", "a"))
         else:
             slope = self.slopes["tip"][0]
@@ -265,7 +271,7 @@ class Compact:
         closed = self.form("w", "tip") if "tip" in regimes and self.b is None else None
         if closed is not None and not closed.cancels:
             lines += self.functions.steps(closed)
-            outside = python(closed.value)
+            outside = self.functions.value_lines(closed.value, lines)
             needs |= self.functions.needs(closed, ("r", "a"))
         else:
             radius = "a" if self.b is None else "inner"

@@ -17,7 +17,7 @@ from .code import python
 from .compact import SMOOTH
 from .private import Private, PrivateFunctions
 
-THRESHOLD = "np.where({field} >= {least} * (1.0 - 1e-15), {value}, np.nan)"
+COMPLETE_FROM = "complete = {least} * (1.0 - 1e-15) <= {field}"
 
 
 @dataclass
@@ -52,18 +52,20 @@ class Complete:
     def _closed(self, suffix: str) -> Private:
         entry = self.entries[suffix]
         form = evaluation_form(entry.cases[-1].expr, facts_of(()))
-        value, needs = python(form.value), self.functions.needs(form, ())
+        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
         if suffix in ("F", "dF"):
-            value, needs = self._from_threshold(value, needs, "dmin" if suffix == "F" else "Fmin")
-        return self._add(suffix, value, self.functions.steps(form), needs)
+            value, needs = self._from_threshold(lines, value, needs, "dmin" if suffix == "F" else "Fmin")
+        return self._add(suffix, value, lines, needs)
 
-    def _from_threshold(self, value: str, needs: set[str], least: str) -> tuple[str, set[str]]:
+    def _from_threshold(self, lines: list[str], value: str, needs: set[str], least: str) -> tuple[str, set[str]]:
         """NaN where the contact is not complete."""
         if not self.concave:
             return value, needs
         threshold = self.functions.functions[self.entries[least].quantity.function]
         field = "d" if least == "dmin" else "F"
-        return THRESHOLD.format(field=field, least=threshold.call(), value=value), needs | set(threshold.needs)
+        lines.append(COMPLETE_FROM.format(field=field, least=threshold.call()))
+        lines.append(f"result = {value}")
+        return "np.where(complete, result, np.nan)", needs | set(threshold.needs)
 
     def _thresholds(self) -> None:
         ring = self.entries["rz"]
@@ -83,22 +85,30 @@ class Complete:
                 radius = self.functions.functions["zero_radius"]
                 lines.append(f"r_zero = {radius.call()}")
                 needs = (needs - {"r_zero"}) | set(radius.needs)
-            self._add(suffix, python(form.value), [*lines, *self.functions.steps(form)], needs)
+            lines += self.functions.steps(form)
+            top, bottom = sp.fraction(form.value)
+            if bottom.has(r_zero):
+                lines.append(f"drop = {python(bottom)}")
+                self._add(suffix, f"{python(top)} / drop", lines, needs)
+            else:
+                self._add(suffix, python(form.value), lines, needs)
 
     def _pressure(self) -> None:
         """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
         expr = self.entries["p"].cases[0].expr
         form = evaluation_form(expr, facts_of((r, a)))
-        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
+        lines, needs = self.functions.steps(form), self.functions.needs(form, ("r", "d"))
+        value = self.functions.value_lines(form.value, lines)
         excess = self._excess_over_threshold() if self.concave else None
         if excess is not None:
             least = self.functions.functions["minimum_depth"]
             scale = HOMOGENEOUS.pressure_scale
             lines = ["root = np.sqrt((a - r) * (a + r))"]
-            value = f"{python(scale)} * (d - {least.call()} + {python(excess)}) / root"
+            lines.append(f"face = {python(excess)}")
+            value = f"{python(scale)} * (d - {least.call()} + face) / root"
             needs = {str(s) for s in (scale * excess).free_symbols} | {*least.needs, "a"}
         value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
-        value, needs = self._from_threshold(value, needs | {"a"}, "dmin")
+        value, needs = self._from_threshold(lines, value, needs | {"a"}, "dmin")
         self._add("p", value, lines, needs - {"r"})
 
     def _excess_over_threshold(self) -> sp.Expr | None:
@@ -126,8 +136,9 @@ class Complete:
             value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
             needs = {str(s) for s in sunk.free_symbols} | {"a"}
         profile = self.functions.functions["profile"]
-        value = f"np.where(r > a, {value}, d - {profile.call()})"
-        value, needs = self._from_threshold(value, needs | set(profile.needs) | {"a"}, "dmin")
+        lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
+        value = "np.where(r > a, outside, inside)"
+        value, needs = self._from_threshold(lines, value, needs | set(profile.needs) | {"a"}, "dmin")
         self._add("w", value, lines, needs - {"r"})
 
     def _capped(self) -> None:
@@ -164,8 +175,10 @@ class Complete:
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
         texts = [python(evaluation_form(case.expr, facts_of(())).value) for case in cases]
-        value = f"np.where(F < {python(limit)}, {texts[0]}, {texts[1]})"
-        self._add("dF", value, [], {"a", "E_star", *(str(s) for s in limit.free_symbols)})
+        lines = [f"edge = {python(limit)}", f"below = {texts[0]}", f"above = {texts[1]}"]
+        self._add(
+            "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}
+        )
 
     def _capped_fields(
         self, start: list[str], base: set[str], punch: str, inner: sp.Expr, slope: Private, profile: Private

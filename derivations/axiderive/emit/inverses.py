@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 import mpmath as mp
@@ -16,7 +17,7 @@ from ..stable.signs import facts_of
 from .code import python
 from .compact import Compact
 from .example import NUMERIC
-from .private import Private, parameter_name
+from .private import Private
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
 
@@ -48,7 +49,7 @@ class Inverses:
         form = self._closed(entry)
         name = entry.quantity.function
         if form is not None:
-            lines = [*self.functions.steps(form), f"return {python(form.value)}"]
+            lines = self.functions.returned(form)
             return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
         if self.compact.rooted:
             contact = self._contact(suffix)
@@ -61,7 +62,7 @@ class Inverses:
         name = entry.quantity.function
         form = self._closed(entry) if entry.composed is None else None
         if form is not None:
-            lines = [*self.functions.steps(form), f"return {python(form.value)}"]
+            lines = self.functions.returned(form)
             return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
         if self.compact.rooted:
             contact = self.functions.functions.get(f"contact_from_{TARGET[inner][0]}") or self._contact(inner)
@@ -130,7 +131,7 @@ class Inverses:
             needs = needs | {str(s) for s in largest.free_symbols}
             lines.append(f"largest = {python(largest)} * np.ones_like({field})")
             lines.append(f"a = {call}")
-            lines.append(f"return np.where({field} <= {target.call('largest')}, a, np.nan)")
+            lines.append(f"return np.where({target.call('largest')} >= {field}, a, np.nan)")
         return self.functions.add(name, (field,), lines, needs | set(target.needs) | self._start_needs())
 
     def _start(self) -> str:
@@ -147,10 +148,7 @@ class Inverses:
         )
 
     def _start_needs(self) -> set[str]:
-        text = self._start()
-        return {parameter_name(p) for p in self.profile.parameters if text.startswith(f"{p}")} | (
-            {str(self.compact.b)} if text == str(self.compact.b) else set()
-        )
+        return set(re.findall(r"[A-Za-z]\w*", self._start()))
 
     def _slope_of_radius(self) -> tuple[str, set[str]]:
         """Text of g'(a) in all regimes."""
@@ -203,6 +201,9 @@ def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
         # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
         return "0.0", f"{math.ceil(max(slopes)) + 3}.0"
     low, high = min(slopes), max(slopes)
+    if compact.b is not None and not compact.profile.truncated:
+        # beyond the break the depth may rise as steeply as the parameters let it
+        return f"{math.floor(low + 1e-6)}.0", "np.inf"
     if compact.profile.largest is not None:
         low = 0.0
     return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"

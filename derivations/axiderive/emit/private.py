@@ -9,8 +9,12 @@ import sympy as sp
 
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm
-from ..stable.opaque import Root
+from ..stable.opaque import Root, named
 from .code import python
+
+
+LINE = 116
+"""What fits on a line of a function."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,33 @@ class PrivateFunctions:
     def steps(self, form: EvaluationForm, given: Sequence[str] = ()) -> list[str]:
         return [f"{name} = {self.definition(expr)}" for name, expr in form.steps if str(name) not in given]
 
+    def returned(self, form: EvaluationForm) -> list[str]:
+        """All lines of a function that returns this form."""
+        steps = form.steps
+        value = form.value
+        if steps and value == steps[-1][0]:
+            steps, value = steps[:-1], steps[-1][1]
+        lines = self.steps(EvaluationForm(steps, value, form.cancels))
+        text = self.value_lines(value, lines)
+        return [*lines, f"return {text}"]
+
+    @staticmethod
+    def value_lines(expr: sp.Expr, lines: list[str], width: int = 100) -> str:
+        """The text of a value; what would not fit on a line is named first."""
+        text = python(expr)
+        if len(text) <= width:
+            return text
+        outside, inside = expr.as_independent(sp.Add, sp.Sum, as_Add=False)
+        if isinstance(inside, sp.Sum) and outside != 1:
+            total = python(inside)
+            lines += _generator(total.removeprefix("sum("))
+            return python(outside * named("total")).replace("total", "sum(terms)")
+        if inside.is_Add:
+            plus = sp.Add(*(term for term in inside.args if not term.could_extract_minus_sign()))
+            lines += [f"plus = {python(plus)}", f"minus = {python(plus - inside)}"]
+            return python(outside * (named("plus") - named("minus")))
+        return text
+
     def definition(self, expr: sp.Expr) -> str:
         """The text of an intermediate; sqrt(R**2 - b**2) of an abbreviated b without the subtraction."""
         if isinstance(expr, Root):
@@ -76,6 +107,11 @@ class PrivateFunctions:
             if str(name) not in given and text != python(expr):
                 used |= {str(s) for _, d in self.profile.abbreviations for s in d.free_symbols}
         return used - set(given)
+
+
+def _generator(terms: str) -> list[str]:
+    line = f"terms = ({terms}"
+    return [line] if len(line) <= LINE else ["terms = (", f"    {terms.removesuffix(')')}", ")"]
 
 
 def parameter_name(symbol: sp.Symbol | sp.IndexedBase) -> str:

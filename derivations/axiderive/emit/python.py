@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -181,6 +182,8 @@ def _public(
     body.append(f"return elementwise({', '.join([function, *fields, *passed])})")
     doc = docstring(profile, quantity, entry, _notes(profile, quantity, private, functions), shown)
     signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
+    if len(signature) > 120:
+        signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> Result:"
     return Public(signature, SUMMARY[quantity.suffix], doc, body)
 
 
@@ -252,18 +255,26 @@ def _check(profile: Profile) -> dict[str, object]:
         relation = sp.sstr(rule.relation())
         arrays = ", ".join(f"np.asarray({name})" for name in symbols)
         lines.append(f"{', '.join(symbols)} = {arrays}")
-        sign = "<" if rule.strict else "<="
+        sign, left, right = "<" if rule.strict else "<=", rule.left, rule.right
+        if left.is_number:
+            sign, left, right = sign.replace("<", ">"), right, left
         given = ", ".join(f"{name}={name}" for name in symbols)
         lines += [
             "require_order(",
-            f"    {python(rule.left)} {sign} {python(rule.right)},",
+            f"    {python(left)} {sign} {python(right)},",
             f'    "{relation}",',
-            f'    "{rule.reason}",',
+            *_literal(rule.reason),
             *(f"    {part}," for part in given.split(", ")),
             ")",
         ]
     signature = ", ".join([*(f"{name}: ArrayLike" for name in names), "**material: ArrayLike"])
     return {"name": "_check", "signature": signature, "lines": lines, "returns": " -> None", "doc": ""}
+
+
+def _literal(text: str) -> list[str]:
+    """A message as adjacent string literals that fit on their lines."""
+    parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
+    return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']
 
 
 def _private(private: Private, profile: Profile) -> dict[str, object]:
@@ -315,7 +326,9 @@ def _imports(module: ModuleText) -> list[str]:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
     rules = sorted({name for name in _rule_names() if f"{name}(" in text})
     if rules:
-        blocks.append(f"from .._integrals import {', '.join(rules)}")
+        line = f"from .._integrals import {', '.join(rules)}"
+        split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
+        blocks += [line] if len(line) <= 120 else split
     if "inverse(" in text:
         blocks.append("from .._inverse import inverse")
     powers = [
@@ -335,8 +348,6 @@ def _rule_names() -> tuple[str, ...]:
 
 
 def _module_text(profile: Profile) -> str:
-    import textwrap
-
     return "\n".join(textwrap.wrap(profile.subtitle, 110))
 
 

@@ -12,8 +12,9 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from ..abel.masters import Dawson, StruveH
 from ..notation import a
-from .opaque import Arctan2, ArctanGap, GammaRatio, Log1p, Root, TanhGap, named
+from .opaque import Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
 from .powers import power_integrals
 from .signs import Facts, cancels, difference, sign, squares
 
@@ -36,9 +37,10 @@ class EvaluationForm:
 def evaluation_form(expr: sp.Expr, facts: Facts) -> EvaluationForm:
     """The form with roots and angles named and, if possible, without cancellation."""
     work = Rewriting(facts)
-    value = work.named(gamma_ratios(power_integrals(expr)))
+    value = work.named(work.with_named_ratio(gamma_ratios(power_integrals(expr))))
     if cancels(value, work.facts):
         value = work.rewritten(value)
+    value = work.with_named_arguments(value)
     steps = work.steps(value)
     loses = any(cancels(part, work.facts) for part in (value, *(expr for _, expr in steps)))
     return EvaluationForm(steps, value, loses)
@@ -181,6 +183,8 @@ class Rewriting:
 
     def _sum(self, value: sp.Expr) -> sp.Expr:
         value = self.with_named_logarithms(value)
+        value = value.replace(sp.cos, lambda x: 1 - 2 * sp.sin(x / 2) ** 2) if value.has(sp.cos) else value
+        value = value.replace(sp.exp, lambda x: 1 + Expm1(x)) if value.has(sp.exp) else value
         kept = self.fixed_differences(value)
         total = self._gaps(sp.expand(value.subs(kept)))
         total = self.conjugates(total)
@@ -195,6 +199,24 @@ class Rewriting:
             for node in value.atoms(sp.Add)
             if sign(node, self.facts) == 1 and difference(node) and not node.has(a)
         }
+
+    def with_named_ratio(self, value: sp.Expr) -> sp.Expr:
+        """The Gamma ratio of the exponent as kappa, outside of sums."""
+        found = value.atoms(GammaRatio) if not value.has(sp.Sum) else set()
+        if len(found) != 1:
+            return value
+        symbol = named("kappa")
+        self.definitions[symbol] = found.pop()
+        return value.subs(self.definitions[symbol], symbol)
+
+    def with_named_arguments(self, value: sp.Expr) -> sp.Expr:
+        """The argument of Struve's and Dawson's functions as z."""
+        arguments = {call.args[-1] for call in value.atoms(StruveH, Dawson) if not call.args[-1].is_Symbol}
+        if len(arguments) != 1:
+            return value
+        (argument,), symbol = arguments, named("z")
+        self.definitions[symbol] = argument
+        return value.replace(lambda e: isinstance(e, (StruveH, Dawson)), lambda e: e.func(*e.args[:-1], symbol))
 
     def with_named_logarithms(self, value: sp.Expr) -> sp.Expr:
         return value.replace(lambda e: isinstance(e, sp.log), self._logarithm)

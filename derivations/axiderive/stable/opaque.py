@@ -31,6 +31,12 @@ class Log1p(sp.Function):
     nargs = 1
 
 
+class Expm1(sp.Function):
+    """exp(x) - 1."""
+
+    nargs = 1
+
+
 class ArctanGap(sp.Function):
     """x - atan(x)."""
 

@@ -28,6 +28,8 @@ def sign(expr: sp.Expr, facts: Facts) -> int:
         return int(sp.sign(expr))
     if expr.is_Symbol or isinstance(expr, (sp.Indexed, *POSITIVE)):
         return 1
+    if isinstance(expr, opaque.Expm1):
+        return sign(expr.args[0], facts)
     if expr.is_Pow:
         inner = sign(expr.base, facts)
         return 1 if inner == 1 or (expr.exp.is_Integer and expr.exp % 2 == 0) else inner

@@ -26,6 +26,7 @@ def slope_form(depth: sp.Expr, facts: Facts) -> EvaluationForm:
         algebraic, angles = slope.as_independent(*work.tangent, *work.hyperbolic, *work.ratio, as_Add=True)
         value = angles + work.conjugates(_rationalised(algebraic, work))
     value = value.subs({dummy: node for node, dummy in kept.items()})
+    value = work.with_named_arguments(value)
     steps = tuple((name, expr.subs(a, t)) for name, expr in work.steps(value))
     return EvaluationForm(steps, value.subs(a, t), cancels(value, work.facts))
 

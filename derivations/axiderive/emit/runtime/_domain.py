@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._elementwise import Array
 from ._symbols import SYMBOLS
 
 
@@ -45,7 +46,7 @@ def require_coefficients(values: ArrayLike) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
-def numbers(name: str, value: ArrayLike) -> np.ndarray:
+def numbers(name: str, value: ArrayLike) -> Array:
     array = np.asarray(value)
     if array.dtype.kind not in "iuf":
         message = f"{name} must be a real number or an array of real numbers, not {value!r}"

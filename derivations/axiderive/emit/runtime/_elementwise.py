@@ -6,9 +6,10 @@ from collections.abc import Callable
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array: TypeAlias = NDArray[np.float64]
+Array: TypeAlias = Any
+"""A float64 array, or a number that broadcasts with one; NumPy's stubs do not follow the mixture."""
 Result: TypeAlias = Any
 """A float where every argument is a number, an array otherwise."""
 
@@ -43,7 +44,7 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
 
 
 def _by_blocks(block: Callable[..., Array], arguments: list[Array]) -> Array:
-    flags = [["readonly"]] * len(arguments) + [["writeonly", "allocate"]]
+    flags: list[Any] = [["readonly"]] * len(arguments) + [["writeonly", "allocate"]]
     with np.nditer(
         [*arguments, None], ["external_loop", "buffered"], flags, op_dtypes=[np.float64] * len(flags), buffersize=BLOCK
     ) as steps:

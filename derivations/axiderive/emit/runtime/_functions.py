@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._elementwise import Array
 from ._integrals import integral
@@ -34,7 +33,7 @@ def tanh_gap(y: Array) -> Array:
     return np.where(y < 1.0, small, y - np.tanh(y))
 
 
-def gamma_ratio(x: ArrayLike) -> Array:
+def gamma_ratio(x: Array) -> Array:
     """Gamma(x + 1/2)/Gamma(x) for x > 0: shifted to x >= 12, then the asymptotic series."""
     x = np.asarray(x, dtype=np.float64)
     low, shifted, factor = x < _STEPS, x, np.ones_like(x)

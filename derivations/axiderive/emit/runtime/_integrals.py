@@ -9,6 +9,7 @@ keeps the singularities of g' and of the kernel pi/2 away from the path.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -35,10 +36,15 @@ def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: 
     """The same in equal panels no wider than about `width`; their number follows the largest `stop` of the block."""
     largest = np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0)
     panels = int(np.ceil(min(float(largest), PANELS)))
-    total = np.zeros_like(stop)
+    width, total = stop / panels, np.zeros_like(stop)
     for panel in range(panels):
-        total = total + integral(lambda x, start=panel * (stop / panels): integrand(start + x), stop / panels, count)
+        start = panel * width
+        total = total + integral(partial(_shifted, integrand, start), width, count)
     return total
+
+
+def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Array:
+    return integrand(start + x)
 
 
 def difference_root(x: Array, y: Array) -> Array:

@@ -38,7 +38,7 @@ def inverse(
         t = np.exp(position)
         y, slope = curve(t)
         error = np.log1p((value - y) / y)
-        if not np.any(np.abs(step) > SETTLED):
+        if not np.any((np.abs(step) > SETTLED) | (np.abs(error) > SETTLED)):
             break
     # the last step is linear in t: it removes the rounding of the logarithm
     refined = t + t * ((value - y) / y) / slope

@@ -7,7 +7,6 @@ and smooth; its nearest singularity is at abs(s) = sqrt(pi).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._elementwise import Array
 from ._integrals import integral
@@ -17,7 +16,7 @@ _DECAY = 42.0
 """exp(-42) = 6e-19: what is left of a power beyond it does not count."""
 
 
-def power_pressure(r: Array, a: Array, n: ArrayLike) -> Array:
+def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
     depth = np.log1p((a - r) / r)
     cut = np.maximum(depth - _DECAY / np.maximum(n - 1.0, 1e-3), 0.0)
@@ -31,7 +30,7 @@ def power_pressure(r: Array, a: Array, n: ArrayLike) -> Array:
     return np.where(r > 0.0, integral(integrand, stop - start, NODES), centre)
 
 
-def power_displacement(r: Array, a: Array, n: ArrayLike) -> Array:
+def power_displacement(r: Array, a: Array, n: Array) -> Array:
     """Integral of n t**(n - 1) arcsin(t/r) dt from 0 to a < r, over a**n."""
     start, reach = _span(r, a, n)
 
@@ -44,7 +43,7 @@ def power_displacement(r: Array, a: Array, n: ArrayLike) -> Array:
     return n * integral(integrand, reach, NODES)
 
 
-def power_punches(r: Array, a: Array, n: ArrayLike) -> Array:
+def power_punches(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**n/sqrt(r**2 - t**2) dt from 0 to a < r, over a**n."""
     start, reach = _span(r, a, n)
 
@@ -60,13 +59,13 @@ def _weight(s: Array) -> Array:
     return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))
 
 
-def _span(r: Array, a: Array, n: ArrayLike) -> tuple[Array, Array]:
+def _span(r: Array, a: Array, n: Array) -> tuple[Array, Array]:
     start = np.sqrt(np.log1p((r - a) / a))
     fall = _DECAY / (n + 1.0)
     return start, fall / (np.sqrt(start * start + fall) + start)
 
 
-def ring_of_zero_pressure(n: ArrayLike) -> Array:
+def ring_of_zero_pressure(n: Array) -> Array:
     """(r_0/a)**2 of a concave face of exponent n, where the pressure vanishes first on unloading; 0 for n <= 2.
 
     There P (n z - 1) = sqrt(z) with z = 1 - (r_0/a)**2 and P the integral of `power_pressure` for a = 1.

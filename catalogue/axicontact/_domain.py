@@ -1,0 +1,54 @@
+"""Checks of the keyword parameters: what is wrong, what is allowed, what to do."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._elementwise import Array
+from ._symbols import SYMBOLS
+
+
+def require(**parameters: ArrayLike) -> None:
+    """Check parameters against the domains of the notation.
+
+    Raises
+    ------
+    ValueError
+        With the parameter, its value and the rule, if a value is outside its domain or not finite.
+    TypeError
+        If a value is not a real number or an array of real numbers.
+    """
+    for name, value in parameters.items():
+        low, high, rule, meaning = SYMBOLS[name]
+        array = numbers(name, value)
+        inside = np.isfinite(array) & (low < array) & (array < high)
+        if not inside.all():
+            wrong = float(array[~inside].flat[0])
+            message = f"{name} = {wrong!r} is outside {rule}; {name} is the {meaning}"
+            raise ValueError(message)
+
+
+def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayLike) -> None:
+    """Raise ValueError with the values and the reason if a relation between parameters is violated."""
+    if not np.all(holds):
+        given = ", ".join(f"{name} = {value!r}" for name, value in values.items())
+        message = f"{given}: {relation} is violated; {reason}"
+        raise ValueError(message)
+
+
+def require_coefficients(values: ArrayLike) -> tuple[float, ...]:
+    """The coefficients A_1, A_2, ... of a polynomial: none negative, not all zero."""
+    array = np.atleast_1d(numbers("A", values))
+    if array.ndim != 1 or not np.isfinite(array).all() or (array < 0.0).any() or not (array > 0.0).any():
+        message = f"A = {values!r} must be a sequence of coefficients of r, r^2, ..., none negative and not all zero"
+        raise ValueError(message)
+    return tuple(array.tolist())
+
+
+def numbers(name: str, value: ArrayLike) -> Array:
+    array = np.asarray(value)
+    if array.dtype.kind not in "iuf":
+        message = f"{name} must be a real number or an array of real numbers, not {value!r}"
+        raise TypeError(message)
+    return array.astype(np.float64)

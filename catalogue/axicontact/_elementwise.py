@@ -1,0 +1,62 @@
+"""Evaluation over arrays: broadcasting, blocks that stay in cache, float in and float out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+Array: TypeAlias = Any
+"""A float64 array, or a number that broadcasts with one; NumPy's stubs do not follow the mixture."""
+Result: TypeAlias = Any
+"""A float where every argument is a number, an array otherwise."""
+
+BLOCK = 16384
+
+
+def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters: ArrayLike) -> Result:
+    """Values of `function(*fields, **parameters)`; NaN where a field is negative or NaN.
+
+    Formulas are evaluated everywhere and the branch that applies is chosen
+    afterwards, hence the silence about divisions and roots outside a branch.
+    """
+    arguments = [_real(value) for value in fields]
+    names = [name for name, value in parameters.items() if np.ndim(value) > 0]
+    fixed = {name: float(value) for name, value in parameters.items() if name not in names}  # type: ignore[arg-type]
+    arguments += [_real(parameters[name]) for name in names]
+    count = len(fields)
+
+    def block(*values: Array) -> Array:
+        result = function(*values[:count], **fixed, **dict(zip(names, values[count:], strict=True)))
+        for value in values[:count]:
+            result = np.where(value >= 0.0, result, np.nan)
+        return np.asarray(result, dtype=np.float64)
+
+    with np.errstate(all="ignore"):
+        if all(value.ndim == 0 for value in arguments):
+            return float(block(*(value.reshape(1) for value in arguments)).flat[0])
+        whole = np.broadcast(*arguments)
+        if whole.size <= BLOCK:
+            return block(*(np.broadcast_to(value, whole.shape).ravel() for value in arguments)).reshape(whole.shape)
+        return _by_blocks(block, arguments)
+
+
+def _by_blocks(block: Callable[..., Array], arguments: list[Array]) -> Array:
+    flags: list[Any] = [["readonly"]] * len(arguments) + [["writeonly", "allocate"]]
+    with np.nditer(
+        [*arguments, None], ["external_loop", "buffered"], flags, op_dtypes=[np.float64] * len(flags), buffersize=BLOCK
+    ) as steps:
+        for *values, out in steps:
+            out[...] = block(*values)
+        result: Array = steps.operands[-1]
+        return result
+
+
+def _real(value: ArrayLike) -> Array:
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        message = f"a real number or an array of real numbers is needed, not {value!r}"
+        raise TypeError(message)
+    return array.astype(np.float64, copy=False)

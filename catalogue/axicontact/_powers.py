@@ -1,0 +1,80 @@
+"""Integrals over the growth of a power-law contact, g(t) ~ t**n with any real n > 0.
+
+With t**2 falling as exp(-2 s**2) from its upper end every integrand is positive
+and smooth; its nearest singularity is at abs(s) = sqrt(pi).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._elementwise import Array
+from ._integrals import integral
+
+NODES = 64
+_DECAY = 42.0
+"""exp(-42) = 6e-19: what is left of a power beyond it does not count."""
+
+
+def power_pressure(r: Array, a: Array, n: Array) -> Array:
+    """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
+    depth = np.log1p((a - r) / r)
+    cut = np.maximum(depth - _DECAY / np.maximum(n - 1.0, 1e-3), 0.0)
+    start, stop = np.sqrt(cut), np.sqrt(depth)
+
+    def integrand(step: Array) -> Array:
+        s = start + step
+        return np.exp((1.0 - n) * (stop - s) * (stop + s)) * _weight(s)
+
+    centre = np.where(n > 1.0, 1.0 / np.abs(n - 1.0), np.inf)
+    return np.where(r > 0.0, integral(integrand, stop - start, NODES), centre)
+
+
+def power_displacement(r: Array, a: Array, n: Array) -> Array:
+    """Integral of n t**(n - 1) arcsin(t/r) dt from 0 to a < r, over a**n."""
+    start, reach = _span(r, a, n)
+
+    def integrand(step: Array) -> Array:
+        s = start + step
+        fall = step * (2.0 * start + step)
+        ratio = a / r * np.exp(-fall)
+        return np.arctan2(ratio, np.sqrt(-np.expm1(-2.0 * s * s))) * np.exp(-n * fall) * 2.0 * s
+
+    return n * integral(integrand, reach, NODES)
+
+
+def power_punches(r: Array, a: Array, n: Array) -> Array:
+    """Integral of t**n/sqrt(r**2 - t**2) dt from 0 to a < r, over a**n."""
+    start, reach = _span(r, a, n)
+
+    def integrand(step: Array) -> Array:
+        s = start + step
+        return np.exp(-(n + 1.0) * step * (2.0 * start + step)) * _weight(s)
+
+    return a / r * integral(integrand, reach, NODES)
+
+
+def _weight(s: Array) -> Array:
+    """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
+    return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))
+
+
+def _span(r: Array, a: Array, n: Array) -> tuple[Array, Array]:
+    start = np.sqrt(np.log1p((r - a) / a))
+    fall = _DECAY / (n + 1.0)
+    return start, fall / (np.sqrt(start * start + fall) + start)
+
+
+def ring_of_zero_pressure(n: Array) -> Array:
+    """(r_0/a)**2 of a concave face of exponent n, where the pressure vanishes first on unloading; 0 for n <= 2.
+
+    There P (n z - 1) = sqrt(z) with z = 1 - (r_0/a)**2 and P the integral of `power_pressure` for a = 1.
+    """
+    n = np.atleast_1d(np.asarray(n, dtype=np.float64))
+    low, high = np.zeros_like(n), (n - 1.0) / n
+    for _ in range(60):
+        q = (low + high) / 2.0
+        radius = np.sqrt(q)
+        positive = power_pressure(radius, np.ones_like(n), n) * (n * (1.0 - q) - 1.0) > np.sqrt(1.0 - q)
+        low, high = np.where(positive, q, low), np.where(positive, high, q)
+    return np.where(n > 2.0, (low + high) / 2.0, 0.0)

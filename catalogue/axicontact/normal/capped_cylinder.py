@@ -1,0 +1,337 @@
+"""Cylinder with a parabolic cap.
+
+A paraboloid until the depth a^2/R brings the sharp edge into contact, a curved punch from then on.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral
+
+
+def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r**2/(2*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.f, the definition of
+    the profile.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.profile(0.3, a=1.0, R=2.2)
+    >>> round(value, 6)
+    0.020455
+    """
+    require(a=a, R=R)
+    return elementwise(_profile, r, a=a, R=R)
+
+
+def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 4*E_star*sqrt(R)*d**(3/2)/3   for sqrt(R)*sqrt(d) < a
+    F = 2*E_star*a*(d - a**2/(3*R))   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.F.
+
+    References
+    ----------
+    chapter 11, equation (11.13); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.force(0.6, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    0.89697
+    """
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_force, d, a=a, R=R, E_star=E_star)
+
+
+def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 2*E_star*sqrt(R*d - r**2)/(pi*R)   for sqrt(R)*sqrt(d) < a
+    p = E_star*(d/sqrt(a**2 - r**2) - a**2/(R*sqrt(a**2 - r**2)) + 2*sqrt(a**2 - r**2)/R)/pi   for a <
+    sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.p.
+
+    References
+    ----------
+    chapter 11, equation (11.15); chapter 11, equation (11.107); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.pressure(0.3, 0.6, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    0.324579
+    """
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_pressure, r, d, a=a, R=R, E_star=E_star)
+
+
+def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (sqrt(R)*sqrt(d)*sqrt(-R*d + r**2) - (-2*R*d + r**2)*asin(sqrt(R)*sqrt(d)/r))/(pi*R)   for
+    sqrt(R)*sqrt(d) < a
+    w = (2*d*asin(a/r) + a*sqrt(-a**2 + r**2)/R - r**2*asin(a/r)/R)/pi   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: capped_cylinder.w.
+
+    References
+    ----------
+    chapter 11, equation (11.12); chapter 11, equation (11.105); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.displacement(2.0, 0.6, a=1.0, R=2.2)
+    >>> round(value, 6)
+    0.147574
+    """
+    require(a=a, R=R)
+    return elementwise(_displacement, r, d, a=a, R=R)
+
+
+def stiffness(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*sqrt(R)*sqrt(d)   for sqrt(R)*sqrt(d) < a
+    dF/dd = 2*E_star*a   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.k.
+
+    References
+    ----------
+    chapter 11, equation (11.14); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.stiffness(0.6, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_stiffness, d, a=a, R=R, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = 6**(2/3)*F**(2/3)/(4*E_star**(2/3)*R**(1/3))   for F < 4*E_star*a**3/(3*R)
+    d = a**2/(3*R) + F/(2*E_star*a)   for 4*E_star*a**3/(3*R) < F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.14); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.depth_from_force(0.897, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    0.600015
+    """
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_depth_from_force, F, a=a, R=R, E_star=E_star)
+
+
+def _profile(r: Array, a: Array, R: Array) -> Array:
+    return np.where(r <= a, r**2 / (2 * R), np.nan)
+
+
+def _slope(t: Array, R: Array) -> Array:
+    """Rate g'(t) of the indentation depth of the uncut profile."""
+    return 2 * t / R
+
+
+def _force(d: Array, a: Array, R: Array, E_star: Array) -> Array:
+    excess = d - a**2 / R
+    rho = np.minimum(np.sqrt(d * R), a)
+    return 4 * E_star * rho**3 / (3 * R) + 2 * E_star * a * np.maximum(excess, 0.0)
+
+
+def _stiffness(d: Array, a: Array, R: Array, E_star: Array) -> Array:
+    rho = np.minimum(np.sqrt(d * R), a)
+    return 2 * E_star * rho
+
+
+def _pressure(r: Array, d: Array, a: Array, R: Array, E_star: Array) -> Array:
+    excess = d - a**2 / R
+    rho = np.minimum(np.sqrt(d * R), a)
+    root = np.sqrt(np.maximum(rho - r, 0.0) * (rho + r))
+    face = 2 * E_star * root / (np.pi * R)
+    edge = np.where(excess > 0.0, E_star / np.pi * excess / np.sqrt((a - r) * (a + r)), 0.0)
+    return np.where(r <= a, face + edge, 0.0)
+
+
+def _displacement(r: Array, d: Array, a: Array, R: Array) -> Array:
+    excess = d - a**2 / R
+    rho = np.minimum(np.sqrt(d * R), a)
+    face = displacement_integral(lambda t: _slope(t, R), r, rho, 32)
+    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
+    edge = np.where(excess > 0.0, np.maximum(excess, 0.0) * angle, 0.0)
+    return np.where(r > rho, 2 / np.pi * (face + edge), d - _profile(r, a, R))
+
+
+def _depth_from_force(F: Array, a: Array, R: Array, E_star: Array) -> Array:
+    edge = 4 * E_star * a**3 / (3 * R)
+    below = np.cbrt(9 * F**2 / (16 * E_star**2 * R))
+    above = F / (2 * E_star * a) + a**2 / (3 * R)
+    return np.where(edge > F, below, above)

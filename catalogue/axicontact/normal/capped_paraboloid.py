@@ -1,0 +1,652 @@
+"""Paraboloid with a flatter cap.
+
+Radius of curvature R1 up to r = b, the smaller R2 beyond: a worn sphere of finite cap curvature.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require, require_order
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r**2/(2*R1)   for 0 < r < b
+    f = (-b**2 + r**2)/(2*R2) + b**2/(2*R1)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.f, the definition of
+    the profile.
+
+    References
+    ----------
+    Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.profile(0.3, R1=4.0, R2=1.0, b=0.5)
+    >>> round(value, 6)
+    0.01125
+    """
+    _check(R1=R1, R2=R2, b=b)
+    return elementwise(_profile, r, R1=R1, R2=R2, b=b)
+
+
+def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a**2/R1   for a < b
+    d = a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. The pressure is logarithmically infinite at the
+    edge r = b of the cap, unless R1 = R2. Handbook: capped_paraboloid.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.depth(1.0, R1=4.0, R2=1.0, b=0.5)
+    >>> round(value, 6)
+    0.899519
+    """
+    _check(R1=R1, R2=R2, b=b)
+    return elementwise(_depth, a, R1=R1, R2=R2, b=b)
+
+
+def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 4*E_star*a**3/(3*R1)   for a < b
+    F = 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. The pressure is logarithmically infinite at the
+    edge r = b of the cap, unless R1 = R2. Handbook: capped_paraboloid.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.force(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    1.307612
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_force, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 2*E_star*sqrt(a**2 - r**2)/(pi*R1)   for a < b
+    p = E_star*(2*sqrt(a**2 - r**2) + 2*a*(R1 - R2)*sqrt(a**2 - b**2)/(R2*sqrt(a**2 - r**2)) - 2*b*(R1 -
+    R2)*elliptic_e(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2)/R2 + b*(R1 -
+    R2)*elliptic_f(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2)/R2)/(pi*R1)   for r < b and b < a
+    p = E_star*(2*sqrt(a**2 - r**2) + 2*a*(R1 - R2)*sqrt(a**2 - r**2)/(R2*sqrt(a**2 - b**2)) - 2*r*(R1 -
+    R2)*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/R2 + (R1 - R2)*(-b**2 +
+    2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(R2*r))/(pi*R1)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. The pressure is logarithmically infinite at the edge r = b of the cap,
+    unless R1 = R2. Handbook: capped_paraboloid.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.pressure(0.3, 1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.476224
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1)   for a < b
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r) + 2*a*(R1 - R2)*sqrt(a**2 - b**2)*asin(a/r)/R2 +
+    (R1 - R2)*sqrt(-a**2 + r**2)*sqrt(a**2 - b**2)/R2 - (R1 - R2)*(-b + r)*(b + r)*asin(sqrt((a**2 -
+    b**2)/(-b**2 + r**2)))/R2)/(pi*R1)   for b < a
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: capped_paraboloid.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.displacement(2.0, 1.0, R1=4.0, R2=1.0, b=0.5)
+    >>> round(value, 6)
+    0.214025
+    """
+    _check(R1=R1, R2=R2, b=b)
+    return elementwise(_displacement, r, a, R1=R1, R2=R2, b=b)
+
+
+def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.stiffness(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 4*E_star*a/(3*pi*R1)   for a < b
+    p_mean = 2*E_star*(2*a + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/(R2*a**2))/(3*pi*R1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.pm.
+
+    References
+    ----------
+    Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.mean_pressure(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.416226
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a = sqrt(R1)*sqrt(d)   for d < b**2/R1
+    a = sqrt(2)*d/sqrt(2*d/R1 - b**2*(R1 - R2)**2/(R1**2*R2**2) + (R1 - R2)*sqrt(4*R1**2*R2**2*d**2 +
+    R1**2*b**4 - 4*R1*R2**2*b**2*d - 2*R1*R2*b**4 + R2**2*b**4)/(R1**2*R2**2))   for b**2/R1 < d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: capped_paraboloid.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.radius_from_depth(0.8995, R1=4.0, R2=1.0, b=0.5)
+    >>> round(value, 6)
+    0.999991
+    """
+    _check(R1=R1, R2=R2, b=b)
+    return elementwise(_radius_from_depth, d, R1=R1, R2=R2, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    4*E_star*a**3/(3*R1) = F   for a < b
+    2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) = F   for b < a
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: capped_paraboloid.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.radius_from_force(1.308, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    1.000096
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*E_star*Integral(g(a) - g(t), (t, 0, a))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: capped_paraboloid.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.force_from_depth(0.8995, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    1.307574
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: capped_paraboloid.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.depth_from_force(1.308, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.899713
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def _check(R1: ArrayLike, R2: ArrayLike, b: ArrayLike, **material: ArrayLike) -> None:
+    require(R1=R1, R2=R2, b=b, **material)
+    R1, R2 = np.asarray(R1), np.asarray(R2)
+    require_order(
+        R2 <= R1,
+        "R2 <= R1",
+        "a slope that falls at b would open a gap there and the contact would not be compact; exchange R1 and R2",
+        R1=R1,
+        R2=R2,
+    )
+
+
+def _profile(r: Array, R1: Array, R2: Array, b: Array) -> Array:
+    return np.where(r < b, r**2 / (2 * R1), b**2 / (2 * R1) + (r - b) * (r + b) / (2 * R2))
+
+
+def _slope(t: Array, R1: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 2 * t / R1
+
+
+def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    return 2 * t / R1 + 2 * (R1 - R2) * root / (R1 * R2) + b**2 * (R1 - R2) / (R1 * R2 * root)
+
+
+def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    tip = a**2 / R1
+    root = np.sqrt((a - b) * (a + b))
+    beyond = a * (a + (R1 - R2) * root / R2) / R1
+    return np.where(a < b, tip, beyond)
+
+
+def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a**3 / (3 * R1)
+    root = np.sqrt((a - b) * (a + b))
+    beyond = 2 * E_star * (2 * a**3 + (2 * a**2 + b**2) * (R1 - R2) * root / R2) / (3 * R1)
+    return np.where(a < b, tip, beyond)
+
+
+def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    root = np.sqrt((inner - r) * (inner + r))
+    tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    pressed = np.where((r == b) & (a > b) & (R1 > R2), np.inf, tip + E_star / np.pi * growth)
+    return np.where(r < a, pressed, 0.0)
+
+
+def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = displacement_integral(lambda t: _slope(t, R1), r, inner, 32)
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    outside = 2 / np.pi * (tip + beyond)
+    inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a / (3 * np.pi * R1)
+    root = np.sqrt((a - b) * (a + b))
+    beyond = 2 * E_star * (2 * a + (2 * a**2 + b**2) * (R1 - R2) * root / (a**2 * R2)) / (3 * np.pi * R1)
+    return np.where(a < b, tip, beyond)
+
+
+def _slope_at(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Rate g'(a) of the indentation depth on both sides of the break."""
+    root = np.sqrt((a - b) * (a + b))
+    return np.where(a < b, _slope(a, R1), _slope_beyond(a, root, R1, R2, b))
+
+
+def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, R1, R2, b)
+        return value, a * _slope_at(a, R1, R2, b) / value
+
+    return inverse(curve, d, np.full_like(d, b), (2.0, np.inf))
+
+
+def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, R1, R2, b, E_star)
+        return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
+
+    return inverse(curve, F, np.full_like(F, b), (3.0, np.inf))
+
+
+def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, R1, R2, b), R1, R2, b, E_star)
+
+
+def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, R1, R2, b, E_star), R1, R2, b)

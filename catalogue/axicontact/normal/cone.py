@@ -1,0 +1,545 @@
+"""Cone.
+
+Rigid cone of inclination theta. Self-similar: the mean pressure does not depend on the load.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral
+
+
+def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r*tan(theta)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook: cone.f,
+    the definition of the profile.
+
+    References
+    ----------
+    Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.profile(0.3, theta=0.35)
+    >>> round(value, 6)
+    0.109509
+    """
+    require(theta=theta)
+    return elementwise(_profile, r, theta=theta)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = pi*a*tan(theta)/2
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. The pressure is
+    singular at the tip, as ln(r). Handbook: cone.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.depth(1.0, theta=0.35)
+    >>> round(value, 6)
+    0.573385
+    """
+    require(theta=theta)
+    return elementwise(_depth, a, theta=theta)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = pi*E_star*a**2*tan(theta)/2
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. The pressure is
+    singular at the tip, as ln(r). Handbook: cone.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.force(1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.573385
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_force, a, theta=theta, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*tan(theta)*acosh(a/r)/2
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. The pressure is
+    singular at the tip, as ln(r). Handbook: cone.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.pressure(0.3, 1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.341999
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_pressure, r, a, theta=theta, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*asin(a/r) - r + sqrt(-a**2 + r**2))*tan(theta)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Evaluated as an
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: cone.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.displacement(2.0, 1.0, theta=0.35)
+    >>> round(value, 6)
+    0.093319
+    """
+    require(theta=theta)
+    return elementwise(_displacement, r, a, theta=theta)
+
+
+def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook: cone.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.stiffness(1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*tan(theta)/2
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.pm.
+
+    References
+    ----------
+    Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.mean_pressure(1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.182514
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_mean_pressure, a, theta=theta, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, theta: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a = 2*d/(pi*tan(theta))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.radius_from_depth(0.5734, theta=0.35)
+    >>> round(value, 6)
+    1.000025
+    """
+    require(theta=theta)
+    return elementwise(_radius_from_depth, d, theta=theta)
+
+
+def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    a = sqrt(2)*sqrt(F)*sqrt(1/tan(theta))/(sqrt(pi)*sqrt(E_star))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.radius_from_force(0.5734, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    1.000013
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_radius_from_force, F, theta=theta, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*E_star*d**2/(pi*tan(theta))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.force_from_depth(0.5734, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.573415
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_force_from_depth, d, theta=theta, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = sqrt(2)*sqrt(pi)*sqrt(F)*sqrt(tan(theta))/(2*sqrt(E_star))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.depth_from_force(0.5734, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.573393
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_depth_from_force, F, theta=theta, E_star=E_star)
+
+
+def _profile(r: Array, theta: Array) -> Array:
+    return r * np.tan(theta)
+
+
+def _slope(t: Array, theta: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return np.pi * np.tan(theta) / 2
+
+
+def _depth(a: Array, theta: Array) -> Array:
+    return np.pi * a * np.tan(theta) / 2
+
+
+def _force(a: Array, theta: Array, E_star: Array) -> Array:
+    return np.pi * E_star * a**2 * np.tan(theta) / 2
+
+
+def _pressure(r: Array, a: Array, theta: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    return np.where(r < a, E_star * np.tan(theta) * np.arcsinh(root / r) / 2, 0.0)
+
+
+def _displacement(r: Array, a: Array, theta: Array) -> Array:
+    tip = displacement_integral(lambda t: _slope(t, theta), r, a, 32)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, theta) - _profile(r, theta)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, theta: Array, E_star: Array) -> Array:
+    return E_star * np.tan(theta) / 2
+
+
+def _radius_from_depth(d: Array, theta: Array) -> Array:
+    return 2 * d / (np.pi * np.tan(theta))
+
+
+def _radius_from_force(F: Array, theta: Array, E_star: Array) -> Array:
+    return np.sqrt(2 * F / (np.pi * E_star * np.tan(theta)))
+
+
+def _force_from_depth(d: Array, theta: Array, E_star: Array) -> Array:
+    return 2 * E_star * d**2 / (np.pi * np.tan(theta))
+
+
+def _depth_from_force(F: Array, theta: Array, E_star: Array) -> Array:
+    return np.sqrt(np.pi * F * np.tan(theta) / (2 * E_star))

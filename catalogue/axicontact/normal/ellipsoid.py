@@ -1,0 +1,611 @@
+"""Ellipsoid of revolution.
+
+Semi-axis h along the axis, b across: the sphere stretched by h/b.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import tanh_gap
+from .._integrals import displacement_integral_tanh, pressure_integral_tanh
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = h*(1 - sqrt(1 - r**2/b**2))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.f, the
+    definition of the profile.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.profile(0.3, h=0.9, b=1.5)
+    >>> round(value, 6)
+    0.018184
+    """
+    require(h=h, b=b)
+    return elementwise(_profile, r, h=h, b=b)
+
+
+def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a*h*atanh(a/b)/b
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.depth(1.0, h=0.9, b=1.5)
+    >>> round(value, 6)
+    0.482831
+    """
+    require(h=h, b=b)
+    return elementwise(_depth, a, h=h, b=b)
+
+
+def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.force(1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.669202
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_force, a, h=h, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*h*(atanh(sqrt(a**2 - r**2)/sqrt(b**2 - r**2))/sqrt(b**2 - r**2) - LegendreChi2((a - sqrt(a**2 -
+    r**2))/(b + sqrt(b**2 - r**2)))/b + LegendreChi2((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 - r**2)))/b)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: ellipsoid.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.pressure(0.3, 1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.280783
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, h=h, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b + sqrt(b**2 -
+    r**2)*atan(a*sqrt(b**2 - r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi   for r < b
+    w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b - sqrt(-b**2 +
+    r**2)*atanh(a*sqrt(-b**2 + r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: ellipsoid.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.displacement(2.0, 1.0, h=0.9, b=1.5)
+    >>> round(value, 6)
+    0.109557
+    """
+    require(h=h, b=b)
+    return elementwise(_displacement, r, a, h=h, b=b)
+
+
+def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.stiffness(1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*h*(-1 + (a**2 + b**2)*atanh(a/b)/(a*b))/(pi*a)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.pm.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.mean_pressure(1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.213014
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, h=h, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a*h*atanh(a/b)/b = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: ellipsoid.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.radius_from_depth(0.4828, h=0.9, b=1.5)
+    >>> round(value, 6)
+    0.999974
+    """
+    require(h=h, b=b)
+    return elementwise(_radius_from_depth, d, h=h, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: ellipsoid.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.radius_from_force(0.6692, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.999999
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, h=h, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: ellipsoid.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.force_from_depth(0.4828, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.669139
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, h=h, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: ellipsoid.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.depth_from_force(0.6692, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.48283
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, h=h, b=b, E_star=E_star)
+
+
+def _profile(r: Array, h: Array, b: Array) -> Array:
+    root_0 = np.sqrt((1 - r / b) * (r / b + 1))
+    return h * r**2 / (b**2 * (root_0 + 1))
+
+
+def _slope(t: Array, root: Array, h: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    angle = np.arcsinh(t / root)
+    return h * angle / b + h * t / root**2
+
+
+def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
+    angle = np.arcsinh(a / root)
+    return h * a * angle / b
+
+
+def _depth(a: Array, h: Array, b: Array) -> Array:
+    root = np.sqrt((b - a) * (b + a))
+    return _depth_at(a, root, h, b)
+
+
+def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array:
+    angle = np.arcsinh(a / root)
+    return E_star * h * (b * tanh_gap(angle) + a**2 * angle / b)
+
+
+def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((b - a) * (b + a))
+    return _force_at(a, root, h, b, E_star)
+
+
+def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    within = pressure_integral_tanh(lambda t, root: _slope(t, root, h, b), r, a, b, 128)
+    inside = np.where(r < a, E_star / np.pi * within, 0.0)
+    return np.where(a <= b, inside, np.nan)
+
+
+def _displacement(r: Array, a: Array, h: Array, b: Array) -> Array:
+    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, h, b), r, a, b, 128)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, h, b) - _profile(r, h, b)
+    return np.where(a <= b, np.where(r > a, outside, inside), np.nan)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    return np.where(a > 0.0, _force(a, h, b, E_star) / (np.pi * a**2), 0.0)
+
+
+def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(b**2 - a**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.tanh(t), b / np.cosh(t)
+        value = _depth_at(a, root, h, b)
+        return value, t * root * root / b * _slope(a, root, h, b) / value
+
+    t = inverse(curve, d, np.ones_like(d), (0.0, 2.0))
+    return b * np.tanh(t), b / np.cosh(t)
+
+
+def _radius_from_depth(d: Array, h: Array, b: Array) -> Array:
+    return _contact_from_depth(d, h, b)[0]
+
+
+def _contact_from_force(F: Array, h: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(b**2 - a**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.tanh(t), b / np.cosh(t)
+        value = _force_at(a, root, h, b, E_star)
+        return value, 2 * E_star * a * t * root * root / b * _slope(a, root, h, b) / value
+
+    t = inverse(curve, F, np.ones_like(F), (1.0, 3.0))
+    return b * np.tanh(t), b / np.cosh(t)
+
+
+def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
+    return _contact_from_force(F, h, b, E_star)[0]
+
+
+def _force_from_depth(d: Array, h: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_depth(d, h, b)
+    return _force_at(a, root, h, b, E_star)
+
+
+def _depth_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_force(F, h, b, E_star)
+    return _depth_at(a, root, h, b)

@@ -1,0 +1,586 @@
+"""Gaussian bump.
+
+A smooth asperity of height h and width s; compact up to a/s = 1.50198, where the depth is largest.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import dawson
+from .._integrals import displacement_integral, force_integral, pressure_integral
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = h*(1 - exp(-r**2/s**2))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.f, the definition of the
+    profile.
+
+    References
+    ----------
+    Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.profile(0.3, h=0.7, s=1.0)
+    >>> round(value, 6)
+    0.060248
+    """
+    require(h=h, s=s)
+    return elementwise(_profile, r, h=h, s=s)
+
+
+def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = 2*a*h*Dawson(a/s)/s
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.depth(1.0, h=0.7, s=1.0)
+    >>> round(value, 6)
+    0.753311
+    """
+    require(h=h, s=s)
+    return elementwise(_depth, a, h=h, s=s)
+
+
+def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.force(1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.859934
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_force, a, h=h, s=s, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*Integral((2*h*Dawson(sqrt(r**2 + u**2)/s)/s + 2*h*(1 - 2*sqrt(r**2 + u**2)*Dawson(sqrt(r**2 +
+    u**2)/s)/s)*sqrt(r**2 + u**2)/s**2)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.pressure(0.3, 1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.525588
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_pressure, r, a, h=h, s=s, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*Integral(psi*r*(2*h*r*(-2*r*sin(psi)*Dawson(r*sin(psi)/s)/s + 1)*sin(psi)/s**2 +
+    2*h*Dawson(r*sin(psi)/s)/s)*cos(psi), (psi, 0, asin(a/r)))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.displacement(2.0, 1.0, h=0.7, s=1.0)
+    >>> round(value, 6)
+    0.13992
+    """
+    require(h=h, s=s)
+    return elementwise(_displacement, r, a, h=h, s=s)
+
+
+def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.stiffness(1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_stiffness, a, s=s, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 2*E_star*h*(-1 + (2*a**2 + s**2)*Dawson(a/s)/(a*s))/(pi*a)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.pm.
+
+    References
+    ----------
+    Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.mean_pressure(1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.273725
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_mean_pressure, a, h=h, s=s, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    2*a*h*Dawson(a/s)/s = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: gaussian.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.radius_from_depth(0.7533, h=0.7, s=1.0)
+    >>> round(value, 6)
+    0.999983
+    """
+    require(h=h, s=s)
+    return elementwise(_radius_from_depth, d, h=h, s=s)
+
+
+def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook: gaussian.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.radius_from_force(0.8599, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.999974
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_radius_from_force, F, h=h, s=s, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook: gaussian.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.force_from_depth(0.7533, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.859911
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_force_from_depth, d, h=h, s=s, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook: gaussian.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.depth_from_force(0.8599, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.753294
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_depth_from_force, F, h=h, s=s, E_star=E_star)
+
+
+def _profile(r: Array, h: Array, s: Array) -> Array:
+    return -h * np.expm1(-(r**2) / s**2)
+
+
+def _slope(t: Array, h: Array, s: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    z = t / s
+    return 2 * h * dawson(z) / s + 2 * h * t / s**2 - 4 * h * t**2 * dawson(z) / s**3
+
+
+def _depth(a: Array, h: Array, s: Array) -> Array:
+    z = a / s
+    return np.where(a <= 1.5019752682686114 * s, 2 * h * a * dawson(z) / s, np.nan)
+
+
+def _force(a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    tip = 2 * E_star * force_integral(lambda t: _slope(t, h, s), a, 32)
+    return np.where(a <= 1.5019752682686114 * s, tip, np.nan)
+
+
+def _pressure(r: Array, a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    within = pressure_integral(lambda t: _slope(t, h, s), r, a, 32)
+    inside = np.where(r < a, E_star / np.pi * within, 0.0)
+    return np.where(a <= 1.5019752682686114 * s, inside, np.nan)
+
+
+def _displacement(r: Array, a: Array, h: Array, s: Array) -> Array:
+    tip = displacement_integral(lambda t: _slope(t, h, s), r, a, 32)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, h, s) - _profile(r, h, s)
+    return np.where(a <= 1.5019752682686114 * s, np.where(r > a, outside, inside), np.nan)
+
+
+def _stiffness(a: Array, s: Array, E_star: Array) -> Array:
+    return np.where(a <= 1.5019752682686114 * s, 2 * E_star * a, np.nan)
+
+
+def _mean_pressure(a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    return np.where(a > 0.0, _force(a, h, s, E_star) / (np.pi * a**2), 0.0)
+
+
+def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, h, s)
+        return value, a * _slope(a, h, s) / value
+
+    largest = 1.5019752682686114 * s * np.ones_like(d)
+    a = inverse(curve, d, np.full_like(d, s / 1000.0), (0.0, 2.0), largest)
+    return np.where(_depth(largest, h, s) >= d, a, np.nan)
+
+
+def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, h, s, E_star)
+        return value, 2 * E_star * a * a * _slope(a, h, s) / value
+
+    largest = 1.5019752682686114 * s * np.ones_like(F)
+    a = inverse(curve, F, np.full_like(F, s / 1000.0), (0.0, 3.0), largest)
+    return np.where(_force(largest, h, s, E_star) >= F, a, np.nan)
+
+
+def _force_from_depth(d: Array, h: Array, s: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, h, s), h, s, E_star)
+
+
+def _depth_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, h, s, E_star), h, s)

@@ -1,0 +1,537 @@
+"""Paraboloid.
+
+The tip of every smooth indenter and the parabolic approximation of the sphere: Hertz's contact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral
+
+
+def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r**2/(2*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.f, the definition of the
+    profile.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.profile(0.3, R=1.6)
+    >>> round(value, 6)
+    0.028125
+    """
+    require(R=R)
+    return elementwise(_profile, r, R=R)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a**2/R
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.depth(1.0, R=1.6)
+    >>> round(value, 6)
+    0.625
+    """
+    require(R=R)
+    return elementwise(_depth, a, R=R)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 4*E_star*a**3/(3*R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.force(1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.833333
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_force, a, R=R, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 2*E_star*sqrt(a**2 - r**2)/(pi*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.pressure(0.3, 1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.37956
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_pressure, r, a, R=R, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: paraboloid.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.displacement(2.0, 1.0, R=1.6)
+    >>> round(value, 6)
+    0.136247
+    """
+    require(R=R)
+    return elementwise(_displacement, r, a, R=R)
+
+
+def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.stiffness(1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 4*E_star*a/(3*pi*R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.pm.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.mean_pressure(1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.265258
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_mean_pressure, a, R=R, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a = sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.radius_from_depth(0.625, R=1.6)
+    >>> round(value, 6)
+    1.0
+    """
+    require(R=R)
+    return elementwise(_radius_from_depth, d, R=R)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    a = 6**(1/3)*F**(1/3)*R**(1/3)/(2*E_star**(1/3))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.radius_from_force(0.8333, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.999987
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_radius_from_force, F, R=R, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 4*E_star*sqrt(R)*d**(3/2)/3
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.force_from_depth(0.625, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.833333
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_force_from_depth, d, R=R, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = 6**(2/3)*F**(2/3)/(4*E_star**(2/3)*R**(1/3))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.depth_from_force(0.8333, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.624983
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_depth_from_force, F, R=R, E_star=E_star)
+
+
+def _profile(r: Array, R: Array) -> Array:
+    return r**2 / (2 * R)
+
+
+def _slope(t: Array, R: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 2 * t / R
+
+
+def _depth(a: Array, R: Array) -> Array:
+    return a**2 / R
+
+
+def _force(a: Array, R: Array, E_star: Array) -> Array:
+    return 4 * E_star * a**3 / (3 * R)
+
+
+def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    return np.where(r < a, 2 * E_star * root / (np.pi * R), 0.0)
+
+
+def _displacement(r: Array, a: Array, R: Array) -> Array:
+    tip = displacement_integral(lambda t: _slope(t, R), r, a, 32)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, R) - _profile(r, R)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
+    return 4 * E_star * a / (3 * np.pi * R)
+
+
+def _radius_from_depth(d: Array, R: Array) -> Array:
+    return np.sqrt(d * R)
+
+
+def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
+    return np.cbrt(3 * F * R / (4 * E_star))
+
+
+def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
+    return 4 * E_star * d * np.sqrt(d * R) / 3
+
+
+def _depth_from_force(F: Array, R: Array, E_star: Array) -> Array:
+    return np.cbrt(9 * F**2 / (16 * E_star**2 * R))

@@ -1,0 +1,570 @@
+"""Power law.
+
+Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import gamma_ratio
+from .._powers import power_displacement, power_pressure
+
+
+def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = A*r**n
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.f,
+    the definition of the profile.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.profile(0.3, A=0.45, n=1.5)
+    >>> round(value, 6)
+    0.073943
+    """
+    require(A=A, n=n)
+    return elementwise(_profile, r, A=A, n=n)
+
+
+def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = sqrt(pi)*A*a**n*gamma(n/2 + 1)/gamma((n + 1)/2)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. The pressure at the
+    centre is finite only for n > 1. Handbook: power_law.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.depth(1.0, A=0.45, n=1.5)
+    >>> round(value, 6)
+    0.808745
+    """
+    require(A=A, n=n)
+    return elementwise(_depth, a, A=A, n=n)
+
+
+def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 2*sqrt(pi)*A*E_star*a**(n + 1)*n*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. The pressure at the
+    centre is finite only for n > 1. Handbook: power_law.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.force(1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.970494
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_force, a, A=A, n=n, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 +
+    1)/(2*sqrt(pi)*gamma((n + 1)/2))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. The pressure at the centre is finite only for n > 1.
+    Handbook: power_law.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.pressure(0.3, 1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.506949
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_pressure, r, a, A=A, n=n, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
+    1)/(sqrt(pi)*gamma((n + 1)/2))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. Handbook: power_law.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.displacement(2.0, 1.0, A=0.45, n=1.5)
+    >>> round(value, 6)
+    0.15835
+    """
+    require(A=A, n=n)
+    return elementwise(_displacement, r, a, A=A, n=n)
+
+
+def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.stiffness(1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 2*A*E_star*a**(n - 1)*n*gamma(n/2 + 1)/(sqrt(pi)*(n + 1)*gamma((n + 1)/2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.pm.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.mean_pressure(1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.308918
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_mean_pressure, a, A=A, n=n, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a = (d*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.radius_from_depth(0.8087, A=0.45, n=1.5)
+    >>> round(value, 6)
+    0.999963
+    """
+    require(A=A, n=n)
+    return elementwise(_radius_from_depth, d, A=A, n=n)
+
+
+def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    a = (F*(n + 1)*gamma((n + 1)/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(1/(n + 1))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.radius_from_force(0.9705, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    1.000003
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_radius_from_force, F, A=A, n=n, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*sqrt(pi)*A*E_star*n*(d*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*gamma(n/2 + 1)/((n
+    + 1)*gamma((n + 1)/2))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.force_from_depth(0.8087, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.970404
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_force_from_depth, d, A=A, n=n, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = sqrt(pi)*A*(F*(n + 1)*gamma((n + 1)/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(n/(n + 1))*gamma(n/2
+    + 1)/gamma((n + 1)/2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.depth_from_force(0.9705, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.808748
+    """
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_depth_from_force, F, A=A, n=n, E_star=E_star)
+
+
+def _profile(r: Array, A: Array, n: Array) -> Array:
+    return A * r**n
+
+
+def _depth(a: Array, A: Array, n: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return np.sqrt(np.pi) * A * a**n * kappa
+
+
+def _force(a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return 2 * np.sqrt(np.pi) * E_star * n * A * a ** (n + 1) * kappa / (n + 1)
+
+
+def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return np.where(r < a, E_star * n * A * a ** (n - 1) * power_pressure(r, a, n) * kappa / np.sqrt(np.pi), 0.0)
+
+
+def _displacement(r: Array, a: Array, A: Array, n: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    outside = 2 * A * a**n * power_displacement(r, a, n) * kappa / np.sqrt(np.pi)
+    inside = _depth(a, A, n) - _profile(r, A, n)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return 2 * E_star * n * A * a ** (n - 1) * kappa / (np.sqrt(np.pi) * (n + 1))
+
+
+def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return (d / (np.sqrt(np.pi) * A * kappa)) ** (1 / n)
+
+
+def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return (F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)) ** (1 / (n + 1))
+
+
+def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return 2 * np.sqrt(np.pi) * E_star * n * A * (d / (np.sqrt(np.pi) * A * kappa)) ** ((n + 1) / n) * kappa / (n + 1)
+
+
+def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return np.sqrt(np.pi) * A * (F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)) ** (n / (n + 1)) * kappa

@@ -1,0 +1,620 @@
+"""Cone with a rounded tip.
+
+Parabolic tip running tangentially into a cone at r = b.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r**2*tan(theta)/(2*b)   for 0 < r < b
+    f = (-b/2 + r)*tan(theta)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.f, the definition
+    of the profile.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.profile(0.3, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.040192
+    """
+    require(theta=theta, b=b)
+    return elementwise(_profile, r, theta=theta, b=b)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a**2*tan(theta)/b   for a < b
+    d = a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.depth(1.0, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.587308
+    """
+    require(theta=theta, b=b)
+    return elementwise(_depth, a, theta=theta, b=b)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 4*E_star*a**3*tan(theta)/(3*b)   for a < b
+    F = E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)   for
+    b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.force(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.691652
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_force, a, theta=theta, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 2*E_star*sqrt(a**2 - r**2)*tan(theta)/(pi*b)   for a < b
+    p = E_star*(-2*a*sqrt(a**2 - b**2)/(b*sqrt(a**2 - r**2)) + C0(b, r, a) + 2*elliptic_e(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2) + 2*sqrt(a**2 - r**2)/b)*tan(theta)/pi   for r < b and b < a
+    p = E_star*(-2*a*sqrt(a**2 - r**2)/(b*sqrt(a**2 - b**2)) + C0(b, r, a) + 2*r*elliptic_e(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2)/b + 2*sqrt(a**2 - r**2)/b - 2*(-b + r)*(b +
+    r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(b*r))*tan(theta)/pi   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_cone.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.pressure(0.3, 1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.408675
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))*tan(theta)/(pi*b)   for a < b
+    w = (2*a*acos(b/a)*asin(a/r) + a*sqrt(-a**2 + r**2)/b - 2*a*sqrt(a**2 - b**2)*asin(a/r)/b -
+    2*r*acos(b*sqrt(-a**2 + r**2)/(a*sqrt(-b**2 + r**2))) + 2*sqrt(-a**2 + r**2)*acos(b/a) - (-2*a**2 +
+    r**2)*asin(a/r)/b - sqrt(-a**2 + r**2)*sqrt(a**2 - b**2)/b + (b**2 + r**2)*asin(sqrt((a**2 - b**2)/(-b**2
+    + r**2)))/b)*tan(theta)/pi   for b < a
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_cone.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.displacement(2.0, 1.0, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.112658
+    """
+    require(theta=theta, b=b)
+    return elementwise(_displacement, r, a, theta=theta, b=b)
+
+
+def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.stiffness(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 4*E_star*a*tan(theta)/(3*pi*b)   for a < b
+    p_mean = E_star*(4*a/(3*b) + acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*a**2*b))*tan(theta)/pi
+    for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.pm.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.mean_pressure(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.22016
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, theta=theta, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a**2*tan(theta)/b = d   for a < b
+    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_cone.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.radius_from_depth(0.5873, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.999988
+    """
+    require(theta=theta, b=b)
+    return elementwise(_radius_from_depth, d, theta=theta, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    4*E_star*a**3*tan(theta)/(3*b) = F   for a < b
+    E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) = F   for
+    b < a
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_cone.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.radius_from_force(0.6917, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    1.000034
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, theta=theta, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_cone.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.force_from_depth(0.5873, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.691635
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, theta=theta, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_cone.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.depth_from_force(0.6917, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.587332
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
+
+
+def _profile(r: Array, theta: Array, b: Array) -> Array:
+    return np.where(r < b, r**2 * np.tan(theta) / (2 * b), np.tan(theta) * (r - b / 2))
+
+
+def _slope(t: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 2 * t * np.tan(theta) / b
+
+
+def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    angle = np.arctan2(root, b)
+    return np.tan(theta) * (angle + 2 * b / (root + t))
+
+
+def _depth(a: Array, theta: Array, b: Array) -> Array:
+    tip = a**2 * np.tan(theta) / b
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan2(root, b)
+    beyond = a * np.tan(theta) * (angle + b / (root + a))
+    return np.where(a < b, tip, beyond)
+
+
+def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a**3 * np.tan(theta) / (3 * b)
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan2(root, b)
+    beyond = E_star * np.tan(theta) * (a**2 * angle + 4 * a**2 * b / (3 * (root + a)) + b * root / 3)
+    return np.where(a < b, tip, beyond)
+
+
+def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    root = np.sqrt((inner - r) * (inner + r))
+    tip = np.where(r < inner, 2 * E_star * np.tan(theta) * root / (np.pi * b), 0.0)
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
+
+
+def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = displacement_integral(lambda t: _slope(t, theta, b), r, inner, 32)
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    outside = 2 / np.pi * (tip + beyond)
+    inside = _depth(a, theta, b) - _profile(r, theta, b)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a * np.tan(theta) / (3 * np.pi * b)
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan2(root, b)
+    beyond = E_star * np.tan(theta) * (angle + 4 * b / (3 * (root + a)) + b * root / (3 * a**2)) / np.pi
+    return np.where(a < b, tip, beyond)
+
+
+def _slope_at(a: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(a) of the indentation depth on both sides of the break."""
+    root = np.sqrt((a - b) * (a + b))
+    return np.where(a < b, _slope(a, theta, b), _slope_beyond(a, root, theta, b))
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, theta, b)
+        return value, a * _slope_at(a, theta, b) / value
+
+    return inverse(curve, d, np.full_like(d, b), (1.0, np.inf))
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, theta, b, E_star)
+        return value, 2 * E_star * a * a * _slope_at(a, theta, b) / value
+
+    return inverse(curve, F, np.full_like(F, b), (2.0, np.inf))
+
+
+def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, theta, b), theta, b, E_star)
+
+
+def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, theta, b, E_star), theta, b)

@@ -1,0 +1,633 @@
+"""Curved punch with a rounded edge.
+
+A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import arctan_gap
+from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = r**2/(2*R1)   for 0 < r < b
+    f = (-b + r)**2/(2*R2) + r**2/(2*R1)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.f,
+    the definition of the profile.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.profile(0.45, R1=6.0, R2=1.2, b=1.0)
+    >>> round(value, 6)
+    0.016875
+    """
+    require(R1=R1, R2=R2, b=b)
+    return elementwise(_profile, r, R1=R1, R2=R2, b=b)
+
+
+def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a**2/R1   for a < b
+    d = a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.depth(1.5, R1=6.0, R2=1.2, b=1.0)
+    >>> round(value, 6)
+    0.721207
+    """
+    require(R1=R1, R2=R2, b=b)
+    return elementwise(_depth, a, R1=R1, R2=R2, b=b)
+
+
+def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 4*E_star*a**3/(3*R1)   for a < b
+    F = E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))   for b <
+    a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.force(1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    1.657516
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_force, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 2*E_star*sqrt(a**2 - r**2)/(pi*R1)   for a < b
+    p = E_star*(2*a*sqrt(a**2 - b**2)/(R2*sqrt(a**2 - r**2)) - b*C0(b, r, a)/R2 -
+    2*b*elliptic_e(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2)/R2 + 2*sqrt(a**2 - r**2)/R1)/pi   for r
+    < b and b < a
+    p = E_star*(2*a*sqrt(a**2 - r**2)/(R2*sqrt(a**2 - b**2)) - b*C0(b, r, a)/R2 -
+    2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/R2 + 2*(-b + r)*(b +
+    r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(R2*r) + 2*sqrt(a**2 - r**2)/R1)/pi
+    for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_curved_punch.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.pressure(0.45, 1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.242628
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1)   for a < b
+    w = (-2*a*b*acos(b/a)*asin(a/r)/R2 + 2*a*sqrt(a**2 - b**2)*asin(a/r)/R2 + 2*b*r*acos(b*sqrt(-a**2 +
+    r**2)/(a*sqrt(-b**2 + r**2)))/R2 - 2*b*sqrt(-a**2 + r**2)*acos(b/a)/R2 + sqrt(-a**2 + r**2)*sqrt(a**2 -
+    b**2)/R2 - (b**2 + r**2)*asin(sqrt((a**2 - b**2)/(-b**2 + r**2)))/R2 + a*sqrt(-a**2 + r**2)/R1 - (-2*a**2
+    + r**2)*asin(a/r)/R1)/pi   for b < a
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_curved_punch.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.displacement(3.0, 1.5, R1=6.0, R2=1.2, b=1.0)
+    >>> round(value, 6)
+    0.181518
+    """
+    require(R1=R1, R2=R2, b=b)
+    return elementwise(_displacement, r, a, R1=R1, R2=R2, b=b)
+
+
+def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.stiffness(1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    3.0
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 4*E_star*a/(3*pi*R1)   for a < b
+    p_mean = E_star*(-b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2*a**2) + 4*a/(3*R1))/pi
+    for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.pm.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.mean_pressure(1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.234491
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a**2/R1 = d   for a < b
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_curved_punch.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.radius_from_depth(0.7212, R1=6.0, R2=1.2, b=1.0)
+    >>> round(value, 6)
+    1.499996
+    """
+    require(R1=R1, R2=R2, b=b)
+    return elementwise(_radius_from_depth, d, R1=R1, R2=R2, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    4*E_star*a**3/(3*R1) = F   for a < b
+    E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) = F   for b <
+    a
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_curved_punch.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.radius_from_force(1.658, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    1.500097
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_curved_punch.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.force_from_depth(0.7212, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    1.657496
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: rounded_curved_punch.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.depth_from_force(1.658, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.721368
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def _profile(r: Array, R1: Array, R2: Array, b: Array) -> Array:
+    return np.where(r < b, r**2 / (2 * R1), r**2 / (2 * R1) + (r - b) ** 2 / (2 * R2))
+
+
+def _slope(t: Array, R1: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 2 * t / R1
+
+
+def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    return 2 * t / R1 + root / R2 + b * arctan_gap(root / b) / R2
+
+
+def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    tip = a**2 / R1
+    root = np.sqrt((a - b) * (a + b))
+    beyond = a * (a / R1 + b * arctan_gap(root / b) / R2)
+    return np.where(a < b, tip, beyond)
+
+
+def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a**3 / (3 * R1)
+    root = np.sqrt((a - b) * (a + b))
+    beyond = E_star * (4 * a**3 / (3 * R1) + root**3 / (3 * R2) + a**2 * b * arctan_gap(root / b) / R2)
+    return np.where(a < b, tip, beyond)
+
+
+def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    root = np.sqrt((inner - r) * (inner + r))
+    tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
+
+
+def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = displacement_integral(lambda t: _slope(t, R1), r, inner, 32)
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    outside = 2 / np.pi * (tip + beyond)
+    inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    tip = 4 * E_star * a / (3 * np.pi * R1)
+    root = np.sqrt((a - b) * (a + b))
+    beyond = E_star * (4 * a / (3 * R1) + root**3 / (3 * a**2 * R2) + b * arctan_gap(root / b) / R2) / np.pi
+    return np.where(a < b, tip, beyond)
+
+
+def _slope_at(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Rate g'(a) of the indentation depth on both sides of the break."""
+    root = np.sqrt((a - b) * (a + b))
+    return np.where(a < b, _slope(a, R1), _slope_beyond(a, root, R1, R2, b))
+
+
+def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, R1, R2, b)
+        return value, a * _slope_at(a, R1, R2, b) / value
+
+    return inverse(curve, d, np.full_like(d, b), (2.0, np.inf))
+
+
+def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, R1, R2, b, E_star)
+        return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
+
+    return inverse(curve, F, np.full_like(F, b), (3.0, np.inf))
+
+
+def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, R1, R2, b), R1, R2, b, E_star)
+
+
+def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, R1, R2, b, E_star), R1, R2, b)

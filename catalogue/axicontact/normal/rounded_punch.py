@@ -1,0 +1,616 @@
+"""Flat punch with a rounded edge.
+
+Flat face of radius b running tangentially into a rounding of radius R: between flat punch and sphere.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import arctan_gap
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = 0   for 0 < r < b
+    f = (-b + r)**2/(2*R)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Handbook:
+    rounded_punch.f, the definition of the profile.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.profile(0.486, R=1.45, b=1.15)
+    >>> round(value, 6)
+    0.0
+    """
+    require(R=R, b=b)
+    return elementwise(_profile, r, R=R, b=b)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. The pressure is bounded,
+    with its peak just outside b. Handbook: rounded_punch.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.depth(1.62, R=1.45, b=1.15)
+    >>> round(value, 6)
+    0.270723
+    """
+    require(R=R, b=b)
+    return elementwise(_depth, a, R=R, b=b)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. The pressure is bounded,
+    with its peak just outside b. Handbook: rounded_punch.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.force(1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.780061
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_force, a, R=R, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*(2*a*sqrt(a**2 - b**2)/sqrt(a**2 - r**2) - b*C0(b, r, a) - 2*b*elliptic_e(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2))/(pi*R)   for r < b
+    p = E_star*(2*a*sqrt(a**2 - r**2)/sqrt(a**2 - b**2) - b*C0(b, r, a) - 2*r*elliptic_e(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2) + 2*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
+    b**2/r**2)/r)/(pi*R)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. The pressure is bounded, with its peak just outside b.
+    Handbook: rounded_punch.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.pressure(0.486, 1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.064187
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (-2*a*b*acos(b/a)*asin(a/r) + 2*a*sqrt(a**2 - b**2)*asin(a/r) + 2*b*r*acos(b*sqrt(-a**2 +
+    r**2)/(a*sqrt(-b**2 + r**2))) - 2*b*sqrt(-a**2 + r**2)*acos(b/a) + sqrt(-a**2 + r**2)*sqrt(a**2 - b**2) -
+    (b**2 + r**2)*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))))/(pi*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. Handbook: rounded_punch.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.displacement(3.24, 1.62, R=1.45, b=1.15)
+    >>> round(value, 6)
+    0.07949
+    """
+    require(R=R, b=b)
+    return elementwise(_displacement, r, a, R=R, b=b)
+
+
+def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Handbook:
+    rounded_punch.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.stiffness(1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    3.24
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*(-b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*a**2))/(pi*R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Handbook:
+    rounded_punch.pm.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.mean_pressure(1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.094613
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.radius_from_depth(0.2707, R=1.45, b=1.15)
+    >>> round(value, 6)
+    1.619976
+    """
+    require(R=R, b=b)
+    return elementwise(_radius_from_depth, d, R=R, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.radius_from_force(0.7801, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    1.620013
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, R=R, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.force_from_depth(0.2707, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.779986
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, R=R, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.depth_from_force(0.7801, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.270735
+    """
+    require(R=R, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, R=R, b=b, E_star=E_star)
+
+
+def _profile(r: Array, R: Array, b: Array) -> Array:
+    return np.where(r < b, 0, (r - b) ** 2 / (2 * R))
+
+
+def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    return (root + b * arctan_gap(root / b)) / R
+
+
+def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
+    return a * b * arctan_gap(root / b) / R
+
+
+def _depth(a: Array, R: Array, b: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _depth_at(a, root, R, b)
+
+
+def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
+    return E_star * (root**3 / 3 + a**2 * b * arctan_gap(root / b)) / R
+
+
+def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _force_at(a, root, R, b, E_star)
+
+
+def _pressure(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    inside = np.where(r < a, E_star / np.pi * growth, 0.0)
+    return np.where(a >= b, inside, np.nan)
+
+
+def _displacement(r: Array, a: Array, R: Array, b: Array) -> Array:
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    outside = 2 / np.pi * beyond
+    inside = _depth(a, R, b) - _profile(r, R, b)
+    return np.where(a >= b, np.where(r > a, outside, inside), np.nan)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return E_star * (root**3 / (3 * a**2) + b * arctan_gap(root / b)) / (np.pi * R)
+
+
+def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _depth_at(a, root, R, b)
+        return value, root * root / a * _slope_beyond(a, root, R, b) / value
+
+    t = inverse(curve, d, np.ones_like(d), (2.0, 3.0))
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:
+    return _contact_from_depth(d, R, b)[0]
+
+
+def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _force_at(a, root, R, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
+
+    t = inverse(curve, F, np.ones_like(F), (3.0, 4.0))
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
+    return _contact_from_force(F, R, b, E_star)[0]
+
+
+def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_depth(d, R, b)
+    return _force_at(a, root, R, b, E_star)
+
+
+def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_force(F, R, b, E_star)
+    return _depth_at(a, root, R, b)

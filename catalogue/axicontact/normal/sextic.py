@@ -1,0 +1,537 @@
+"""Sextic profile.
+
+Flatter than the quartic: most of the load is carried near the rim of the contact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral
+
+
+def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = A*r**6
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.f, the
+    definition of the profile.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.profile(0.3, A=0.4)
+    >>> round(value, 6)
+    0.000292
+    """
+    require(A=A)
+    return elementwise(_profile, r, A=A)
+
+
+def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = 16*A*a**6/5
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.depth(1.0, A=0.4)
+    >>> round(value, 6)
+    1.28
+    """
+    require(A=A)
+    return elementwise(_depth, a, A=A)
+
+
+def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 192*A*E_star*a**7/35
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.force(1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    2.194286
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_force, a, A=A, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = 32*A*E_star*sqrt(a**2 - r**2)*(3*a**4 + 4*a**2*r**2 + 8*r**4)/(25*pi)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.pressure(0.3, 1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.532447
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_pressure, r, a, A=A, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*A*(a*sqrt(-a**2 + r**2)*(8*a**4 + 10*a**2*r**2 + 15*r**4) - 3*(-16*a**6 + 5*r**6)*asin(a/r))/(15*pi)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Evaluated as an integral over
+    the growing contact by a Gauss-Legendre rule. Handbook: sextic.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.displacement(2.0, 1.0, A=0.4)
+    >>> round(value, 6)
+    0.361745
+    """
+    require(A=A)
+    return elementwise(_displacement, r, a, A=A)
+
+
+def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.stiffness(1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = 192*A*E_star*a**5/(35*pi)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.pm.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.mean_pressure(1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.698463
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_mean_pressure, a, A=A, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a = 2**(1/3)*5**(1/6)*d**(1/6)/(2*A**(1/6))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.radius_from_depth(1.28, A=0.4)
+    >>> round(value, 6)
+    1.0
+    """
+    require(A=A)
+    return elementwise(_radius_from_depth, d, A=A)
+
+
+def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    a = 51030**(1/7)*F**(1/7)/(6*A**(1/7)*E_star**(1/7))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.radius_from_force(2.194, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.999981
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_radius_from_force, F, A=A, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 6*2**(1/3)*5**(1/6)*E_star*d**(7/6)/(7*A**(1/6))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.force_from_depth(1.28, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    2.194286
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_force_from_depth, d, A=A, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = 352947000000**(1/7)*A**(1/7)*F**(6/7)/(60*E_star**(6/7))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.depth_from_force(2.194, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    1.279857
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_depth_from_force, F, A=A, E_star=E_star)
+
+
+def _profile(r: Array, A: Array) -> Array:
+    return A * r**6
+
+
+def _slope(t: Array, A: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 96 * A * t**5 / 5
+
+
+def _depth(a: Array, A: Array) -> Array:
+    return 16 * A * a**6 / 5
+
+
+def _force(a: Array, A: Array, E_star: Array) -> Array:
+    return 192 * E_star * A * a**7 / 35
+
+
+def _pressure(r: Array, a: Array, A: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    return np.where(r < a, 32 * E_star * A * (3 * a**4 + 4 * a**2 * r**2 + 8 * r**4) * root / (25 * np.pi), 0.0)
+
+
+def _displacement(r: Array, a: Array, A: Array) -> Array:
+    tip = displacement_integral(lambda t: _slope(t, A), r, a, 32)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, A) - _profile(r, A)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, A: Array, E_star: Array) -> Array:
+    return 192 * E_star * A * a**5 / (35 * np.pi)
+
+
+def _radius_from_depth(d: Array, A: Array) -> Array:
+    return (5 * d / (16 * A)) ** (1 / 6)
+
+
+def _radius_from_force(F: Array, A: Array, E_star: Array) -> Array:
+    return (35 * F / (192 * E_star * A)) ** (1 / 7)
+
+
+def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
+    return 6 * E_star * d * (20 * d / A) ** (1 / 6) / 7
+
+
+def _depth_from_force(F: Array, A: Array, E_star: Array) -> Array:
+    return (F / E_star) ** (6 / 7) * (117649 * A / 933120) ** (1 / 7)

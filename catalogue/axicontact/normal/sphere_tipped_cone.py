@@ -1,0 +1,640 @@
+"""Cone with a spherical tip.
+
+Sphere of radius R up to b = R sin(theta), then its tangent cone: the exact sphero-conical tip.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._functions import tanh_gap
+from .._integrals import (
+    displacement_integral_beyond,
+    displacement_integral_tanh,
+    force_integral_beyond,
+    pressure_integral_beyond,
+    pressure_integral_tanh,
+)
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = R - sqrt(R**2 - r**2)   for 0 < r < b
+    f = R + b*(-b + r)/sqrt(R**2 - b**2) - sqrt(R**2 - b**2)   for b < r
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.f, the
+    definition of the profile.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.profile(0.3, R=1.2, theta=0.45)
+    >>> round(value, 6)
+    0.038105
+    """
+    require(R=R, theta=theta)
+    return elementwise(_profile, r, R=R, theta=theta)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a*atanh(a/R)   for a < b
+    d = a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))))   for
+    b < a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.depth(1.0, R=1.2, theta=0.45)
+    >>> round(value, 6)
+    0.622635
+    """
+    require(R=R, theta=theta)
+    return elementwise(_depth, a, R=R, theta=theta)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = E_star*(-R*a + (R**2 + a**2)*atanh(a/R))   for a < b
+    F = E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R
+    + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
+    b**2))   for b < a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.force(1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.7453
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_force, a, R=R, theta=theta, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*Integral(Derivative(g(t), t)/sqrt(-r**2 + t**2), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.pressure(0.3, 1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.428504
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_pressure, r, a, R=R, theta=theta, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*Integral(asin(t/r)*Derivative(g(t), t), (t, 0, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.displacement(2.0, 1.0, R=1.2, theta=0.45)
+    >>> round(value, 6)
+    0.121421
+    """
+    require(R=R, theta=theta)
+    return elementwise(_displacement, r, a, R=R, theta=theta)
+
+
+def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.stiffness(1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*(-R + (R**2 + a**2)*atanh(a/R)/a)/(pi*a)   for a < b
+    p_mean = E_star*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(a**2*sqrt(R - b)*sqrt(R +
+    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))/a**2 - (R*a - sqrt(R**2 -
+    b**2)*sqrt(a**2 - b**2))/a**2)/pi   for b < a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.pm.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.mean_pressure(1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.237236
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_mean_pressure, a, R=R, theta=theta, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a*atanh(a/R) = d   for a < b
+    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for
+    b < a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: sphere_tipped_cone.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.radius_from_depth(0.6226, R=1.2, theta=0.45)
+    >>> round(value, 6)
+    0.999954
+    """
+    require(R=R, theta=theta)
+    return elementwise(_radius_from_depth, d, R=R, theta=theta)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F   for a < b
+    E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
+    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
+    b**2)) = F   for b < a
+    with b = R*sin(theta)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    sphere_tipped_cone.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.radius_from_force(0.7453, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_radius_from_force, F, R=R, theta=theta, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    sphere_tipped_cone.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.force_from_depth(0.6226, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.74523
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_force_from_depth, d, R=R, theta=theta, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    sphere_tipped_cone.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20).
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.depth_from_force(0.7453, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.622635
+    """
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_depth_from_force, F, R=R, theta=theta, E_star=E_star)
+
+
+def _profile(r: Array, R: Array, theta: Array) -> Array:
+    b = R * np.sin(theta)
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root_Rb = R * np.cos(theta)
+    return np.where(r < b, r**2 / (root_Rr + R), b * ((r - b) / root_Rb + b / (root_Rb + R)))
+
+
+def _slope(t: Array, root: Array, R: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    angle = np.arcsinh(t / root)
+    return angle + t * R / root**2
+
+
+def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    b = R * np.sin(theta)
+    root_Rb = R * np.cos(theta)
+    angle = np.arctan2(root, b)
+    logarithm = np.log1p((b**2 / (root + t) + b**2 / (root_Rb + R)) / (root + root_Rb))
+    return logarithm + b * angle / root_Rb + b**2 * R / (t * root_Rb**2 + R * root * root_Rb)
+
+
+def _depth(a: Array, R: Array, theta: Array) -> Array:
+    b = R * np.sin(theta)
+    root = np.sqrt((R - a) * (a + R))
+    angle = np.arcsinh(a / root)
+    tip = a * angle
+    root_Rb = R * np.cos(theta)
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan2(root, b)
+    logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
+    beyond = a * (logarithm + b * angle / root_Rb)
+    return np.where(a < b, tip, beyond)
+
+
+def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    root = np.sqrt((R - inner) * (inner + R))
+    angle = np.arcsinh(inner / root)
+    tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
+    beyond = 2 * E_star * force_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), a, b, 128)
+    return tip + beyond
+
+
+def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    within = pressure_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
+    tip = np.where(r < inner, E_star / np.pi * within, 0.0)
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
+
+
+def _displacement(r: Array, a: Array, R: Array, theta: Array) -> Array:
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    outside = 2 / np.pi * (tip + beyond)
+    inside = _depth(a, R, theta) - _profile(r, R, theta)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    return np.where(a > 0.0, _force(a, R, theta, E_star) / (np.pi * a**2), 0.0)
+
+
+def _slope_at(a: Array, R: Array, theta: Array) -> Array:
+    """Rate g'(a) of the indentation depth on both sides of the break."""
+    b = R * np.sin(theta)
+    root = np.sqrt((a - b) * (a + b))
+    return np.where(a < b, _slope(a, np.sqrt((R - a) * (R + a)), R), _slope_beyond(a, root, R, theta))
+
+
+def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, R, theta)
+        return value, a * _slope_at(a, R, theta) / value
+
+    return inverse(curve, d, np.full_like(d, 1.0), (1.0, np.inf))
+
+
+def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, R, theta, E_star)
+        return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
+
+    return inverse(curve, F, np.full_like(F, 1.0), (2.0, np.inf))
+
+
+def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, R, theta), R, theta, E_star)
+
+
+def _depth_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, R, theta, E_star), R, theta)

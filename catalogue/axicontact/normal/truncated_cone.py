@@ -1,0 +1,616 @@
+"""Truncated cone.
+
+Flat face of radius b with a conical flank: a worn or blunted cone. The contact radius starts at b.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = 0   for 0 < r < b
+    f = (-b + r)*tan(theta)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: truncated_cone.f, the
+    definition of the profile.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.profile(0.3, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.0
+    """
+    require(theta=theta, b=b)
+    return elementwise(_profile, r, theta=theta, b=b)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a*tan(theta)*acos(b/a)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. The pressure is logarithmically infinite
+    at the corner r = b. Handbook: truncated_cone.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.depth(1.0, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.46765
+    """
+    require(theta=theta, b=b)
+    return elementwise(_depth, a, theta=theta, b=b)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. The pressure is logarithmically infinite
+    at the corner r = b. Handbook: truncated_cone.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.force(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.661021
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_force, a, theta=theta, b=b, E_star=E_star)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*(C0(b, r, a) + elliptic_f(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2))*tan(theta)/pi
+    for r < b
+    p = E_star*(b*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/r + C0(b, r,
+    a))*tan(theta)/pi   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. The pressure is logarithmically infinite at the corner r = b.
+    Handbook: truncated_cone.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.pressure(0.3, 1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.252586
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*(a*acos(b/a)*asin(a/r) + b*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))) - r*acos(b*sqrt(-a**2 +
+    r**2)/(a*sqrt(-b**2 + r**2))) + sqrt(-a**2 + r**2)*acos(b/a))*tan(theta)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: truncated_cone.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.displacement(2.0, 1.0, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    0.10793
+    """
+    require(theta=theta, b=b)
+    return elementwise(_displacement, r, a, theta=theta, b=b)
+
+
+def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: truncated_cone.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.stiffness(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*(acos(b/a) + b*sqrt(a**2 - b**2)/a**2)*tan(theta)/pi
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: truncated_cone.pm.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.mean_pressure(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.21041
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_mean_pressure, a, theta=theta, b=b, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a*tan(theta)*acos(b/a) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: truncated_cone.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.radius_from_depth(0.4677, theta=0.42, b=0.5)
+    >>> round(value, 6)
+    1.000069
+    """
+    require(theta=theta, b=b)
+    return elementwise(_radius_from_depth, d, theta=theta, b=b)
+
+
+def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: truncated_cone.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.radius_from_force(0.661, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.999985
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_radius_from_force, F, theta=theta, b=b, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: truncated_cone.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.force_from_depth(0.4677, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.661122
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_force_from_depth, d, theta=theta, b=b, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: truncated_cone.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.depth_from_force(0.661, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.467639
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
+
+
+def _profile(r: Array, theta: Array, b: Array) -> Array:
+    return np.where(r < b, 0, np.tan(theta) * (r - b))
+
+
+def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    angle = np.arctan2(root, b)
+    return np.tan(theta) * angle + b * np.tan(theta) / root
+
+
+def _depth_at(a: Array, root: Array, theta: Array, b: Array) -> Array:
+    angle = np.arctan2(root, b)
+    return a * np.tan(theta) * angle
+
+
+def _depth(a: Array, theta: Array, b: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _depth_at(a, root, theta, b)
+
+
+def _force_at(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    angle = np.arctan2(root, b)
+    return E_star * np.tan(theta) * (a**2 * angle + b * root)
+
+
+def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _force_at(a, root, theta, b, E_star)
+
+
+def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    pressed = np.where((r == b) & (a > b), np.inf, E_star / np.pi * growth)
+    inside = np.where(r < a, pressed, 0.0)
+    return np.where(a >= b, inside, np.nan)
+
+
+def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
+    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    outside = 2 / np.pi * beyond
+    inside = _depth(a, theta, b) - _profile(r, theta, b)
+    return np.where(a >= b, np.where(r > a, outside, inside), np.nan)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan2(root, b)
+    return E_star * np.tan(theta) * (angle + b * root / a**2) / np.pi
+
+
+def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _depth_at(a, root, theta, b)
+        return value, root * root / a * _slope_beyond(a, root, theta, b) / value
+
+    t = inverse(curve, d, np.ones_like(d), (1.0, 2.0))
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
+    return _contact_from_depth(d, theta, b)[0]
+
+
+def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _force_at(a, root, theta, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b) / value
+
+    t = inverse(curve, F, np.ones_like(F), (1.0, 2.0))
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _contact_from_force(F, theta, b, E_star)[0]
+
+
+def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_depth(d, theta, b)
+    return _force_at(a, root, theta, b, E_star)
+
+
+def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_force(F, theta, b, E_star)
+    return _depth_at(a, root, theta, b)

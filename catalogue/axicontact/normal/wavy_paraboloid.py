@@ -1,0 +1,631 @@
+"""Wavy paraboloid.
+
+A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._domain import require, require_order
+from .._elementwise import Array, Result, elementwise
+from .._functions import struve_h0, struve_h1
+from .._integrals import displacement_integral_waves, pressure_integral_waves
+from .._inverse import inverse
+
+
+def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = h*(1 - cos(2*pi*r/wavelength)) + r**2/(2*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Handbook: wavy_paraboloid.f, the definition of the profile.
+
+    References
+    ----------
+    Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.profile(0.3, R=1.6, h=0.01, wavelength=0.5)
+    >>> round(value, 6)
+    0.046215
+    """
+    _check(R=R, h=h, wavelength=wavelength)
+    return elementwise(_profile, r, R=R, h=h, wavelength=wavelength)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Handbook: wavy_paraboloid.d.
+
+    References
+    ----------
+    chapter 11, equation (11.29); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.depth(1.0, R=1.6, h=0.01, wavelength=0.5)
+    >>> round(value, 6)
+    0.603226
+    """
+    _check(R=R, h=h, wavelength=wavelength)
+    return elementwise(_depth, a, R=R, h=h, wavelength=wavelength)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force.
+
+    F = E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
+    4*a**2/(3*R))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Handbook: wavy_paraboloid.F.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.force(1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.774814
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_force, a, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def pressure(
+    r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike
+) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = E_star*Integral((pi**2*h*StruveH(0, 2*pi*sqrt(r**2 + u**2)/wavelength)/wavelength + sqrt(r**2 +
+    u**2)*(2*pi**3*h*(-StruveH(1, 2*pi*sqrt(r**2 + u**2)/wavelength) + 2/pi)/wavelength**2 + 1/R) + sqrt(r**2
+    + u**2)/R)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    wavy_paraboloid.p.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.pressure(0.3, 1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.313678
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_pressure, r, a, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*Integral(psi*r*(pi**2*h*StruveH(0, 2*pi*r*sin(psi)/wavelength)/wavelength +
+    r*(2*pi**3*h*(-StruveH(1, 2*pi*r*sin(psi)/wavelength) + 2/pi)/wavelength**2 + 1/R)*sin(psi) +
+    r*sin(psi)/R)*cos(psi), (psi, 0, asin(a/r)))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    wavy_paraboloid.w.
+
+    References
+    ----------
+    chapter 11, equation (11.26); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.displacement(2.0, 1.0, R=1.6, h=0.01, wavelength=0.5)
+    >>> round(value, 6)
+    0.126604
+    """
+    _check(R=R, h=h, wavelength=wavelength)
+    return elementwise(_displacement, r, a, R=R, h=h, wavelength=wavelength)
+
+
+def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*E_star*a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Handbook: wavy_paraboloid.k.
+
+    References
+    ----------
+    chapter 11, equation (11.18); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.stiffness(1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    2.0
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star)
+
+
+def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = E_star*(2*pi*h*StruveH(0, 2*pi*a/wavelength)/wavelength - h*StruveH(1, 2*pi*a/wavelength)/a +
+    4*a/(3*pi*R))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Handbook: wavy_paraboloid.pm.
+
+    References
+    ----------
+    Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.mean_pressure(1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.246631
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_mean_pressure, a, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.radius_from_depth(0.6032, R=1.6, h=0.01, wavelength=0.5)
+    >>> round(value, 6)
+    0.999984
+    """
+    _check(R=R, h=h, wavelength=wavelength)
+    return elementwise(_radius_from_depth, d, R=R, h=h, wavelength=wavelength)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
+    4*a**2/(3*R)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.20); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.radius_from_force(0.7748, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.999996
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_radius_from_force, F, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def force_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.force_from_depth(0.6032, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.774762
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_force_from_depth, d, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def depth_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
+    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.depth_from_force(0.7748, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.603219
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_depth_from_force, F, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def _check(R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, **material: ArrayLike) -> None:
+    require(R=R, h=h, wavelength=wavelength, **material)
+    R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)
+    require_order(
+        12.391420936291585 * h * R <= wavelength**2,
+        "12.391420936291584*R*h <= wavelength**2",
+        "steeper waves leave gaps and the contact is not compact; lower h or lengthen the wave",
+        R=R,
+        h=h,
+        wavelength=wavelength,
+    )
+
+
+def _profile(r: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    return 2 * h * np.sin(np.pi * r / wavelength) ** 2 + r**2 / (2 * R)
+
+
+def _slope(t: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    z = 2 * np.pi * t / wavelength
+    plus = 4 * np.pi**2 * h * t / wavelength**2 + np.pi**2 * h * struve_h0(z) / wavelength + 2 * t / R
+    minus = 2 * np.pi**3 * h * t * struve_h1(z) / wavelength**2
+    return plus - minus
+
+
+def _depth(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    z = 2 * np.pi * a / wavelength
+    return a * (np.pi**2 * h * struve_h0(z) / wavelength + a / R)
+
+
+def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    z = 2 * np.pi * a / wavelength
+    plus = 2 * np.pi**2 * h * a * struve_h0(z) / wavelength + 4 * a**2 / (3 * R)
+    minus = np.pi * h * struve_h1(z)
+    return E_star * a * (plus - minus)
+
+
+def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    within = pressure_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength, 32)
+    return np.where(r < a, E_star / np.pi * within, 0.0)
+
+
+def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    tip = displacement_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength, 32)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, R, h, wavelength) - _profile(r, R, h, wavelength)
+    return np.where(r > a, outside, inside)
+
+
+def _stiffness(a: Array, E_star: Array) -> Array:
+    return 2 * E_star * a
+
+
+def _mean_pressure(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    return np.where(a > 0.0, _force(a, R, h, wavelength, E_star) / (np.pi * a**2), 0.0)
+
+
+def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _depth(a, R, h, wavelength)
+        return value, a * _slope(a, R, h, wavelength) / value
+
+    return inverse(curve, d, np.full_like(d, wavelength / 1000.0), (0.0, 7.0))
+
+
+def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, R, h, wavelength, E_star)
+        return value, 2 * E_star * a * a * _slope(a, R, h, wavelength) / value
+
+    return inverse(curve, F, np.full_like(F, wavelength / 1000.0), (0.0, 8.0))
+
+
+def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    return _force(_radius_from_depth(d, R, h, wavelength), R, h, wavelength, E_star)
+
+
+def _depth_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    return _depth(_radius_from_force(F, R, h, wavelength, E_star), R, h, wavelength)
