@@ -38,7 +38,13 @@ EVIDENCE = {
             "certified": True,
             "certificate": {"proved": True, "steps": [], "reason": ""},
             "checks": [
-                {"compared": "mpmath quadrature of the defining integral", "outcome": "passed", "digits": 50, "count": 24, "worst": "2.7e-51"},
+                {
+                    "compared": "mpmath quadrature of the defining integral",
+                    "outcome": "passed",
+                    "digits": 50,
+                    "count": 24,
+                    "worst": "2.7e-51",
+                },
                 {"compared": "F = 2 pi int p r dr", "outcome": "failed", "digits": 3, "count": 24, "worst": "1e-3"},
             ],
         },
@@ -82,7 +88,11 @@ def test_every_source_has_its_reference() -> None:
 
 @pytest.mark.parametrize(
     ("value", "wanted"),
-    [("2.9932228461262", r"2.993\,222\,846\,126"), ("0.0000000000005", r"0.000\,000\,000\,000"), ("-1.5", r"-1.500\,000\,000\,000")],
+    [
+        ("2.9932228461262", r"2.993\,222\,846\,126"),
+        ("0.0000000000005", r"0.000\,000\,000\,000"),
+        ("-1.5", r"-1.500\,000\,000\,000"),
+    ],
 )
 def test_check_values_are_rounded_to_nearest(value: str, wanted: str) -> None:
     with mp.workdps(30):
@@ -120,7 +130,12 @@ def test_evidence_is_shown_and_failures_are_not_claimed(sources: dict[str, str])
 
 
 def test_kinds_of_evidence() -> None:
-    kinds = ["mpmath quadrature of the defining integral", "Arb balls of both sides", "dimension of every term", "w(a) = d - f(a)"]
+    kinds = [
+        "mpmath quadrature of the defining integral",
+        "Arb balls of both sides",
+        "dimension of every term",
+        "w(a) = d - f(a)",
+    ]
     assert [kind_of(text) for text in kinds] == ["quadrature", "enclosure", "units", "identity"]
 
 
@@ -146,15 +161,17 @@ def _points(text: str) -> list[tuple[float, float]]:
 
 def test_the_sources_do_not_depend_on_the_hash_seed() -> None:
     program = (
-        "import hashlib; from axiderive.emit.handbook import handbook_sources; from axiderive.contact.normal import derive;"
-        "from axiderive.profiles import load;"
+        "import hashlib; from axiderive.emit.handbook import handbook_sources;"
+        "from axiderive.contact.normal import derive; from axiderive.profiles import load;"
         "s = handbook_sources({n: derive(load(n)) for n in ('truncated_cone', 'concave_power')});"
         "print(hashlib.sha256(repr(sorted(s.items())).encode()).hexdigest())"
     )
     seen = set()
     for seed in ("1", "2"):
         environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(sys.path)}
-        done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True, timeout=120)
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True, timeout=120
+        )
         seen.add(done.stdout.strip())
     assert len(seen) == 1
 

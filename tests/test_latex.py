@@ -136,7 +136,9 @@ SWAPS = {
     "s": "a", r"\pi": "3", r"\kappa": "a", r"\psi": "a", "F": "E", "E": "F", r"\sqrt": r"\sin", "q": "a", r"\ell": "a",
 }  # fmt: skip
 TOKEN = re.compile(r"\\[A-Za-z]+|artanh|arcosh|\d|[A-Za-z]|[+\-]")
-LAYOUT = re.compile(r"\\(?:begin|end)\{[^}]*\}(?:\[t\])?|\\\\\[[^\]]*\]|\\[Bb]ig[lr]|\\q?quad|\\enspace|\\mathrm|\\operatorname")
+LAYOUT = re.compile(
+    r"\\(?:begin|end)\{[^}]*\}(?:\[t\])?|\\\\\[[^\]]*\]|\\[Bb]ig[lr]|\\q?quad|\\enspace|\\mathrm|\\operatorname"
+)
 
 
 def _mutants(tex: str, rng: random.Random, count: int) -> list[str]:

@@ -1,4 +1,4 @@
-"""A product taken apart for print: sign, rational number, factors with signs turned, one root for all fractional powers."""
+"""A product taken apart for print: sign, number, factors turned to be positive, one root for all fractional powers."""
 
 from __future__ import annotations
 

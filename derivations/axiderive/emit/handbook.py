@@ -17,10 +17,10 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
 from ..profiles.profile import Profile
-from . import page, references
+from . import front, page, references
 from .plots import plots
 from .printer import Printer
-from .prose import prose
+from .prose import escaped, prose
 from .rows import kappa_row, lines, ordered
 from .sketch import sketch
 from .values import Numbers, sketch_values
@@ -110,7 +110,9 @@ def _numbered(profiles: list[Profile]) -> dict[str, str]:
     return found
 
 
-def _profile_model(profile: Profile, entries: dict[str, Entry], number: str, evidence: Mapping[str, Any]) -> dict[str, Any]:
+def _profile_model(
+    profile: Profile, entries: dict[str, Entry], number: str, evidence: Mapping[str, Any]
+) -> dict[str, Any]:
     values = sketch_values(profile)
     rough = Numbers(profile, entries, values, PLOT_DIGITS)
     rows = ordered(entries)
@@ -129,10 +131,11 @@ def _profile_model(profile: Profile, entries: dict[str, Entry], number: str, evi
         "calls": page.calls(profile, entries),
         "derivation": page.derivation(profile, entries),
         "evidence": page.evidence_rows(entries, evidence),
+        "uncertified": page.missing_certificates(entries, evidence),
         "settings": evidence.get("settings", {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": sorted({r for e in entries.values() for r in e.references}, key=_equation_order),
-        "master_row": page.master_row(entries),
+        "master_row": front.master_row(entries),
         "keys": [entry.key for entry in entries.values()],
         "symbols": sorted(page.symbols(entries)),
     }
@@ -222,16 +225,14 @@ def _book_model(models: list[dict[str, Any]]) -> dict[str, Any]:
     keys = sorted(key for m in models for key in m["keys"])
     return {
         "chapters": [(title, members) for title, members in chapters if members],
-        "suffixes": page.suffixes(),
-        "notation": page.notation_rows({s for m in models for s in m["symbols"]}),
-        "definitions": page.definition_rows(),
-        "masters": page.master_rows(),
-        "works": [(references.label(short), prose_reference(text)) for short, text in sorted(references.WORKS.items())],
-        "key_rows": page.columns(keys, 3),
+        "suffixes": front.suffixes(),
+        "notation": front.notation_rows({s for m in models for s in m["symbols"]}),
+        "definitions": front.definition_rows(),
+        "masters": front.master_rows(),
+        "works": [
+            (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
+        ],
+        "key_rows": front.columns(keys, 3),
         "keys_count": {"profiles": len(models), "entries": len(keys)},
         "version": __version__,
     }
-
-
-def prose_reference(text: str) -> str:
-    return text.replace("&", r"\&").replace("ß", r"\ss{}")

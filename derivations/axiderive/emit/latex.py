@@ -7,7 +7,8 @@ import sympy as sp
 from ..entry import Entry
 from .handbook import handbook_sources
 from .printer import Printer
-from .rows import LEFT, condition, regions
+from .ranges import condition, regions
+from .rows import LEFT
 
 __all__ = ["entry_latex", "handbook_sources", "latex"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,14 +10,11 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from ..contact import complete, normal
-from ..contact.medium import HOMOGENEOUS
-from ..entry import COMPACT, COMPLETE, Entry
+from ..entry import Entry
 from ..profiles.profile import Profile
-from .printer import MASTER_NAMES, Printer
+from .printer import Printer
 from .prose import prose
-from .rows import LEFT, Row
-from .shorthand import with_kappa
+from .rows import Row
 from .values import Numbers
 from .width import width
 
@@ -70,7 +66,11 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         heads = [("d", spaced(depth)), (r"F_{\mathrm N}", spaced(numbers("F"))), (r"\bar p", spaced(mean))]
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
     where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s != nt.N]
-    return {"where": ", ".join(f"${text}$" for text in where), "heads": heads, "rows": list(zip(inside, outside, strict=True))}
+    return {
+        "where": ", ".join(f"${text}$" for text in where),
+        "heads": heads,
+        "rows": list(zip(inside, outside, strict=True)),
+    }
 
 
 def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
@@ -102,7 +102,8 @@ def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
     if profile.contact == "complete":
         start = (
-            r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ the edge term of (11.107), "
+            r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ "
+            r"the edge term of (11.107), "
             r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains, because the edge is fixed and $d$ is free."
         )
     else:
@@ -112,7 +113,8 @@ def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
         split = ", split at the break," if profile.breaks else ""
         start = (
             rf"The slope $f'(r)={slope}${beyond} enters the integral (11.29), which{split} gives $g(a)$. "
-            r"Exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), $p$ (11.23) and $w$ (11.26)."
+            r"Exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), "
+            r"$p$ (11.23) and $w$ (11.26)."
         )
     needed = _functions(entries)
     open_ends = [e.suffix for e in entries.values() if e.status == "integral"]
@@ -150,9 +152,8 @@ def evidence_rows(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> 
         for check in passed:
             by_kind[kind_of(check["compared"])].append(check)
         certified = bool(record.get("certified"))
-        reason = record.get("certificate", {}).get("reason", "")
         cells = [_agreement(by_kind[kind]) for kind in KINDS]
-        rows.append({"key": entry.key, "suffix": suffix, "certified": certified, "cells": cells, "reason": "" if certified else prose(reason)})
+        rows.append({"key": entry.key, "suffix": suffix, "certified": certified, "cells": cells})
     return rows
 
 
@@ -169,6 +170,17 @@ def kind_of(compared: str) -> str:
     return "units" if "dimension" in words or "unit" in words else "identity"
 
 
+def missing_certificates(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[tuple[list[str], str]]:
+    """Suffixes without a certificate and the reason, those of one reason together."""
+    groups: dict[str, list[str]] = {}
+    for suffix, entry in entries.items():
+        record = evidence.get("entries", {}).get(suffix, {"certified": True})
+        reason = record.get("certificate", {}).get("reason", "")
+        if not record.get("certified") and reason:
+            groups.setdefault(prose(reason.replace(f"{entry.key} is ", "")), []).append(suffix)
+    return [(suffixes, reason) for reason, suffixes in groups.items()]
+
+
 def _agreement(checks: list[Any]) -> str:
     """Digits at points with the worst residual; several identities as their number and the fewest digits."""
     if not checks:
@@ -180,26 +192,14 @@ def _agreement(checks: list[Any]) -> str:
     if len(checks) > 1:
         return f"{len(checks)} of them, {least} digits"
     (check,) = counted
-    worst = f" (${power_of_ten(check['worst'])}$)" if check.get("worst") else ""
-    return f"{least} digits, {check['count']} points{worst}"
+    worst = f" (${power_of_ten(check['worst'])}$)" if check.get("worst") and float(check["worst"]) else ""
+    return f"{least} digits, {check['count']} point{'s' if check['count'] > 1 else ''}{worst}"
 
 
 def power_of_ten(text: str) -> str:
     """2.7e-51 as 2.7 x 10^-51."""
     mantissa, _, exponent = text.partition("e")
     return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
-
-
-def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
-    """Depth and force for the table of all profiles; what is too wide for it is referred to."""
-    return {suffix: _cell(entries[suffix], room) if suffix in entries else "" for suffix, room in (("d", 165.0), ("F", 200.0))}
-
-
-def _cell(entry: Entry, room: float) -> str:
-    case = entry.cases[-1]
-    short = with_kappa(case.expr)
-    text = Printer(case.chain, short.names)(short.expr)
-    return rf"$\displaystyle {text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
 
 
 def symbols(entries: Mapping[str, Entry]) -> set[str]:
@@ -209,74 +209,3 @@ def symbols(entries: Mapping[str, Entry]) -> set[str]:
         printed_symbols = {s.name for case in entry.cases for s in case.expr.free_symbols if isinstance(s, sp.Symbol)}
         found |= printed_symbols | {s.name for s in (entry.quantity.symbol, *entry.quantity.arguments)}
     return found
-
-
-def notation_rows(used: set[str]) -> list[dict[str, str]]:
-    """The symbols that are used, in order of the notation."""
-    skip = {"j", "N", "stiffness"}
-    return [
-        {"latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": _domain(n)}
-        for n in nt.all_notation()
-        if n.name in used - skip
-    ]
-
-
-def _domain(n: nt.Notation) -> str:
-    text = re.sub(rf"(?<!\w){re.escape(n.name)}(?!\w)", lambda m: n.latex, n.domain)
-    return text.replace("pi/2", r"\pi/2").replace(">=", r"\ge ")
-
-
-def _unit(unit: str) -> str:
-    text = re.sub(r"\^\(([^()]*)\)", lambda m: f"$^{{{m[1]}}}$", unit)
-    return re.sub(r"\^(\d+)", lambda m: f"$^{{{m[1]}}}$", text)
-
-
-def master_rows() -> list[dict[str, str]]:
-    """The special functions of the catalogue with their definitions and derivatives."""
-    return [
-        {"name": r"\mathrm{F}(\varphi,k),\ \mathrm{E}(\varphi,k)",
-         "definition": r"\int_0^{\varphi}\frac{\mathrm d\alpha}{\sqrt{1-k^2\sin^2\alpha}},\quad \int_0^{\varphi}\sqrt{1-k^2\sin^2\alpha}\,\mathrm d\alpha",
-         "remark": "elliptic integrals with modulus $k$; NumPy, SciPy, SymPy and mpmath take $m=k^2$"},
-        {"name": r"\mathrm{C}_0(b,r,a)",
-         "definition": r"\int_{\max(b,r)}^{a}\arccos\frac bt\,\frac{\mathrm dt}{\sqrt{t^2-r^2}}",
-         "remark": "one for every break; no closed form was found"},
-        {"name": MASTER_NAMES[masters.LegendreChi2] + "(x)",
-         "definition": r"\int_0^{x}\frac{\operatorname{artanh}t}{t}\,\mathrm dt", "remark": "Legendre's chi function, $0\\le x<1$"},
-        {"name": MASTER_NAMES[masters.ArctanIntegral] + "(x)",
-         "definition": r"\int_0^{x}\frac{\arctan t}{t}\,\mathrm dt", "remark": "inverse tangent integral"},
-        {"name": r"\mathrm{B}(z;p,q)",
-         "definition": r"\int_0^{z}u^{p-1}(1-u)^{q-1}\,\mathrm du", "remark": "incomplete Beta function, $p>0$, any real $q$ for $z<1$"},
-        {"name": r"\mathbf{H}_{\nu}(z)",
-         "definition": r"\frac{2(z/2)^\nu}{\sqrt\pi\,\Gamma(\nu+\frac12)}\int_0^{1}(1-u^2)^{\nu-1/2}\sin(zu)\,\mathrm du",
-         "remark": "Struve functions (11.97)"},
-        {"name": r"\mathrm{D}(x)", "definition": r"\mathrm e^{-x^2}\int_0^{x}\mathrm e^{u^2}\,\mathrm du", "remark": "Dawson's function"},
-    ]  # fmt: skip
-
-
-def suffixes() -> list[tuple[str, str]]:
-    """What the end of a key means."""
-    found = {q.suffix: q.label for q in (*COMPACT.values(), *COMPLETE.values())}
-    return list(found.items())
-
-
-def definition_rows() -> list[tuple[str, str, str]]:
-    """Label, general formula and equation numbers of every quantity, compact contact first."""
-    printer = Printer()
-    rows = []
-    for title, quantities, formulas, equations in (
-        ("", COMPACT, normal.definitions(), normal.REFERENCES),
-        ("complete contact: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
-    ):
-        for suffix in ("d", "F", "p", "w", "k"):
-            if suffix in formulas:
-                left = LEFT[suffix]
-                right = "=" + printer(HOMOGENEOUS.stiffness() if suffix == "k" else formulas[suffix])
-                rows.append((title + quantities[suffix].label.lower().replace(" outside", ""), left + right, ", ".join(equations[suffix][0])))
-    return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
-
-
-def columns(items: list[str], count: int) -> list[list[str]]:
-    """Items in columns read downwards, as rows for a table; the last ones are padded with empty text."""
-    height = -(-len(items) // count)
-    padded = items + [""] * (height * count - len(items))
-    return [[padded[row + column * height] for column in range(count)] for row in range(height)]

@@ -67,7 +67,9 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
         return members, f"${nt.describe(b).latex}/a={', '.join(RATIOS)}$"
     if nt.n in profile.parameters:
         values = ("1.5", "2", "4") if profile.contact == "complete" else ("0.5", "1", "2", "4")
-        return [(v, numbers.at(n=sp.Rational(v), **_lift(profile, sp.Rational(v)))) for v in values], f"$n={', '.join(values)}$"
+        return [
+            (v, numbers.at(n=sp.Rational(v), **_lift(profile, sp.Rational(v)))) for v in values
+        ], f"$n={', '.join(values)}$"
     if nt.a in profile.chain:
         bound = profile.chain[-1]
         values = ("0.5", "0.9", "0.99")
@@ -76,7 +78,9 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
     if nt.h in profile.parameters and profile.contact == "complete":
         least = sp.nsimplify(numbers("dmin"), rational=True)
         values = ("1", "2", "4")
-        return [(v, numbers.at(d=least * sp.Rational(v))) for v in values], r"$d/d_{\mathrm{min}}=" + f"{', '.join(values)}$"
+        return [
+            (v, numbers.at(d=least * sp.Rational(v))) for v in values
+        ], r"$d/d_{\mathrm{min}}=" + f"{', '.join(values)}$"
     if profile.contact == "complete" and nt.R in profile.parameters:
         values = ("1", "2", "5")
         contact = numbers.values[nt.a] ** 2 / numbers.values[nt.R]
@@ -97,7 +101,21 @@ def _lift(profile: Profile, n: sp.Rational) -> dict[str, Any]:
 
 def _radii(breaks: list[float]) -> list[float]:
     """Fractions of the contact radius, dense at the edge and around every break."""
-    found = {0.002, 0.005, 0.01, 0.02, *(i / 40 for i in range(1, 39)), 0.96, 0.97, 0.98, 0.985, 0.99, 0.995, 0.998, 0.9995}
+    found = {
+        0.002,
+        0.005,
+        0.01,
+        0.02,
+        *(i / 40 for i in range(1, 39)),
+        0.96,
+        0.97,
+        0.98,
+        0.985,
+        0.99,
+        0.995,
+        0.998,
+        0.9995,
+    }
     for b in breaks:
         found |= {b * (1 + s * gap) for gap in (1e-6, 1e-5, 1e-4, 5e-4, 2e-3, 5e-3, 0.01, 0.02, 0.04) for s in (-1, 1)}
     return sorted(x for x in found if 0 < x < 1 and all(abs(x - b) > 1e-9 for b in breaks))
@@ -168,9 +186,15 @@ def _needs_ring(numbers: Numbers) -> bool:
 
 def _reference(profile: Profile, numbers: Numbers) -> str:
     """What the reference contact is, unless the curve is the same for all."""
-    if len(profile.pieces) == 1 and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r:
+    if (
+        len(profile.pieces) == 1
+        and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
+    ):
         return "; one curve for all parameters"
-    length = next((s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a), None)
+    length = next(
+        (s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a),
+        None,
+    )
     if length is None:
         return " of the sketch"
     ratio = mp.nstr(numbers["a"] / numbers[length.name], 3)

@@ -12,16 +12,22 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
-from sympy.core.function import AppliedUndef
 
 from .. import notation as nt
 from ..abel import masters
 from .factors import Factor, Product, Root, taken_apart
+from .order import (
+    TRIGONOMETRIC,
+    bracket,
+    factor_key,
+    has_fraction,
+    is_function,
+    is_one_group,
+    is_scale,
+    samples,
+    term_key,
+)
 
-ORDER = (
-    "kappa", "n", "j", "E_star", "H", "p_mean", "F", "d", "A", "C", "h", "a", "r", "r_zero", "t", "x", "b", "R", "R1", "R2", "s",
-    "wavelength", "N", "k", "u", "psi", "theta",
-)  # fmt: skip
 FUNCTIONS = {
     sp.sin: r"\sin", sp.cos: r"\cos", sp.tan: r"\tan", sp.asin: r"\arcsin", sp.acos: r"\arccos", sp.atan: r"\arctan",
     sp.sinh: r"\sinh", sp.cosh: r"\cosh", sp.tanh: r"\tanh", sp.log: r"\ln", sp.exp: r"\exp",
@@ -31,7 +37,6 @@ MASTER_NAMES = {
     masters.C0: r"\mathrm{C}_{0}", masters.LegendreChi2: r"\chi_{2}", masters.ArctanIntegral: r"\mathrm{Ti}_{2}",
     masters.Dawson: r"\mathrm{D}",
 }  # fmt: skip
-TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 
 
 class Printer:
@@ -39,7 +44,7 @@ class Printer:
 
     def __init__(self, chain: tuple[sp.Expr, ...] = (), names: Mapping[sp.Symbol, str] | None = None) -> None:
         self.names = names or {}
-        self.samples = _samples(chain)
+        self.samples = samples(chain)
 
     def __call__(self, expr: sp.Expr) -> str:
         if isinstance(expr, sp.Equality):
@@ -57,7 +62,7 @@ class Printer:
     def terms(self, expr: sp.Expr) -> list[tuple[int, str]]:
         """Sign and text of each term, the first one positive if any is."""
         rows = [(*self.product(term), term) for term in sp.Add.make_args(expr)]
-        rows.sort(key=lambda row: (row[0] < 0, _term_key(row[2])))
+        rows.sort(key=lambda row: (row[0] < 0, term_key(row[2])))
         return [(sign, text) for sign, text, _ in rows]
 
     def sum(self, expr: sp.Expr) -> str:
@@ -78,7 +83,7 @@ class Printer:
             return 1, "", self.terms(expr)
         parts = taken_apart(expr, self.positive)
         sums = [base for base, exponent in parts.factors if base.is_Add and exponent == 1]
-        if len(sums) != 1 or any(_is_function(base) for base, e in parts.factors if base is not sums[0] and e == 1):
+        if len(sums) != 1 or any(is_function(base) for base, e in parts.factors if base is not sums[0] and e == 1):
             return None
         rest = tuple((b, e) for b, e in parts.factors if b is not sums[0])
         scale = Product(1, parts.number, rest, parts.root)
@@ -92,7 +97,7 @@ class Printer:
         for base, exponent in parts.factors:
             if exponent.could_extract_minus_sign():
                 below.append((base, -exponent))
-            elif _is_scale(base):
+            elif is_scale(base):
                 above.append((base, exponent))
             else:
                 behind.append((base, exponent))
@@ -125,19 +130,29 @@ class Printer:
         else:
             out += top
         tail = ([root_above] if root_above else []) + [self._bracketed(b, e) for b, e in behind if b.is_Add]
-        for text in (self._power(b, e) for b, e in sorted(behind, key=_factor_key) if not b.is_Add):
+        for text in (self._power(b, e) for b, e in sorted(behind, key=factor_key) if not b.is_Add):
             tail += [r"\,", text] if tail and tail[-1][-1] in ")]" and text.startswith(r"\math") else [text]
-        if out and tail and (tail[0][-1:] in ")]" or tail[0].startswith((r"\Bigl", r"\bigl", r"\operatorname", r"\mathrm"))):
+        if (
+            out
+            and tail
+            and (tail[0][-1:] in ")]" or tail[0].startswith((r"\Bigl", r"\bigl", r"\operatorname", r"\mathrm")))
+        ):
             out.append(r"\,")
         return " ".join(out + tail) or "1"
 
     def _plain(self, base: sp.Expr, exponent: sp.Expr) -> bool:
         """Whether a bracket may become the numerator: a short sum without functions."""
-        return base.is_Add and exponent.is_Integer and len(base.args) <= 3 and not base.atoms(sp.Function) and not _has_fraction(base)
+        return (
+            base.is_Add
+            and exponent.is_Integer
+            and len(base.args) <= 3
+            and not base.atoms(sp.Function)
+            and not has_fraction(base)
+        )
 
     def _scale(self, number: int, factors: list[Factor]) -> list[str]:
         digits = [str(number)] if number != 1 else []
-        return digits + [self._power(base, exponent) for base, exponent in sorted(factors, key=_factor_key)]
+        return digits + [self._power(base, exponent) for base, exponent in sorted(factors, key=factor_key)]
 
     def _root(self, root: Root | None) -> tuple[str, str]:
         """The root as a factor above or, if its radicand is a mere denominator, below the line."""
@@ -197,7 +212,9 @@ class Printer:
         if isinstance(e, sp.Sum):
             (j, lo, hi) = e.limits[0]
             sign, body = self.product(e.function)
-            return rf"\sum_{{{self.sum(j)}={self.sum(lo)}}}^{{{self.sum(hi)}}}" + (f"({'-' + body})" if sign < 0 else rf" {body}")
+            return rf"\sum_{{{self.sum(j)}={self.sum(lo)}}}^{{{self.sum(hi)}}}" + (
+                f"({'-' + body})" if sign < 0 else rf" {body}"
+            )
         if isinstance(e, sp.Derivative):
             return self._derivative(e)
         if isinstance(e, sp.Function):
@@ -240,7 +257,7 @@ class Printer:
 
     def _named(self, name: str, argument: sp.Expr, always: bool = False) -> str:
         text = self.sum(argument)
-        one_factor = argument.is_Symbol or argument.is_Integer or _is_one_group(text)
+        one_factor = argument.is_Symbol or argument.is_Integer or is_one_group(text)
         return f"{name} {text}" if one_factor and not always else name + bracket(text)
 
     def small(self, expr: sp.Expr) -> str:
@@ -264,87 +281,3 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
-
-
-def bracket(text: str) -> str:
-    r"""The text in brackets that fit: (), then [] around round ones, \Bigl where a fraction stands."""
-    tall = r"\frac" in text or r"\int" in text or r"\sum" in text or r"\Bigl" in text
-    if r"\Bigl[" in text or r"\bigl[" in text or "[" in text.replace(r"\sqrt[", ""):
-        left, right = (r"\{", r"\}") if r"\Bigl[" in text or r"\bigl[" in text else ("(", ")")
-    else:
-        left, right = ("[", "]") if "(" in text else ("(", ")")
-    if tall:
-        return rf"\Bigl{left}{text}\Bigr{right}"
-    if r"\tfrac" in text or "(" in text or r"\sqrt" in text:
-        return rf"\bigl{left}{text}\bigr{right}"
-    return left + text + right
-
-
-def _is_one_group(text: str) -> bool:
-    r"""Whether a single \frac{..}{..} or \sqrt{..} is the whole text."""
-    wanted = 2 if text.startswith(r"\frac{") else 1 if text.startswith(r"\sqrt{") else 0
-    depth = groups = 0
-    for i, c in enumerate(text):
-        depth += (c == "{") - (c == "}")
-        groups += c == "}" and depth == 0
-        if wanted and groups == wanted:
-            return i == len(text) - 1
-    return False
-
-
-def _is_scale(base: sp.Expr) -> bool:
-    if isinstance(base, TRIGONOMETRIC):
-        return bool(base.args[0].is_Symbol)
-    if base.is_Add:
-        return {s.name for s in base.free_symbols} <= {"n", "j", "k"}
-    if isinstance(base, sp.Derivative):
-        return isinstance(base.expr, AppliedUndef)
-    return bool(base.is_Symbol or base is sp.pi or isinstance(base, (sp.Indexed, sp.gamma, AppliedUndef)) or base.is_Number)
-
-
-def _is_function(base: sp.Expr) -> bool:
-    return not _is_scale(base) and not base.is_Add
-
-
-def _has_fraction(base: sp.Expr) -> bool:
-    return any(sp.fraction(term)[1] != 1 for term in base.args)
-
-
-def _rank(symbol: sp.Symbol) -> int:
-    return ORDER.index(symbol.name) if symbol.name in ORDER else len(ORDER)
-
-
-def _factor_key(factor: Factor) -> tuple[int, int, str]:
-    base = factor[0]
-    if base.is_Number:
-        return (0, 0, "")
-    if base is sp.pi:
-        return (1, 0, "")
-    if base.is_Symbol:
-        return (2, _rank(base), base.name)
-    if isinstance(base, sp.Indexed):
-        return (2, ORDER.index("A"), "")
-    if base.is_Add and _is_scale(base):  # (n+1) F, for F (n+1) would read as a function
-        return (2, ORDER.index("j"), str(base))
-    if isinstance(base, TRIGONOMETRIC):
-        return (3, 0, str(base))
-    kinds = (sp.gamma, sp.Pow, sp.Add, sp.Function, sp.Sum, sp.Integral)
-    return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, str(base))
-
-
-def _term_key(term: sp.Expr) -> tuple[Any, ...]:
-    """Integrals last, plain numbers before them, then by falling powers in the order of the symbols."""
-    powers = term.as_powers_dict()
-    degrees = tuple(-float(powers.get(s, 0)) if powers.get(s, sp.S.Zero).is_number else -1.0 for s in _SYMBOLS)
-    return (bool(term.atoms(sp.Integral)), term.is_number, degrees, str(term))
-
-
-_SYMBOLS = tuple(nt.describe(name).symbol for name in ORDER if nt.known(name))
-
-
-def _samples(chain: tuple[sp.Expr, ...]) -> list[dict[sp.Symbol, sp.Rational]]:
-    """Values that keep the order: evenly spread, far apart and close together."""
-    if len(chain) < 2 or not all(x.is_Symbol for x in chain):
-        return []
-    steps = [[sp.Integer(i + 1), sp.Integer(10) ** i, 1 + sp.Rational(i, 100)] for i in range(len(chain))]
-    return [dict(zip(chain, values, strict=True)) for values in zip(*steps, strict=True)]

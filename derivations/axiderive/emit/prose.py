@@ -20,7 +20,15 @@ _LINK = r"(?: ?/ ?| ?[-+*] | ?<< | ?>> | ?<= | ?>= | ?[<>=~] |, (?=\d)| \.\.\. |
 _RUN = re.compile(rf"(?<![\w'])({_FACTOR}(?:{_LINK}{_FACTOR})*(?: <<| >>)?)(?![\w'])")
 _SYMBOL = re.compile(r"[a-zA-Z]\w*")
 _RELATIONS = {"<<": r"\ll ", ">>": r"\gg ", "<=": r"\le ", ">=": r"\ge ", "~": r"\sim ", "...": r"\dots ", "*": r"\,"}
-_ESCAPES = {"&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+_ESCAPES = {
+    "&": r"\&",
+    "%": r"\%",
+    "#": r"\#",
+    "_": r"\_",
+    "$": r"\$",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+}
 _PHRASES = {
     "1/E_star = sum (1 - nu_i^2)/E_i": r"$1/E^{*}=\sum_i(1-\nu_i^2)/E_i$",
     "F/(pi a^2)": r"$F_{\mathrm N}/(\pi a^2)$",
@@ -52,7 +60,10 @@ def _is_mathematics(run: str, rest: str) -> bool:
         return not rest or rest[0] in ",;.:)" or rest.startswith(" is ")
     if run in ("I", "wavelength") or re.fullmatch(r"\d+(\.\d+)?", run):
         return False
-    return all(name in _WORDS or len(name) <= 2 or "_" in name or name in ("tan", "sin", "cos", "ln", "exp") for name in _names(run))
+    return all(
+        name in _WORDS or len(name) <= 2 or "_" in name or name in ("tan", "sin", "cos", "ln", "exp")
+        for name in _names(run)
+    )
 
 
 def _names(run: str) -> list[str]:

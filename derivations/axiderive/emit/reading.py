@@ -42,10 +42,17 @@ def _points(one: Row, entries: Mapping[str, Entry], count: int, seed: int) -> li
     """Points of every case; an inverse is met where its forward formula leads."""
     entry = one.entry
     if one.kind == "formula":
-        drawn = [(case, points(entry.profile, case.chain, count, seed, _fields(entry, case))) for case in entry.cases]
+        drawn = [
+            (case, points(entry.profile, _lengths(case), count, seed, _fields(entry, case))) for case in entry.cases
+        ]
         return [(case, _within(case, point.values)) for case, found in drawn for point in found]
     forward = entries["d" if entry.suffix in ("ad", "Fd") else "F"]
     return [(case, p.values) for case in forward.cases for p in points(entry.profile, case.chain, count, seed)]
+
+
+def _lengths(case: Case) -> tuple[sp.Expr, ...]:
+    """The chain to draw from; numbers around an exponent are seen to afterwards."""
+    return () if any(x.is_number for x in case.chain) else case.chain
 
 
 def _fields(entry: Entry, case: Case) -> tuple[sp.Symbol, ...]:
@@ -149,4 +156,3 @@ def name_in_print(symbol: sp.Symbol) -> str:
 
 def _difference(got: Any, want: Any) -> Any:
     return abs(got - want) / abs(want) if want else abs(got)
-

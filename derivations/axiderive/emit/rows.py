@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,19 +10,18 @@ from typing import Literal
 import sympy as sp
 
 from ..entry import Entry
-from ..notation import F, a, d, n, r
 from .printer import Printer
+from .ranges import Pairs, chain_of, condition, regions
 from .shorthand import LINE, Short, shortened, with_kappa
 from .width import width
 
 Kind = Literal["formula", "root", "composition"]
 LEFT = {
     "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
-    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d", "rz": "r_{0}",
+    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
+    "rz": "r_{0}",
     "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
 }  # fmt: skip
-Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
-"""Comparisons low < high."""
 INDENT = r"\enspace\enspace "
 
 
@@ -96,75 +94,6 @@ def row(entry: Entry) -> Row:
         found.append(_region(entry, pairs, expr, left))
         left = left.partition("=")[0]
     return Row(entry, "formula", tuple(found))
-
-
-def regions(entry: Entry) -> tuple[tuple[Pairs, sp.Expr], ...]:
-    """As `Entry.regions`, with the whole chain where the cases do not compare the same lengths."""
-    lengths = {frozenset(case.chain) for case in entry.cases}
-    if len(lengths) == 1 or len(entry.cases) == 1:
-        return entry.regions()
-    return tuple((tuple(zip(case.chain, case.chain[1:], strict=False)), case.expr) for case in entry.cases)
-
-
-def chain_of(entry: Entry, expr: sp.Expr) -> tuple[sp.Expr, ...]:
-    return next(case.chain for case in entry.cases if case.expr == expr)
-
-
-def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: Printer) -> str:
-    """The range in print: r <= a for the pressure, a <= r outside, and what tells the cases apart."""
-    own = _own_range(entry, chain)
-    loose = [pair for pair in own if not _implied(pair, (*pairs, *_always(entry)))]
-    steps = [*pairs, *loose]
-    if not steps:
-        return ""
-    if len(steps) == 1 and steps[0][1] in (r, d, F, n):  # the variable stands on the left
-        ((low, high),) = steps
-        sign = r"\ge" if steps[0] in own else ">"
-        return f"{printer.small(high)}{sign} {printer.small(low)}"
-    ascending = _as_chain(steps)
-    signs = {pair: r"\le" if pair in own else "<" for pair in steps}
-
-    def text(e: sp.Expr) -> str:
-        return printer.small(e)
-
-    if ascending is None:
-        return ",\\; ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
-    out = text(ascending[0])
-    for lo, hi in zip(ascending, ascending[1:], strict=False):
-        out += f"{signs[lo, hi]} {text(hi)}"
-    return out
-
-
-def _always(entry: Entry) -> Pairs:
-    """Comparisons of lengths other than r that hold in every case: b < a for a truncated cone."""
-    shared = [set(itertools.combinations([x for x in case.chain if x != r], 2)) for case in entry.cases]
-    return tuple(set.intersection(*shared)) if shared else ()
-
-
-def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
-    """Inside or outside the contact, whose radius is an expression as long as a complete contact is still partial."""
-    radius = next((x for x in chain if not x.is_Symbol and a in chain and chain.index(x) < chain.index(a)), a)
-    return {"p": ((r, radius),), "w": ((radius, r),)}.get(entry.suffix, ())
-
-
-def _implied(pair: tuple[sp.Expr, sp.Expr], pairs: Pairs) -> bool:
-    reached, grown = {pair[0]}, True
-    while grown:
-        more = {hi for lo, hi in pairs if lo in reached} - reached
-        reached, grown = reached | more, bool(more)
-    return pair[1] in reached
-
-
-def _as_chain(steps: list[tuple[sp.Expr, sp.Expr]]) -> list[sp.Expr] | None:
-    """The steps as one ascending chain, or None if they branch."""
-    following = dict(steps)
-    starts = [lo for lo, _ in steps if lo not in following.values()]
-    if len(following) != len(steps) or len(starts) != 1:
-        return None
-    chain = starts
-    while chain[-1] in following:
-        chain.append(following[chain[-1]])
-    return chain
 
 
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:

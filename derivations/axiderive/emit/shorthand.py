@@ -85,7 +85,9 @@ def with_kappa(expr: sp.Expr) -> Short:
         low = sp.Symbol("low", positive=True)
         same = {g: kappa * low / sp.sqrt(sp.pi) if sp.expand(g.args[0] - exponent / 2 - 1) == 0 else low
                 for g in found.atoms(sp.gamma)}  # fmt: skip
-        short.expr = _constants_out(found.xreplace(same).replace(lambda e: e.is_Pow, lambda e: sp.Pow(_cancelled(e.base), e.exp)))
+        short.expr = _constants_out(
+            found.xreplace(same).replace(lambda e: e.is_Pow, lambda e: sp.Pow(_cancelled(e.base), e.exp))
+        )
         short.definitions[kappa] = sp.sqrt(sp.pi) * above / below
         short.names[kappa] = name
     return short
@@ -142,7 +144,11 @@ def _name_radius(short: Short) -> None:
     radius = sp.sqrt(r**2 + u**2) if variable == u else r * sp.sin(psi)
 
     def renamed(integral: sp.Integral) -> sp.Integral:
-        body = integral.function.subs(u, sp.sqrt(t**2 - r**2)) if variable == u else integral.function.subs(sp.sin(psi), t / r)
+        body = (
+            integral.function.subs(u, sp.sqrt(t**2 - r**2))
+            if variable == u
+            else integral.function.subs(sp.sin(psi), t / r)
+        )
         weight, slope = (sp.S.One, body) if variable == u else body.as_independent(t, as_Add=False)
         return sp.Integral(weight * _single_terms(slope), integral.limits[0])
 
@@ -223,7 +229,10 @@ def _nested(expr: sp.Expr) -> bool:
 
 def _count(expr: sp.Expr, target: sp.Expr) -> int:
     if target.is_Pow:
-        return sum(e.is_Pow and e.base == target.base and e.exp.is_Rational and e.exp.q == 2 for e in sp.preorder_traversal(expr))
+        return sum(
+            e.is_Pow and e.base == target.base and e.exp.is_Rational and e.exp.q == 2
+            for e in sp.preorder_traversal(expr)
+        )
     return sum(e == target for e in sp.preorder_traversal(expr))
 
 

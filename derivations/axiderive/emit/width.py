@@ -1,4 +1,4 @@
-"""How wide a printed formula will be, in TeX points at 10 pt: good to a few per cent, enough to decide on line breaks."""
+"""How wide a printed formula will be, in points at 10 pt: good to a few per cent, enough to decide on line breaks."""
 
 from __future__ import annotations
 
@@ -8,11 +8,27 @@ _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d|[^\s]")
 # measured with mathpazo
 _WIDE = {
     "=": 13.4, "+": 12.3, "-": 12.3, "(": 4.3, ")": 4.3, "[": 4.3, "]": 4.3, ",": 4.3, ";": 4.3, "/": 5.0,
-    r"\,": 1.7, r"\;": 2.8, r"\quad": 10.0, r"\qquad": 20.0, r"\pi": 7.3, r"\psi": 6.8, r"\varphi": 6.7, "R": 7.1, "E": 6.2,
-    "F": 5.6, "A": 7.6, "H": 8.4, r"\int": 10.0, r"\sum": 16.0, r"\Bigl": 1.9, r"\Bigr": 1.9, r"\bigl": 0.5, r"\bigr": 0.5,
+    r"\,": 1.7, r"\;": 2.8, r"\quad": 10.0, r"\qquad": 20.0, r"\pi": 7.3, r"\psi": 6.8, r"\varphi": 6.7,
+    "R": 7.1, "E": 6.2, "F": 5.6, "A": 7.6, "H": 8.4, r"\int": 10.0, r"\sum": 16.0,
+    r"\Bigl": 1.9, r"\Bigr": 1.9, r"\bigl": 0.5, r"\bigr": 0.5,
 }  # fmt: skip
-_FUNCTION = {r"\sin": 3, r"\cos": 3, r"\tan": 3, r"\ln": 2, r"\exp": 3, r"\arcsin": 6, r"\arccos": 6, r"\arctan": 6, r"\sinh": 4}
-_SILENT = {r"\displaystyle", r"\mathrm", r"\mathbf", r"\operatorname", r"\left", r"\right", r"\text", "&", r"\!", "{", "}"}
+_FUNCTION = {
+    r"\sin": 3, r"\cos": 3, r"\tan": 3, r"\ln": 2, r"\exp": 3, r"\sinh": 4,
+    r"\arcsin": 6, r"\arccos": 6, r"\arctan": 6,
+}  # fmt: skip
+_SILENT = {
+    r"\displaystyle",
+    r"\mathrm",
+    r"\mathbf",
+    r"\operatorname",
+    r"\left",
+    r"\right",
+    r"\text",
+    "&",
+    r"\!",
+    "{",
+    "}",
+}
 _SCRIPT = 0.72
 
 
