@@ -19,7 +19,7 @@ from axiderive import profiles
 from axiderive.contact.normal import derive
 from axiderive.entry import Case, Entry
 from axiderive.proof.certificate import certify, certify_profile
-from axiderive.proof.compact import summand
+from axiderive.proof.statement import summand
 
 PROFILES = (
     "cone", "quartic", "power_law", "polynomial", "sphere", "ellipsoid", "hyperboloid", "truncated_cone",

@@ -41,21 +41,25 @@ class Atom(Protocol):
 
     def shape(self, order: Order) -> sp.Expr: ...
     def depth(self, order: Order, k: sp.Expr) -> Form | None: ...
-    def primitives(self, order: Order) -> tuple[Primitive, ...]: ...
+    def primitives(self, order: Order, k: sp.Expr) -> tuple[Primitive, ...]: ...
     def force(self, order: Order, k: sp.Expr) -> Form | None: ...
     def pressure(self, order: Order, k: sp.Expr) -> Form | None: ...
     def displacement(self, order: Order, k: sp.Expr) -> Form | None: ...
 
 
-def _kernel(slope: sp.Expr) -> sp.Expr:
-    """Integrand of (11.29) in x for the slope f'(x)."""
-    return a * slope / sp.sqrt(a**2 - x**2)
+def _kernel(slope: sp.Expr, k: sp.Expr) -> sp.Expr:
+    """Integrand of (11.61) in x for the slope f'(x)."""
+    return a ** (1 - k) * slope * (a**2 - x**2) ** ((k - 1) / 2)
 
 
 def _radical_depth(curvature: sp.Expr, z: sp.Expr, k: sp.Expr) -> Form:
     """Depth for f' = curvature r (1 - z r^2/a^2)**(-1/2) by Euler's integral, z = a^2/R^2 or -a^2/b^2."""
     half = sp.S.Half
     return Form.of(Hypergeometric(half, ONE, (3 + k) * half, z), curvature * a**2 / (1 + k))
+
+
+def _graded_tail(z: sp.Expr, k: sp.Expr, q: sp.Expr) -> sp.Expr:
+    return IncompleteBeta(z, (1 + k) / 2, q) / 2
 
 
 def _radical_force(curvature: sp.Expr, z: sp.Expr, k: sp.Expr) -> Form:
@@ -80,13 +84,13 @@ class PowerAtom:
             return Form()
         return depth_moment(self.n - 1, self.b, k) * (self.c * self.n * a ** (1 - k))
 
-    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+    def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
         if not order.below(self.b, a):
             return ()
-        moment = depth_moment(self.n - 1, x).expr()
+        moment = depth_moment(self.n - 1, x, k).expr()
         # int_x^a has the derivative -integrand; the power of x at x = 0 is the complete Beta function
-        integrand = _kernel(self.c * self.n * x ** (self.n - 1))
-        return (Primitive(self.b, a, integrand, -self.c * self.n * a * moment),)
+        integrand = _kernel(self.c * self.n * x ** (self.n - 1), k)
+        return (Primitive(self.b, a, integrand, -self.c * self.n * a ** (1 - k) * moment),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form:
         """F^ = n [a**(1+k) g + c b**n (a^2-b^2)**((1+k)/2)] / ((1+k)(1+k+n)): one contiguity step, no integral."""
@@ -165,12 +169,20 @@ class SphereAtom:
             return Form.of(CapMoment(k, self.cap, self.R, a), self.c * a ** (1 - k))
         return _radical_depth(self.c / self.R, a**2 / self.R**2, k)
 
-    def primitives(self, order: Order) -> tuple[Primitive, ...]:
-        integrand = _kernel(self.c * x / sp.sqrt(self.R**2 - x**2))
+    def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        integrand = _kernel(self.c * x / sp.sqrt(self.R**2 - x**2), k)
+        if k != 0:
+            return (self._graded_primitive(order, k, integrand),)
         root_a, root_R = sp.sqrt(a**2 - x**2), sp.sqrt(self.R**2 - x**2)
         if self._capped(order):
             return (Primitive(ZERO, self.cap, integrand, -self.c * a * sp.log(root_a + root_R)),)
         return (Primitive(ZERO, a, integrand, -self.c * a * sp.atanh(root_a / root_R)),)
+
+    def _graded_primitive(self, order: Order, k: sp.Expr, integrand: sp.Expr) -> Primitive:
+        if self._capped(order):
+            return Primitive(ZERO, self.cap, integrand, self.c * a ** (1 - k) * CapMoment(k, x, self.R, a))
+        tail = _graded_tail((a**2 - x**2) / (self.R**2 - x**2), k, -k / 2)
+        return Primitive(ZERO, a, integrand, -self.c * a ** (1 - k) * (self.R**2 - a**2) ** (k / 2) * tail)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         """c S_1/(1 + k) with (2 + k) S_1 = (a^2 + (1 + k) R^2) S_0 + [sqrt(R^2 - s^2) (a^2 - s^2)**((1 + k)/2)]."""
@@ -234,9 +246,13 @@ class HyperboloidAtom:
             return _radical_depth(self.c / self.b, -(a**2) / self.b**2, k)
         return Form.of(sp.atan(a / self.b), self.c * a)
 
-    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+    def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
         root_a, root_b = sp.sqrt(a**2 - x**2), sp.sqrt(self.b**2 + x**2)
-        return (Primitive(ZERO, a, _kernel(self.c * x / root_b), -self.c * a * sp.atan(root_a / root_b)),)
+        integrand = _kernel(self.c * x / root_b, k)
+        if k == 0:
+            return (Primitive(ZERO, a, integrand, -self.c * a * sp.atan(root_a / root_b)),)
+        tail = _graded_tail((a**2 - x**2) / (a**2 + self.b**2), k, sp.S.Half)
+        return (Primitive(ZERO, a, integrand, -self.c * a ** (1 - k) * (a**2 + self.b**2) ** (k / 2) * tail),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form:
         if k != 0:

@@ -187,6 +187,10 @@ class Hypergeometric(Master):
 
     nargs = 4
 
+    @classmethod
+    def eval(cls, p: sp.Expr, q: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        return sp.S.One if z.is_zero else None
+
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         p, q, c, z = self.args
         if argindex != 4:
@@ -202,6 +206,10 @@ class Kummer(Master):
     """Confluent 1F1(p; c; z)."""
 
     nargs = 3
+
+    @classmethod
+    def eval(cls, p: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        return sp.S.One if z.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         p, c, z = self.args
@@ -223,8 +231,14 @@ class CapMoment(Master):
 
     nargs = 4
 
+    @classmethod
+    def eval(cls, k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr | None:
+        return sp.S.Zero if b.is_zero else None
+
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         k, b, R, a = self.args
+        if argindex == 2:
+            return b * (R**2 - b**2) ** (-sp.S.Half) * (a**2 - b**2) ** ((k - 1) / 2)
         if argindex != 4:
             raise ArgumentIndexError(self, argindex)
         half = (k - 1) / 2

@@ -20,7 +20,7 @@ from .order import Order
 class _SingleScale:
     """Common part: no further closed forms."""
 
-    def primitives(self, order: Order) -> tuple[Primitive, ...]:
+    def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
         return ()
 
     def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
@@ -71,11 +71,15 @@ class GaussianAtom(_SingleScale):
         z = a**2 / self.s**2
         return Form.of(Kummer(ONE, (3 + k) / 2, -z), 2 * self.h * z / (1 + k))
 
-    def primitives(self, order: Order) -> tuple[Primitive, ...]:
-        """Dawson's function of sqrt(a^2 - x^2)/s, times exp(-x^2/s^2)."""
-        bell, root = sp.exp(-(x**2) / self.s**2), sp.sqrt(a**2 - x**2)
-        integrand = 2 * a * self.h * x / self.s**2 * bell / root
-        return (Primitive(ZERO, a, integrand, -2 * a * self.h / self.s * bell * Dawson(root / self.s)),)
+    def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        """Dawson's or Kummer's function of (a^2 - x^2)/s^2, times exp(-x^2/s^2)."""
+        bell, width = sp.exp(-(x**2) / self.s**2), a**2 - x**2
+        integrand = 2 * self.h * a ** (1 - k) * x / self.s**2 * bell * width ** ((k - 1) / 2)
+        if k == 0:
+            return (Primitive(ZERO, a, integrand, -2 * a * self.h / self.s * bell * Dawson(sp.sqrt(width) / self.s)),)
+        half = (1 + k) / 2
+        tail = width**half * bell * Kummer(ONE, half + 1, -width / self.s**2) / half
+        return (Primitive(ZERO, a, integrand, -self.h * a ** (1 - k) / self.s**2 * tail),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         if k != 0:

@@ -11,7 +11,7 @@ import sympy as sp
 from ..abel.masters import Hypergeometric, gamma_normalised
 from ..abel.moments import outside_moment
 from ..entry import Case, Entry, Quantity
-from ..notation import E_star, a, p_0, r, w
+from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
 
 HALF = sp.S.Half
@@ -21,7 +21,7 @@ DISPLACEMENT = Quantity("w", "displacement", "Surface displacement", w, (r,))
 def derive(load: Load) -> dict[str, Entry]:
     """The displacement inside and outside the loaded circle."""
     s = load.exponent
-    scale = p_0 * a * sp.sqrt(sp.pi) * gamma_normalised(s + 1) / gamma_normalised(s + sp.Rational(3, 2)) / E_star
+    scale = p_0 * a * sp.sqrt(sp.pi) * _gamma(s + 1) / _gamma(s + sp.Rational(3, 2)) / E_star
     w1D, x = sp.Function("w1D"), sp.Symbol("xi", positive=True)
     cases = (Case((r, a), scale * _inside(s)), Case((a, r), scale * _outside(s)))
     entry = Entry(
@@ -35,6 +35,12 @@ def derive(load: Load) -> dict[str, Entry]:
         references=("(11.104)", "(11.105)"),
     )
     return {"w": entry}
+
+
+def _gamma(argument: sp.Expr) -> sp.Expr:
+    """Gamma in terms of 1 + s > 0: a shift that starts from s would have a pole and a zero at s = -1/2."""
+    positive = sp.Symbol("positive", positive=True)
+    return gamma_normalised(argument.subs(sigma, positive - 1)).subs(positive, 1 + sigma)
 
 
 def _inside(s: sp.Expr) -> sp.Expr:
@@ -58,5 +64,5 @@ def _outside(s: sp.Expr) -> sp.Expr:
         return sp.factor_terms(2 / sp.pi * (outside_moment(1).expr() - square / a**2))
     if s == 0:
         return 2 * r / (sp.pi * a) * (sp.elliptic_e(z) - (1 - z) * sp.elliptic_k(z))
-    beta = sp.sqrt(sp.pi) * gamma_normalised(power + 1) / gamma_normalised(power + sp.Rational(3, 2))
+    beta = sp.sqrt(sp.pi) * _gamma(power + 1) / _gamma(power + sp.Rational(3, 2))
     return beta * a / (sp.pi * r) * Hypergeometric(HALF, HALF, power + sp.Rational(3, 2), z)

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ..abel.masters import Kummer
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import E, E_1, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, time, v
+from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, time, v
 from ..profiles.profile import Profile
 from . import normal
 
@@ -27,7 +27,7 @@ _m = sp.Symbol("m", positive=True)  # F_el ~ d**m
 class Law:
     """A material law: relaxation E(t) for t > 0, creep J(t), ramp factor int_0^1 m x**(m-1) E(t (1 - x)) dx.
 
-    The relaxation of a Kelvin-Voigt solid also holds an impulse eta at t = 0, which the ramp factor carries.
+    The relaxation of a Kelvin-Voigt solid also holds an impulse eta at t = 0, which only the ramp factor carries.
     """
 
     name: str
@@ -36,6 +36,7 @@ class Law:
     relaxation: sp.Expr
     creep: sp.Expr
     ramp: sp.Expr
+    impulse: sp.Expr = sp.S.Zero
 
 
 _fading = time / relaxation
@@ -45,7 +46,7 @@ LAWS = (
     Law("maxwell", "mx", (E, relaxation), E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading)),
     Law(
         "kelvin_voigt", "kv", (E, eta),
-        E, (1 - sp.exp(-E * time / eta)) / E, E + eta * _m / time,
+        E, (1 - sp.exp(-E * time / eta)) / E, E + eta * _m / time, eta,
     ),
     Law(
         "standard_solid", "sls", (E_inf, E_1, relaxation),

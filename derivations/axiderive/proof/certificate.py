@@ -6,18 +6,23 @@ why the formula is not proved; it never raises.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from ..abel.order import Chain
+from ..contact import normal
+from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..entry import Entry
 from ..notation import F, d
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
+from . import adhesive, graded, loads, tangential, viscoelastic
 from .compact import Compact
 from .complete import Complete
 from .domain import NotProvedError
-
-Rule = tuple[tuple[str, ...], Callable[[Any], list[str]]]
+from .statement import Rule
 
 COMPACT: dict[str, Rule] = {
     "d": ((), Compact.depth),
@@ -44,6 +49,12 @@ COMPLETE: dict[str, Rule] = {
 }
 
 
+ABOVE: dict[str, tuple[Callable[[Any, dict[str, Entry]], Any], dict[str, Rule]]] = {
+    adhesive.GROUP: (adhesive.Adhesive, adhesive.RULES),
+    tangential.GROUP: (tangential.Tangential, tangential.RULES),
+}
+
+
 @dataclass(frozen=True)
 class Certificate:
     """Whether a formula is proved, the statements that were shown, or why it is not proved."""
@@ -55,14 +66,25 @@ class Certificate:
 
 
 class Prover:
-    """Certificates of one profile; what a formula rests on is certified first, once."""
+    """Certificates of one profile; what a formula rests on is certified first, once.
 
-    def __init__(self, entries: dict[str, Entry], rules: dict[str, Rule], build: Callable[[], Any]) -> None:
-        self.entries, self.rules, self.build = entries, rules, build
+    A quantity `plain.F` is the force of the normal contact below, proved by `plain`.
+    """
+
+    def __init__(
+        self,
+        entries: dict[str, Entry],
+        rules: dict[str, Rule],
+        build: Callable[[], Any],
+        plain: Prover | None = None,
+    ) -> None:
+        self.entries, self.rules, self.build, self.plain = entries, rules, build, plain
         self.proof: Any = None
         self.done: dict[str, Certificate] = {}
 
     def certify(self, suffix: str) -> Certificate:
+        if self.plain is not None and suffix.startswith("plain."):
+            return self.plain.certify(suffix.removeprefix("plain."))
         if suffix not in self.done:
             self.done[suffix] = self._attempt(suffix)
         return self.done[suffix]
@@ -70,12 +92,12 @@ class Prover:
     def _attempt(self, suffix: str) -> Certificate:
         key = self.entries[suffix].key
         if suffix not in self.rules:
-            return Certificate(key, False, reason=f"there is no rule for the quantity {suffix}")
+            root = self.entries[suffix].status == "root"
+            reason = f"{key} is the root of an equation" if root else f"there is no rule for the quantity {suffix}"
+            return Certificate(key, False, reason=reason)
         needed, rule = self.rules[suffix]
         try:
-            if self.proof is None:
-                self.proof = self.build()
-            steps = tuple(dict.fromkeys(rule(self.proof)))
+            steps = tuple(dict.fromkeys(rule(self.built())))
         except NotProvedError as error:
             return Certificate(key, False, reason=str(error))
         except Exception as error:  # a wrong formula may break any step; the caller gets the reason, not the error
@@ -85,19 +107,56 @@ class Prover:
                 return Certificate(key, False, steps, f"rests on {base.key}, which is not proved")
         return Certificate(key, True, steps)
 
+    def built(self) -> Any:
+        """The statements of the profile."""
+        if self.proof is None:
+            self.proof = self.build()
+        return self.proof
+
+
+def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) -> Prover:
+    bounds: tuple[Chain, ...] = ()
+    if medium.k != 0:
+        entries, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
+    if profile.contact == "compact":
+        return Prover(entries, COMPACT, lambda: Compact(profile, entries, medium, bounds))
+    return Prover(entries, COMPLETE, lambda: Complete(profile, entries, medium, bounds))
+
+
+@functools.lru_cache(maxsize=2)
+def _derived(profile: Profile, medium: Medium) -> Prover:
+    """The normal contact that other kinds of contact rest on, derived and proved anew."""
+    return _normal_prover(profile, normal.derive(profile, medium), medium)
+
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
-    if profile.contact == "compact":
-        return Prover(entries, COMPACT, lambda: Compact(profile, entries))
-    return Prover(entries, COMPLETE, lambda: Complete(profile, entries))
+    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
+    first, *groups = next(iter(entries.values())).key.split(".")[:-1]
+    if isinstance(profile, Load):
+        return Prover(entries, loads.RULES, lambda: loads.Loads(profile, entries))
+    if first == "plane":
+        message = "entries of a plane contact are certified by proof.plane"
+        raise ValueError(message)
+    medium = GRADED if GRADED.group in groups else HOMOGENEOUS
+    kind = groups[-1] if groups and groups[-1] != medium.group else ""
+    if not kind:
+        return _normal_prover(profile, entries, medium)
+    plain = _derived(profile, medium)
+    if medium.k != 0:
+        entries = graded.shifted(entries)
+    if kind == viscoelastic.GROUP:
+        rules = viscoelastic.rules(entries, plain.entries)
+        return Prover(entries, rules, lambda: viscoelastic.Viscoelastic(plain.built(), entries), plain)
+    statements, rules = ABOVE[kind]
+    return Prover(entries, rules, lambda: statements(plain.built(), entries), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:
-    """The certificate of one entry; `entries` are all entries of the profile by suffix."""
+    """The certificate of one entry; `entries` are all entries of the profile for one kind of contact, by suffix."""
     return _prover(profile, entries).certify(suffix)
 
 
 def certify_profile(profile: Profile, entries: dict[str, Entry]) -> dict[str, Certificate]:
-    """The certificates of all entries of a profile, keyed by suffix."""
+    """The certificates of all entries of a profile for one kind of contact, keyed by suffix."""
     prover = _prover(profile, entries)
     return {suffix: prover.certify(suffix) for suffix in entries}

@@ -9,34 +9,14 @@ from __future__ import annotations
 import sympy as sp
 
 from ..abel.order import Chain, insert
+from ..contact.medium import HOMOGENEOUS, Medium
 from ..entry import Case, Entry, Primitive
-from ..notation import E_star, N, a, coefficients, j, r, x
+from ..notation import a, r, t, x
 from ..profiles.profile import Profile
 from .domain import Domain, NotProvedError
 from .functions import require_analytic, sign
 from .identity import at, is_zero, logarithmic
-
-
-def require_zero(expr: sp.Expr, domain: Domain, statement: str) -> str:
-    """The statement as a step of the certificate, if the expression vanishes on the domain."""
-    if not is_zero(expr, domain) and not (expr.has(sp.log) and is_zero(logarithmic(expr, domain), domain)):
-        message = f"{statement} does not hold"
-        raise NotProvedError(message)
-    return statement
-
-
-def summand(expr: sp.Expr) -> sp.Expr:
-    """The term of a sum over powers with coefficient 1: all results are linear in the profile."""
-    sums = expr.atoms(sp.Sum)
-    if not sums:
-        return expr
-    (total,) = sums
-    factor = expr.xreplace({total: j}) / j
-    term = total.function / coefficients[j]
-    if total.limits != ((j, 1, N),) or factor.has(j) or term.has(coefficients):
-        message = f"{expr} is not a multiple of one sum over j = 1 ... N of A[j]"
-        raise NotProvedError(message)
-    return factor * term
+from .statement import require_integral, require_zero, summand
 
 
 class Compact:
@@ -47,9 +27,11 @@ class Compact:
     points: tuple[sp.Symbol, ...] = (r,)
     """Where a field is asked for."""
 
-    def __init__(self, profile: Profile, entries: dict[str, Entry]) -> None:
-        self.profile = profile
-        self.entries = entries
+    def __init__(
+        self, profile: Profile, entries: dict[str, Entry], medium: Medium = HOMOGENEOUS, bounds: tuple[Chain, ...] = ()
+    ) -> None:
+        self.profile, self.entries = profile, entries
+        self.medium, self.bounds = medium, bounds
         self._domains: dict[Chain, Domain] = {}
 
     def domain(self, chain: Chain) -> Domain:
@@ -57,7 +39,7 @@ class Compact:
         if chain not in self._domains:
             rules = [(rule.left, rule.right) for rule in self.profile.rules if rule.right.is_Symbol]
             known = [pair for pair in rules if pair[0].is_Symbol or pair[0].is_Number]
-            self._domains[chain] = Domain(chain, self.profile.chain, *known)
+            self._domains[chain] = Domain(chain, self.profile.chain, *known, *self.bounds)
         return self._domains[chain]
 
     def entry(self, suffix: str) -> Entry:
@@ -80,25 +62,39 @@ class Compact:
     # depth
 
     def depth(self) -> list[str]:
-        """(11.29) by antiderivatives in x, piece by piece."""
-        return self._by_antiderivatives("a f'(x)/sqrt(a^2 - x^2)")
+        """(11.29), (11.61) by antiderivatives in x, piece by piece, or by the integral that defines a function."""
+        kernel = "a/sqrt(a^2 - x^2)" if self.medium.k == 0 else "a^(1-k) (a^2 - x^2)^((k-1)/2)"
+        return self._by_antiderivatives(f"f'(x) {kernel}")
 
     def integrand(self, slope: sp.Expr) -> sp.Expr:
-        return a * slope / sp.sqrt(a**2 - x**2)
+        k = self.medium.k
+        return a ** (1 - k) * slope * (a**2 - x**2) ** ((k - 1) / 2)
+
+    def _by_definition(self, rest: sp.Expr, integrand: sp.Expr, chain: Chain) -> str:
+        """With x = a t the integrand is that of the functions of the rest over 0 < t < 1."""
+        if len(self._intervals(chain)) > 1:
+            message = f"the antiderivatives at hand leave {integrand}"
+            raise NotProvedError(message)
+        domain = Domain((t, 1), *self.domain(chain).chains())
+        return require_integral(rest, a * integrand.subs(x, a * t), t, domain)
 
     def _by_antiderivatives(self, integrand: str) -> list[str]:
         entry, steps = self.entry(self.base), []
         self._require_regimes(entry)
         for case in entry.cases:
             primitives = entry.primitives.get(case.chain, ())
-            total = sp.Add(*(self._increment(primitive, case.chain) for primitive in primitives))
-            for lower, upper, slope in self._intervals(case.chain):
-                self._require_antiderivative(primitives, case.chain, (lower, upper), slope)
-                steps.append(f"d/dx of the antiderivative = {integrand} on {lower} < x < {upper}")
             domain, expr = self.domain(case.chain), summand(case.expr)
             require_analytic(expr, domain)
-            statement = f"{self.base} = sum of the increments of the antiderivatives"
-            steps.append(require_zero(expr - total, domain, statement))
+            rest = expr - sp.Add(*(self._increment(primitive, case.chain) for primitive in primitives))
+            for lower, upper, slope in self._intervals(case.chain):
+                missing = self._without_antiderivative(primitives, case.chain, (lower, upper), slope)
+                if missing != 0:
+                    steps.append(self._by_definition(rest, missing, case.chain))
+                    break
+                steps.append(f"d/dx of the antiderivative = {integrand} on {lower} < x < {upper}")
+            else:
+                statement = f"{self.base} = sum of the increments of the antiderivatives"
+                steps.append(require_zero(rest, domain, statement))
         return steps
 
     def _require_regimes(self, entry: Entry) -> None:
@@ -126,9 +122,10 @@ class Compact:
             at(primitive.expr, x, point)
         return at(primitive.expr, x, primitive.hi) - at(primitive.expr, x, primitive.lo)
 
-    def _require_antiderivative(
+    def _without_antiderivative(
         self, primitives: tuple[Primitive, ...], chain: Chain, interval: tuple[sp.Expr, sp.Expr], slope: sp.Expr
-    ) -> None:
+    ) -> sp.Expr:
+        """What the antiderivatives leave of the integrand on one interval."""
         lower, upper = interval
         place = chain.index(upper)
         domain = self.domain((*chain[:place], x, *chain[place:]))
@@ -137,38 +134,32 @@ class Compact:
             p for p in primitives if order.index(p.lo) <= order.index(lower) and order.index(upper) <= order.index(p.hi)
         ]
         integrand = self.integrand(slope)
-        if slope != 0 and not active:
-            message = f"no antiderivative of {integrand} is at hand"
-            raise NotProvedError(message)
         for primitive in active:
             require_analytic(primitive.expr, domain)
             statement = f"d/dx ({primitive.expr}) = {primitive.integrand}"
             require_zero(sp.diff(primitive.expr, x) - primitive.integrand, domain, statement)
         missing = integrand - sp.Add(*(primitive.integrand for primitive in active))
-        if not is_zero(missing, domain):
-            message = f"the antiderivatives at hand leave {missing} on {lower} < x < {upper}"
-            raise NotProvedError(message)
+        return sp.S.Zero if is_zero(missing, domain) else missing
 
     # integrals up to a
 
     def force(self) -> list[str]:
-        return self._integral("F", lambda slope: 2 * E_star * a * slope, "dF/da = 2 E* a g'(a)", lambda chain: [chain])
+        rule = "2 E* a" if self.medium.k == 0 else "2 H a^(1+k)/(1 + k)"
+        return self._grown("F", self.medium.stiffness(), f"dF/da = {rule} g'(a)", lambda chain: [chain])
 
     def pressure(self) -> list[str]:
-        def derivative(slope: sp.Expr) -> sp.Expr:
-            return E_star / sp.pi * slope / sp.sqrt(a**2 - r**2)
-
-        return self._integral(
-            "p", derivative, "dp/da = E*/pi g'(a)/sqrt(a^2 - r^2)", lambda chain: list(insert(chain, r, below=a))
-        )
+        rule = "E*/(pi sqrt(a^2 - r^2))" if self.medium.k == 0 else "H/pi (a^2 - r^2)^((k-1)/2)"
+        unit, places = self.medium.punch_pressure(), lambda chain: list(insert(chain, r, below=a))
+        return self._grown("p", unit, f"dp/da = {rule} g'(a)", places)
 
     def displacement(self) -> list[str]:
-        def derivative(slope: sp.Expr) -> sp.Expr:
-            return 2 / sp.pi * slope * sp.asin(a / r)
+        rule = "2/pi asin(a/r)" if self.medium.k == 0 else "cos(k pi/2)/pi B(a^2/r^2; (1+k)/2, (1-k)/2)"
+        unit, places = self.medium.punch_displacement().expr(), lambda chain: list(insert(chain, r, above=a))
+        return self._grown("w", unit, f"dw/da = {rule} g'(a)", places)
 
-        return self._integral(
-            "w", derivative, "dw/da = 2/pi g'(a) asin(a/r)", lambda chain: list(insert(chain, r, above=a))
-        )
+    def _grown(self, suffix, unit, statement, chains) -> list[str]:  # type: ignore[no-untyped-def]
+        """While the contact grows by da, a flat punch of unit depth is added g'(a) da times."""
+        return self._integral(suffix, lambda slope: unit * slope, statement, chains)
 
     def _integral(self, suffix, derivative, statement, chains) -> list[str]:  # type: ignore[no-untyped-def]
         entry, steps = self.entry(suffix), []

@@ -10,29 +10,34 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ..abel.order import Chain
+from ..contact.medium import HOMOGENEOUS, Medium
 from ..contact.normal import derive
 from ..entry import Case, Entry
-from ..notation import C, E_star, F, P, a, d, r, r_zero, x, x_zero
+from ..notation import C, F, P, a, d, r, r_zero, x, x_zero
 from ..profiles.profile import Piece, Profile
 from . import plane_threshold
-from .compact import Compact, require_zero
+from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import canonical, normal, require_analytic, sign, tower
 from .identity import at
+from .statement import require_zero
 
 
 class Complete:
     """The entries of one profile, and the same face as an unbounded profile in compact contact."""
 
-    def __init__(self, profile: Profile, entries: dict[str, Entry]) -> None:
-        self.profile, self.entries = profile, entries
+    def __init__(
+        self, profile: Profile, entries: dict[str, Entry], medium: Medium = HOMOGENEOUS, bounds: tuple[Chain, ...] = ()
+    ) -> None:
+        self.profile, self.entries, self.medium = profile, entries, medium
         (piece,) = profile.pieces
         self.concave = piece.expr.has(a)
         self.coefficient = -piece.expr.subs(r, 1) if self.concave else C
         face = C * r ** self._exponent(piece.expr) if self.concave else piece.expr
         geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
         self.unbounded = replace(profile, contact="compact", parameters=geometry, pieces=(Piece(None, face),))
-        self.compact = Compact(self.unbounded, derive(self.unbounded))
+        self.compact = Compact(self.unbounded, derive(self.unbounded, medium), medium, bounds)
         self.domain = self.compact.domain
         depth = self.compact.depth_of((a,))
         self.gap = d + depth if self.concave else d - depth
@@ -82,28 +87,28 @@ class Complete:
 
     def force(self) -> list[str]:
         expr, steps = self._fixed("F")
-        domain = self.domain((a,))
-        steps += [
-            require_zero(sp.diff(expr, a) - 2 * E_star * self.gap, domain, "dF/da = 2 E* (d - g(a)) for a fixed face")
-        ]
+        domain, k = self.domain((a,)), self.medium.k
+        slope = self.medium.force_scale * a**k * self.gap
+        rule = "2 E*" if k == 0 else "2 H a^k"
+        steps += [require_zero(sp.diff(expr, a) - slope, domain, f"dF/da = {rule} (d - g(a)) for a fixed face")]
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "F -> 0 as a -> 0")]
 
     def pressure(self) -> list[str]:
         expr, steps = self._fixed("p")
-        domain, root = self.domain((r, a)), sp.sqrt(a**2 - r**2)
-        rest = normal(canonical(expr - E_star * self.gap / (sp.pi * root), domain), domain)
-        slope = E_star / sp.pi * sp.diff(-self.gap, a) / root
-        statement = "d/da (p - edge term) = E*/pi g'(a)/sqrt(a^2 - r^2), edge term = E*(d - g(a))/(pi sqrt(a^2 - r^2))"
+        domain, unit = self.domain((r, a)), self.medium.punch_pressure()
+        rest = normal(canonical(expr - unit * self.gap, domain), domain)
+        slope = unit * sp.diff(-self.gap, a)
+        rule = "E*/(pi sqrt(a^2 - r^2))" if self.medium.k == 0 else "H/pi (a^2 - r^2)^((k-1)/2)"
+        statement = f"d/da (p - edge term) = P g'(a), edge term = P (d - g(a)), P = {rule}"
         steps += [require_zero(sp.diff(rest, a) - slope, domain, statement)]
         return [*steps, require_zero(at(rest, a, r), domain.at(a, r), "p - edge term -> 0 as a -> r")]
 
     def displacement(self) -> list[str]:
         expr, steps = self._fixed("w")
-        domain = self.domain((a, r))
-        slope = 2 / sp.pi * self.gap / sp.sqrt(r**2 - a**2)
-        steps += [
-            require_zero(sp.diff(expr, a) - slope, domain, "dw/da = 2/pi (d - g(a))/sqrt(r^2 - a^2) for a fixed face")
-        ]
+        domain, k = self.domain((a, r)), self.medium.k
+        slope = self.medium.displacement_scale * a**k * self.gap * (r**2 - a**2) ** (-(1 + k) / 2)
+        rule = "2/pi (d - g(a))/sqrt(r^2 - a^2)" if k == 0 else "2 cos(k pi/2)/pi a^k (d - g(a)) (r^2 - a^2)^(-(1+k)/2)"
+        steps += [require_zero(sp.diff(expr, a) - slope, domain, f"dw/da = {rule} for a fixed face")]
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "w -> 0 as a -> 0")]
 
     def stiffness(self) -> list[str]:
@@ -174,11 +179,11 @@ class Complete:
         if sign(sp.diff(pressure.expr, d), domain) <= 0:
             message = "p is not shown to grow with d"
             raise NotProvedError(message)
-        weighted = sp.sqrt(a**2 - r**2) * pressure.expr.subs(d, least.expr)
+        weighted = (a**2 - r**2) ** ((1 - self.medium.k) / 2) * pressure.expr.subs(d, least.expr)
         arithmetic = tower(domain, weighted)
         element = arithmetic.collect(arithmetic.convert(weighted))
         if len(element) != 1:
-            message = "sqrt(a^2 - r^2) p is not a polynomial in r"
+            message = "(a^2 - r^2)^((1-k)/2) p is not a polynomial in r"
             raise NotProvedError(message)
         ((_, polynomial),) = element.items()
         unit, factors = arithmetic.factors(polynomial)
@@ -190,7 +195,7 @@ class Complete:
         ):
             message = "0 <= r_0 < a is not shown"
             raise NotProvedError(message)
-        steps += ["dp/dd > 0", "sqrt(a^2 - r^2) p >= 0 at d = d_min: positive factors and squares"]
+        steps += ["dp/dd > 0", "(a^2 - r^2)^((1-k)/2) p >= 0 at d = d_min: positive factors and squares"]
         return [*steps, require_zero(at(weighted, r, ring.expr), self.domain((a,)), "p = 0 at d = d_min, r = r_0")]
 
     def _minimum_at_root(self, least: sp.Expr) -> list[str]:
@@ -199,9 +204,11 @@ class Complete:
         (face,), (pressure,) = self.compact.entry("p").cases, self._closed("p").cases
         ring = self.entries["rz"]
         place = replace(ring, cases=tuple(replace(case, expr=case.expr.xreplace(named)) for case in ring.cases))
-        growth = E_star / sp.pi * a * sp.diff(self.compact.depth_of((a,)), a)
-        domain, exponent = self.domain((x, a)), self._exponent(self.unbounded.pieces[0].expr)
-        shown = plane_threshold.by_root(face.expr.xreplace(named), growth, place, exponent, domain)
+        growth = self.medium.pressure_scale * a * sp.diff(self.compact.depth_of((a,)), a)
+        exponent = self._exponent(self.unbounded.pieces[0].expr)
+        # below n = 1 - k the pressure in the middle has no bound, and no depth makes the contact complete
+        domain = Domain((x, a), (1 - self.medium.k, exponent), *self.compact.bounds)
+        shown = plane_threshold.by_root(face.expr.xreplace(named), growth, place, exponent, domain, self.medium.k)
         shown += plane_threshold.at_root(pressure.expr.xreplace(named), least.xreplace(named), place, domain)
         return self.pressure() + self.compact.pressure() + [f"with x = r, P = d: {step}" for step in shown]
 

@@ -23,7 +23,7 @@ class Domain:
 
     Several chains may share symbols as long as the largest lower bound of every
     symbol is unique (a < r and a < R leave r and R uncompared).  A number may
-    start a chain: (1, n).
+    start or end a chain: (1, n), (alpha, 1).
     """
 
     def __init__(self, *chains: Iterable[sp.Expr]) -> None:
@@ -34,6 +34,7 @@ class Domain:
         self._pairs = frozenset(pairs)
         self.symbols = frozenset(member for pair in pairs for member in pair if member.is_Symbol)
         self._parents = {symbol: self._largest_lower_bound(symbol) for symbol in self.symbols}
+        self._upper = {low: high for low, high in pairs if high.is_Number and low.is_Symbol}
         self.memo: dict[tuple[str, sp.Expr], Any] = {}
 
     def _bounds(self, symbol: sp.Expr) -> set[sp.Expr]:
@@ -55,6 +56,10 @@ class Domain:
         """The largest lower bound; 0 for a symbol that is only positive."""
         return self._parents.get(symbol, sp.S.Zero)
 
+    def chains(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """The comparisons this domain is made of."""
+        return tuple(self._pairs)
+
     def children(self, symbol: sp.Expr) -> list[sp.Expr]:
         return sorted((high for high, low in self._parents.items() if low == symbol), key=str)
 
@@ -68,6 +73,9 @@ class Domain:
         ring = polynomial.ring
         moved = [(ring(s), ring.from_expr(self.shift(s))) for s in ring.symbols if self.parent(s) != 0]
         shifted = polynomial.compose(moved) if moved and len(polynomial) > 1 else polynomial
+        for symbol, upper in self._upper.items():
+            if self.parent(symbol).is_Number and len(shifted) > 1:
+                shifted = stretched_to(shifted, ring(symbol), upper - self.parent(symbol))
         if shifted and all(c > 0 for c in shifted.values()):
             return 1
         return -1 if shifted and all(c < 0 for c in shifted.values()) else 0
@@ -75,6 +83,7 @@ class Domain:
     def at(self, symbol: sp.Expr, value: sp.Expr) -> Domain:
         """The face symbol = value of this domain; value is the lower bound, 0 or the only upper neighbour."""
         pairs = [(self.parent(high), high) for high in self._parents if self.parent(high) != 0]
+        pairs += self._upper.items()
         if value == 0:
             if self.parent(symbol) != 0:
                 message = f"{symbol} cannot tend to 0 above {self.parent(symbol)}"
@@ -91,3 +100,15 @@ class Domain:
         upper = self.children(symbol)
         if len(upper) == 1:
             yield upper[0], self.at(symbol, upper[0])
+
+
+def stretched_to(polynomial: PolyElement, variable: PolyElement, length: sp.Expr) -> PolyElement:
+    """The polynomial with its variable in (0, length) as length m/(1 + m), times a power of 1 + m; m bears its name."""
+    ring, place = polynomial.ring, polynomial.ring.gens.index(variable)
+    width, degree = ring.from_expr(sp.sympify(length)), polynomial.degree(variable)
+    total = ring.zero
+    for powers, coefficient in polynomial.terms():
+        i = powers[place]
+        rest = ring({(*powers[:place], 0, *powers[place + 1 :]): coefficient})
+        total += rest * (width * variable) ** i * (1 + variable) ** (degree - i)
+    return total

@@ -16,7 +16,7 @@ import sympy as sp
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from .domain import Domain, NotProvedError
+from .domain import Domain, NotProvedError, stretched_to
 
 Monomial = frozenset[tuple[PolyElement, sp.Expr]]
 Element = dict[Monomial, PolyElement]
@@ -42,6 +42,19 @@ def leaves(expr: sp.Expr) -> Iterator[sp.Expr]:
 
 
 @functools.lru_cache(maxsize=4096)
+def spelled(exponent: sp.Expr) -> sp.Expr:
+    """One text for equal exponents; the whole part of a fraction like n/(n + k) is split off."""
+    if exponent.is_Number:
+        return exponent
+    top, bottom = sp.fraction(sp.cancel(exponent))
+    if not bottom.free_symbols:
+        return sp.expand(top / bottom)
+    symbols = sorted(exponent.free_symbols, key=str)
+    whole, rest = sp.div(top, bottom, *symbols)
+    return sp.expand(whole) + sp.cancel(rest / bottom)
+
+
+@functools.lru_cache(maxsize=4096)
 def factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
     """Half of the time of a proof goes into factoring the same few differences of squares."""
     return polynomial.factor_list()
@@ -50,12 +63,18 @@ def factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, i
 class Elements:
     """Elements over the symbols and functions of the given expressions.
 
-    `positive` tells whether a function is positive on the domain.
+    `positive` tells whether a function is positive on the domain, `below_one` whether it is less than 1.
     """
 
-    def __init__(self, domain: Domain, *exprs: sp.Expr, positive: Callable[[sp.Expr], bool] = lambda _: False) -> None:
+    def __init__(
+        self,
+        domain: Domain,
+        *exprs: sp.Expr,
+        positive: Callable[[sp.Expr], bool] = lambda _: False,
+        below_one: Callable[[sp.Expr], bool] = lambda _: False,
+    ) -> None:
         self.domain = domain
-        self._positive = positive
+        self._positive, self._below_one = positive, below_one
         found = sorted({leaf for expr in exprs for leaf in leaves(expr)} | domain.symbols, key=sp.default_sort_key)
         self.generators = {leaf: leaf if leaf.is_Symbol else sp.Symbol(f"function_{i}") for i, leaf in enumerate(found)}
         self.functions = {symbol: leaf for leaf, symbol in self.generators.items() if symbol != leaf}
@@ -152,10 +171,11 @@ class Elements:
 
     def polynomial_sign(self, polynomial: PolyElement) -> int:
         if polynomial not in self._signs:
-            ring = self.ring
-            used = [f for s, f in self.functions.items() if polynomial.degree(ring(s)) > 0]
-            known = all(self._positive(function) for function in used)
-            self._signs[polynomial] = self.domain.sign(polynomial) if known else 0
+            used = {s: f for s, f in self.functions.items() if polynomial.degree(self.ring(s)) > 0}
+            known = all(self._positive(function) for function in used.values())
+            small = [self.ring(s) for s, f in used.items() if known and len(polynomial) > 1 and self._below_one(f)]
+            stretched = functools.reduce(lambda f, s: stretched_to(f, s, sp.S.One), small, polynomial)
+            self._signs[polynomial] = self.domain.sign(stretched) if known else 0
         return self._signs[polynomial]
 
 
@@ -164,7 +184,7 @@ def _multiply(left: Monomial, right: Monomial) -> Monomial:
         return left or right
     powers = dict(left)
     for factor, exponent in right:
-        powers[factor] = powers[factor] + exponent if factor in powers else exponent
+        powers[factor] = spelled(powers[factor] + exponent) if factor in powers else exponent
     return frozenset((factor, exponent) for factor, exponent in powers.items() if exponent != 0)
 
 

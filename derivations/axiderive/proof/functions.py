@@ -12,14 +12,18 @@ import sympy as sp
 from ..abel.masters import (
     C0,
     ArctanIntegral,
+    CapMoment,
     Dawson,
+    Hypergeometric,
     IncompleteBeta,
+    Kummer,
     LegendreChi2,
     StruveH,
     StruveL,
     gamma_normalised,
 )
 from ..notation import theta
+from . import special
 from .domain import Domain, NotProvedError
 from .elements import ONE, Element
 from .tower import Tower
@@ -30,7 +34,12 @@ ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, ArctanIntegral, Dawson, StruveH, S
 
 def tower(domain: Domain, *exprs: sp.Expr) -> Tower:
     """The tower of expressions in canonical spelling."""
-    return Tower(domain, *exprs, positive=lambda function: positive(function, domain))
+    return Tower(
+        domain,
+        *exprs,
+        positive=lambda function: positive(function, domain),
+        below_one=lambda function: isinstance(function, sp.exp) and sign(function.args[0], domain) < 0,
+    )
 
 
 def sign(expr: sp.Expr, domain: Domain) -> int:
@@ -46,12 +55,20 @@ def sign(expr: sp.Expr, domain: Domain) -> int:
 def positive(function: sp.Expr, domain: Domain) -> bool:
     """Whether a function with its arguments in range is positive on the whole domain."""
     if isinstance(function, sp.tan | sp.sin | sp.cos):
-        return bool(function.args[0] == theta)
+        return bool(function.args[0] == theta) or _in_first_arch(function, domain)
     if isinstance(function, ODD):
         return sign(function.args[0], domain) > 0
     if isinstance(function, sp.gamma):
         return sign(function.args[0], domain) > 0
     return function == sp.pi or isinstance(function, sp.exp | sp.acos | sp.acosh | C0 | IncompleteBeta)
+
+
+def _in_first_arch(function: sp.Expr, domain: Domain) -> bool:
+    (phase,) = function.args
+    if isinstance(function, sp.tan) or not phase.has(sp.pi):
+        return False
+    start = sp.S.Zero if isinstance(function, sp.sin) else -sp.pi / 2
+    return sign(phase - start, domain) > 0 and sign(start + sp.pi - phase, domain) > 0
 
 
 def canonical(expr: sp.Expr, domain: Domain) -> sp.Expr:
@@ -90,9 +107,19 @@ def _respelled(head: type[sp.Function], args: list[sp.Expr], domain: Domain) -> 
         _, p, q = args
         if sign(p, domain) > 0 and sign(q, domain) > 0:
             return gamma_normalised(p) * gamma_normalised(q) / gamma_normalised(p + q)
+    family = special.respelled(head, args, lambda expr: sign(expr, domain))
+    if family is not None:
+        return canonical(_normal_arguments(family, domain), domain)
     if head is sp.sinh and isinstance(3 * args[0], sp.asinh):
         return _third_of_angle((3 * args[0]).args[0], domain) or head(*args)
     return head(*args)
+
+
+def _normal_arguments(expr: sp.Expr, domain: Domain) -> sp.Expr:
+    """Members of a family with canonical arguments; they are not respelled again."""
+    return expr.replace(
+        lambda node: node.is_Function, lambda node: node.func(*(normal(arg, domain) for arg in node.args))
+    )
 
 
 def _third_of_angle(z: sp.Expr, domain: Domain) -> sp.Expr | None:
@@ -155,12 +182,20 @@ def _margins(function: sp.Expr) -> tuple[sp.Expr, ...]:
     if isinstance(function, sp.log | sp.gamma):
         return (args[0],)
     if isinstance(function, sp.elliptic_f | sp.elliptic_e):
-        return (args[1], 1 - args[1])
+        return (args[-1], 1 - args[-1])
     if isinstance(function, IncompleteBeta):
         return (args[0], 1 - args[0], args[1])
+    if isinstance(function, Hypergeometric):
+        return (args[2], 1 - args[3])
+    if isinstance(function, Kummer):
+        return (args[1],)
+    if isinstance(function, CapMoment):
+        return (args[2] - args[1], args[3] - args[1])
+    if isinstance(function, sp.elliptic_k):
+        return (1 - args[0],)
     if isinstance(function, C0):
         return (args[2] - args[0], args[2] - args[1])
-    if isinstance(function, sp.tan | sp.sin | sp.cos) and args[0] == theta:
+    if isinstance(function, sp.sin | sp.cos) or (isinstance(function, sp.tan) and args[0] == theta):
         return ()
     message = f"the real range of {function} is not known"
     raise NotProvedError(message)

@@ -12,7 +12,7 @@ from ..abel.masters import IncompleteBeta
 from ..notation import a
 from .domain import Domain, NotProvedError
 from .elements import Element
-from .functions import as_given, canonical, normal, tower
+from .functions import as_given, canonical, normal, sign, tower
 from .tower import Tower
 
 DEPTH = 6
@@ -67,17 +67,33 @@ def _linear_function(arithmetic: Tower, element: Element) -> tuple[sp.Expr, Elem
     return None
 
 
-def at(expr: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> sp.Expr:
-    """The value at an end, by substitution; fails unless every part is finite and continuous there."""
+def at(expr: sp.Expr, symbol: sp.Expr, value: sp.Expr, domain: Domain | None = None) -> sp.Expr:
+    """The value at an end, by substitution; fails unless every part is finite and continuous there.
+
+    The domain may tell the sign of exponents that their symbols leave open.
+    """
+    if domain is not None:
+        expr = expr.replace(lambda node: _vanishes(node, symbol, value, domain), lambda _: sp.S.Zero)
     for node in sp.preorder_traversal(expr):
         if (node.is_Pow or node.is_Function) and node.has(symbol):
-            _require_finite(node.subs(symbol, value), node, symbol, value)
+            _require_finite(node.subs(symbol, value), node, symbol, value, domain)
     return expr.subs(symbol, value)
 
 
-def _require_finite(result: sp.Expr, node: sp.Expr, symbol: sp.Expr, value: sp.Expr) -> None:
+def _vanishes(node: sp.Expr, symbol: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
+    """Whether a power has a vanishing base and an exponent that is positive on the domain."""
+    if not (node.is_Pow and node.exp.free_symbols and not node.exp.has(symbol) and node.base.has(symbol)):
+        return False
+    return bool(node.base.subs(symbol, value) == 0 and sign(node.exp, domain) > 0)
+
+
+def _require_finite(
+    result: sp.Expr, node: sp.Expr, symbol: sp.Expr, value: sp.Expr, domain: Domain | None = None
+) -> None:
     vanishing_base = result.is_Pow and result.base == 0
     open_beta = isinstance(result, IncompleteBeta) and result.args[0] == 1 and not result.args[2].is_positive
+    if open_beta and domain is not None:
+        open_beta = sign(result.args[2], domain) <= 0
     if result.has(*INFINITE) or vanishing_base or open_beta:
         message = f"{node} is not shown to be finite as {symbol} tends to {value}"
         raise NotProvedError(message)

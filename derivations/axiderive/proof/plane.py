@@ -16,11 +16,12 @@ from ..entry import Case, Entry
 from ..notation import C, E_star, L, P, a, e, r, x
 from ..profiles.profile import Piece, Profile
 from . import plane_threshold as threshold
-from .certificate import Certificate, Prover, Rule
-from .compact import Compact, require_zero
+from .certificate import Certificate, Prover
+from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
 from .identity import at
+from .statement import Rule, require_zero
 from .tilted import Tilted
 
 

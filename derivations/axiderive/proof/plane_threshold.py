@@ -7,10 +7,10 @@ import sympy as sp
 from ..abel.masters import IncompleteBeta
 from ..entry import Entry
 from ..notation import P, a, x, x_zero
-from .compact import require_zero
 from .domain import Domain, NotProvedError
 from .functions import canonical, sign, tower
 from .identity import at
+from .statement import require_zero
 
 
 def by_squares(weighted: sp.Expr, place: sp.Expr, domain: Domain, edge: Domain) -> list[str]:
@@ -32,22 +32,25 @@ def by_squares(weighted: sp.Expr, place: sp.Expr, domain: Domain, edge: Domain) 
     return [*steps, require_zero(at(weighted, x, place), edge, "p = 0 at P = P_min, x = x_0")]
 
 
-def by_root(face: sp.Expr, strip: sp.Expr, place: Entry, n: sp.Expr, domain: Domain) -> list[str]:
-    """The weighted pressure W = sqrt(a^2 - x^2) p of the unbounded face C x^n has its only maximum at x_0.
+def by_root(
+    face: sp.Expr, strip: sp.Expr, place: Entry, n: sp.Expr, domain: Domain, k: sp.Expr = sp.S.Zero
+) -> list[str]:
+    """The weighted pressure W = (a^2 - x^2)^((1-k)/2) p of the unbounded face C x^n has its only maximum at x_0.
 
-    With s = a P'(a)/pi and D = (n - 1) a^2 - n x^2, x sqrt(a^2 - x^2) W' = N = D p - s sqrt(a^2 - x^2).  Where
-    D <= 0, W falls, because p > 0; where D > 0, x^(1-n) N/D falls, so that N changes sign once at most.
+    With s = a P'(a)/pi, m = n + k and D = (m - 1) a^2 - n x^2, x S W' = N = D p - s S, S = (a^2 - x^2)^((1+k)/2).
+    Where D <= 0, W falls, because p > 0; where D > 0, x^(1-m) N/D falls, so that N changes sign once at most.
     """
-    root, D = sp.sqrt(a**2 - x**2), (n - 1) * a**2 - n * x**2
+    inside, m = a**2 - x**2, n + k
+    root, D = inside ** ((1 + k) / 2), (m - 1) * a**2 - n * x**2
     N = D * face - strip * root
-    scaled = x ** (1 - n) * N
+    scaled = x ** (1 - m) * N
     falling = D * sp.diff(scaled, x) - scaled * sp.diff(D, x)
     steps = [
-        require_zero(x * root * sp.diff(root * face, x) - N, domain, "x sqrt(a^2 - x^2) dW/dx = N"),
+        require_zero(x * root * sp.diff(inside ** ((1 - k) / 2) * face, x) - N, domain, "x S dW/dx = N"),
         require_zero(
-            x ** (n - 2) * falling + 2 * a**2 * strip / root,
+            x ** (m - 2) * falling + 2 * (1 - k) * a**2 * strip * inside ** ((k - 1) / 2),
             domain,
-            "D^2 d/dx (x^(1-n) N/D) = -2 a^2 s x^(2-n)/sqrt(a^2 - x^2) < 0",
+            "D^2 d/dx (x^(1-m) N/D) = -2 (1 - k) a^2 s x^(2-m) (a^2 - x^2)^((k-1)/2) < 0",
         ),
     ]
     for positive in (face, strip):
@@ -55,19 +58,22 @@ def by_root(face: sp.Expr, strip: sp.Expr, place: Entry, n: sp.Expr, domain: Dom
             message = f"{positive} > 0 is not shown"
             raise NotProvedError(message)
     centre, ring = place.cases
-    return [*steps, *_centre(centre.expr, face, strip, n, domain), _ring(ring.expr, N, domain)]
+    return [*steps, *_centre(centre.expr, face, strip, n, domain, k), _ring(ring.expr, N, domain)]
 
 
-def _centre(place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain) -> list[str]:
-    """For 1 < n <= 2 both terms of (n - 1) N are negative where D > 0, by one contiguity step of the Beta function."""
+def _centre(
+    place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr
+) -> list[str]:
+    """For 1 < m, n <= 2 both terms of (m - 1) N are negative where D > 0, by one step of the Beta function."""
     if place != 0:
         message = f"{place} is not the centre"
         raise NotProvedError(message)
-    tail = x ** (n - 1) * IncompleteBeta(1 - x**2 / a**2, sp.S.Half, (3 - n) / 2) / (2 * a**n)
-    split = strip * (sp.sqrt(a**2 - x**2) / a**2 - (2 - n) * tail)
+    m = n + k
+    tail = x ** (m - 1) * IncompleteBeta(1 - x**2 / a**2, (1 + k) / 2, (3 - m) / 2) / (2 * a**n)
+    split = strip * ((a**2 - x**2) ** ((1 + k) / 2) / a**2 - (2 - n) * tail)
     return [
-        require_zero((n - 1) * face - split, domain, "(n - 1) p_f = s [sqrt(a^2 - x^2)/a^2 - (2 - n) B], s, B > 0"),
-        "hence (n - 1) N = -s [n x^2 sqrt(a^2 - x^2)/a^2 + (2 - n) D B] < 0: W falls for 1 < n <= 2",
+        require_zero((m - 1) * face - split, domain, "(m - 1) p_f = s [S/a^2 - (2 - n) B], s, B > 0"),
+        "hence (m - 1) N = -s [n x^2 S/a^2 + (2 - n) D B] < 0: W falls for 1 < m, n <= 2",
     ]
 
 

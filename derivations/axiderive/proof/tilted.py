@@ -19,10 +19,10 @@ from ..entry import Entry
 from ..notation import E_star, P, a, e, t, x
 from ..notation import c as half
 from ..profiles.profile import Profile
-from .compact import require_zero
 from .domain import Domain, NotProvedError
 from .functions import sign, tower
 from .identity import at
+from .statement import require_zero
 
 
 class Tilted:

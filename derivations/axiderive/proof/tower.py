@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.polys.rings import PolyElement
 
 from .domain import NotProvedError
-from .elements import LARGEST_POWER, ONE, Element, Elements, Monomial, factor_list
+from .elements import LARGEST_POWER, ONE, Element, Elements, Monomial, factor_list, spelled
 
 
 class Tower(Elements):
@@ -54,7 +54,7 @@ class Tower(Elements):
         if not exponent.is_Integer and (unit < 0 or any(self.polynomial_sign(factor) <= 0 for factor in powers)):
             message = f"the radicand {self.expr(element)} is not shown to be positive"
             raise NotProvedError(message)
-        powers = {factor: sp.expand(power * exponent) for factor, power in powers.items()}
+        powers = {factor: spelled(power * exponent) for factor, power in powers.items()}
         sign = -1 if unit < 0 and exponent % 2 else 1
         return {frozenset((f, e) for f, e in powers.items() if e != 0): self.ring(sign)}
 

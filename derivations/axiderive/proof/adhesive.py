@@ -1,0 +1,167 @@
+"""Adhesive contact: the contact without adhesion less a flat punch moved by the retraction D.
+
+The retraction follows from the energy 2 pi a dgamma = c_N(a) D^2 of a moving
+edge, hence dD/da = (1 - k) D/(2 a), and D stands for dgamma wherever the force
+or the depth is stationary: what is shown there is rational in D.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from ..abel.order import Chain
+from ..contact.adhesive import CONTROLS
+from ..contact.adhesive import GROUP as GROUP
+from ..entry import Case, Entry
+from ..notation import a, a_c, dgamma, n
+from .compact import Compact
+from .domain import Domain, NotProvedError
+from .functions import normal, require_analytic, sign
+from .statement import Rule, require_zero
+
+PUNCH = {
+    "d": lambda medium: sp.S.One,
+    "F": lambda medium: medium.stiffness(),
+    "p": lambda medium: medium.punch_pressure(),
+    "w": lambda medium: medium.punch_displacement().expr(),
+}
+
+
+class Adhesive:
+    """The adhesive entries of one profile, above those of the contact without adhesion."""
+
+    def __init__(self, normal: Compact, entries: dict[str, Entry]) -> None:
+        self.normal, self.entries, self.medium = normal, entries, normal.medium
+
+    def retraction(self) -> list[str]:
+        """Griffith: the energy released equals the work of separation."""
+        (case,) = self.entries["Dl"].cases
+        domain = self.normal.domain((a,))
+        gap = self.medium.modulus * a**self.medium.k * case.expr**2 - 2 * sp.pi * a * dgamma
+        if case.chain != (a,) or sign(case.expr, domain) <= 0:
+            message = "the retraction is not shown to be positive"
+            raise NotProvedError(message)
+        return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
+
+    def superposed(self, suffix: str) -> list[str]:
+        entry, plain, steps = self.entries[suffix], self.normal.entries[suffix], self.retraction()
+        (shift,) = self.entries["Dl"].cases
+        unit = PUNCH[suffix](self.medium)
+        for case, own in self._paired(entry, plain):
+            domain = self.normal.domain(case.chain)
+            # integrals that both sides share cancel as they stand
+            gap = sp.expand(case.expr - own.expr) + unit * shift.expr
+            steps.append(require_zero(gap, domain, f"{suffix} = {plain.key} - flat punch of unit depth times Dl"))
+        return steps
+
+    @staticmethod
+    def _paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:
+        if [case.chain for case in entry.cases] != [case.chain for case in plain.cases]:
+            message = f"the cases of {entry.key} are not those of {plain.key}"
+            raise NotProvedError(message)
+        return list(zip(entry.cases, plain.cases, strict=True))
+
+    # pull-off
+
+    def stationary(self, control: str) -> list[tuple[Case, sp.Expr]]:
+        """The retraction at which the force, or the depth, does not change with a, for every regime."""
+        suffix = {"force": "F", "depth": "d"}[control]
+        unit, k = PUNCH[suffix](self.medium), self.medium.k
+        growth = sp.diff(unit, a) + unit * (1 - k) / (2 * a)
+        return [(case, sp.diff(case.expr, a) / growth) for case in self.normal.entry(suffix).cases]
+
+    def radius(self, control: str) -> list[str]:
+        name = CONTROLS[control][0]
+        entry, regimes = self.entries[name], self.stationary(control)
+        if entry.status == "closed":
+            (case,), ((regime, level),) = entry.cases, regimes
+            return self._closed_radius(case, regime, level, control)
+        steps = self.retraction()
+        (shift,) = self.entries["Dl"].cases
+        chains = [tuple(length.subs(a, a_c) for length in regime.chain) for regime, _ in regimes]
+        if [case.chain for case in entry.cases] != chains:
+            message = f"the cases of {entry.key} are not the regimes of the contact"
+            raise NotProvedError(message)
+        for case, (regime, level) in zip(entry.cases, regimes, strict=True):
+            domain = self.normal.domain(regime.chain)
+            equation = (case.expr.lhs - case.expr.rhs).subs(a_c, a)
+            weight = self._number(control) / (2 * a)
+            gap = equation - weight * (level - shift.expr)
+            steps.append(require_zero(gap, domain, f"the equation is that of a stationary {control}"))
+        return steps
+
+    def _number(self, control: str) -> sp.Expr:
+        """2 a/D times the slope of the reduced retraction: 3 + k and 1 - k."""
+        k = self.medium.k
+        return {"force": 3 + k, "depth": 1 - k}[control]
+
+    def _closed_radius(self, case: Case, regime: Case, level: sp.Expr, control: str) -> list[str]:
+        domain, k = self._steep(regime.chain), self.medium.k
+        rise = normal(a * sp.diff(level, a) / level, domain) - (1 - k) / 2
+        if case.chain or sign(level, domain) <= 0 or sign(rise, domain) <= 0:
+            message = f"the {control} is not shown to have a minimum"
+            raise NotProvedError(message)
+        require_analytic(case.expr, domain)
+        if sign(case.expr, domain) <= 0:
+            message = f"{case.expr} is not shown to be positive"
+            raise NotProvedError(message)
+        balance = self.medium.modulus * a**self.medium.k * level**2 - 2 * sp.pi * a * dgamma
+        statement = f"with the retraction at which the {control} is stationary, c_N(a) Dl^2 = 2 pi a dgamma at a = a_c"
+        least = f"the {control} falls before and grows after: a d/da log(D/Dl) = {rise} > 0"
+        return [*self.retraction(), least, require_zero(balance.subs(a, case.expr), domain, statement)]
+
+    def _steep(self, chain: Chain) -> Domain:
+        """Where a power law has a pull-off: n > (1 - k)/2, so that a^((1+k)/2) g'(a) grows with a."""
+        domain = self.normal.domain(chain)
+        return Domain(*domain.chains(), ((1 - self.medium.k) / 2, n)) if n in self.normal.profile.parameters else domain
+
+    def at_pull_off(self, control: str, suffix: str) -> list[str]:
+        """Force or depth at pull-off: the adhesive entry with the retraction eliminated by the condition."""
+        radius, force, depth = CONTROLS[control]
+        entry = self.entries[force if suffix == "F" else depth]
+        steps, unit = self.radius(control), PUNCH[suffix](self.medium)
+        for case, (regime, level) in zip(entry.cases, self.stationary(control), strict=True):
+            domain = self._steep(regime.chain)
+            (plain,) = (own for own in self.normal.entry(suffix).cases if own.chain == regime.chain)
+            reduced = plain.expr - unit * level
+            if case.chain:
+                if case.chain != tuple(length.subs(a, a_c) for length in regime.chain):
+                    message = f"the cases of {entry.key} are not the regimes of the contact"
+                    raise NotProvedError(message)
+                gap = case.expr.subs(a_c, a) - reduced
+            else:
+                (closed,) = self.entries[radius].cases
+                gap = case.expr - reduced.subs(a, closed.expr)
+            statement = f"{entry.suffix} = {suffix} at {radius}, with the retraction of a stationary {control}"
+            steps.append(require_zero(gap, domain, statement))
+        return steps
+
+
+def _pull_off_rules() -> dict[str, Rule]:
+    rules: dict[str, Rule] = {}
+    for control, (radius, force, depth) in CONTROLS.items():
+        base = "plain.F" if control == "force" else "plain.d"
+        rules[radius] = ((base,), _radius(control))
+        rules[force] = (("F", base), _at_pull_off(control, "F"))
+        rules[depth] = (("d", base), _at_pull_off(control, "d"))
+    return rules
+
+
+def _radius(control: str) -> Callable[[Adhesive], list[str]]:
+    return lambda proof: proof.radius(control)
+
+
+def _at_pull_off(control: str, suffix: str) -> Callable[[Adhesive], list[str]]:
+    return lambda proof: proof.at_pull_off(control, suffix)
+
+
+RULES: dict[str, Rule] = {
+    "Dl": ((), Adhesive.retraction),
+    "d": (("plain.d",), lambda proof: proof.superposed("d")),
+    "F": (("plain.F",), lambda proof: proof.superposed("F")),
+    "p": (("plain.p",), lambda proof: proof.superposed("p")),
+    "w": (("plain.w",), lambda proof: proof.superposed("w")),
+    **_pull_off_rules(),
+}
