@@ -19,8 +19,12 @@ from flint import acb, arb, ctx, fmpq
 from ..abel import masters
 from .shape import Number, Values, concrete, numeric_symbols
 
-HIGHEST = 1 << 14
+HIGHEST = 1 << 12
 """Bits at which an enclosure that is still too wide is given up."""
+
+
+EVALUATIONS = 20000
+"""Evaluations after which an integral that still splits boxes is given up."""
 
 
 class NotAvailableError(ValueError):
@@ -78,6 +82,11 @@ def shrinking(ball: Callable[[], acb], digits: int) -> arb:
     raise NotAvailableError(message)
 
 
+def integral(f: Callable[[acb, bool], acb], lower: acb, upper: acb) -> acb:
+    """Enclosure of an integral of a function that is holomorphic around the open interval."""
+    return acb.integral(f, lower, upper, eval_limit=EVALUATIONS)
+
+
 class Ball:
     """Evaluates a tree over the balls of its symbols; equal subtrees once."""
 
@@ -127,7 +136,7 @@ class Ball:
         def f(x: acb, analytic: bool) -> acb:
             return Ball({**self.symbols, variable: x}, bool(analytic))(integrand)
 
-        return acb.integral(f, self(lower), self(upper))
+        return integral(f, self(lower), self(upper))
 
     def sqrt(self, z: acb) -> acb:
         return z.sqrt(analytic=self.analytic)
@@ -177,7 +186,7 @@ def _c0(ball: Ball, b: acb, r: acb, a: acb) -> acb:
         within = Ball({}, bool(analytic))
         return within.atan(side / b) * side / within.sqrt(b * b + side * side)
 
-    return acb.integral(f, acb(0), reach.asinh() if inside else reach.acosh())
+    return integral(f, acb(0), reach.asinh() if inside else reach.acosh())
 
 
 def _beta(ball: Ball, z: acb, p: acb, q: acb) -> acb:

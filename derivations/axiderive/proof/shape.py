@@ -32,7 +32,8 @@ def concrete(expr: sp.Expr, values: Values) -> sp.Expr:
     if nt.N not in values or not expr.has(sp.Sum):
         return expr
     spelled = expr.subs(nt.N, values[nt.N]).doit()
-    return spelled.xreplace({term: coefficient(int(term.indices[0])) for term in spelled.atoms(sp.Indexed)})
+    # expanded, because the derivative of a sum leaves r in a denominator
+    return sp.expand(spelled.xreplace({term: coefficient(int(term.indices[0])) for term in spelled.atoms(sp.Indexed)}))
 
 
 def coefficient(index: int) -> sp.Symbol:
