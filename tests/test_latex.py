@@ -52,6 +52,12 @@ def test_seventh_root_of_a_large_number_becomes_a_power_that_can_be_read() -> No
     assert entry_latex(entry) == r"d=\tfrac{1}{20} \sqrt[7]{A \, \Bigl(\frac{70 F_{\mathrm N}}{3 E^{*}}\Bigr)^{6}}"
 
 
+def test_a_sum_of_fields_does_not_start_with_a_minus() -> None:
+    """The largest coefficient decides about plain polynomials only."""
+    text = row(derive(load("concave_quartic"))["p"]).regions[0].tex
+    assert text.startswith(r"p(r)=\frac{E^{*}}{\pi}")
+
+
 def test_cases_have_the_variable_on_the_left() -> None:
     text = entry_latex(derive(load("sphere"))["w"])
     assert text.startswith(r"w(r)=\begin{cases}")

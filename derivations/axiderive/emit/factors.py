@@ -86,7 +86,8 @@ def _points_down(base: sp.Expr, positive: Callable[[sp.Expr], bool]) -> bool:
     coefficients = [term.as_coeff_Mul()[0] for term in base.args]
     largest = max(abs(c) for c in coefficients)
     leading = [c for c in coefficients if abs(c) == largest]
-    if len(leading) == 1:
+    plain = not base.atoms(sp.Function) and all(p.exp.is_Integer for p in base.atoms(sp.Pow))
+    if len(leading) == 1 and plain:
         return bool(leading[0] < 0)
     return all(c < 0 for c in coefficients)
 
