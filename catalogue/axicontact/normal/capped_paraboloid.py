@@ -5,13 +5,17 @@ Radius of curvature R1 up to r = b, the smaller R2 beyond: a worn sphere of fini
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:

@@ -5,13 +5,17 @@ Concave face of depth h; complete contact needs the force F_min.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio
 from .._powers import power_pressure, power_punches, ring_of_zero_pressure
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:

@@ -5,12 +5,16 @@ Concave face of fourth order: the pressure vanishes first on the ring r = a/2.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._powers import power_punches
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:

@@ -5,12 +5,16 @@ Rigid cone of inclination theta. Self-similar: the mean pressure does not depend
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:

@@ -5,11 +5,15 @@ The elementary building block: every other contact is a superposition of flat pu
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, a: ArrayLike) -> Result:

@@ -5,14 +5,18 @@ A smooth asperity of height h and width s; compact up to a/s = 1.50198, where th
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import dawson
 from .._integrals import displacement_integral, force_integral, pressure_integral
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:

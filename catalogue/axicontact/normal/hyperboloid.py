@@ -5,14 +5,18 @@ A cone with a smoothly rounded tip: tip radius b/tan(theta), asymptotic inclinat
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap
 from .._integrals import displacement_integral_sinh, pressure_integral_sinh
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:

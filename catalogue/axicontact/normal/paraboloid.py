@@ -5,12 +5,16 @@ The tip of every smooth indenter and the parabolic approximation of the sphere: 
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, R: ArrayLike) -> Result:

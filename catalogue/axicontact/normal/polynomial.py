@@ -6,15 +6,18 @@ Any sum of integer powers with coefficients A_1 ... A_N >= 0: superposition at a
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require, require_coefficients
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio
 from .._inverse import inverse
 from .._powers import power_displacement, power_pressure
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:

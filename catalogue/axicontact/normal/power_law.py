@@ -5,13 +5,17 @@ Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n 
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio
 from .._powers import power_displacement, power_pressure
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:

@@ -5,12 +5,16 @@ Vanishing curvature at the tip: the pressure has a dip at the centre and its lar
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:

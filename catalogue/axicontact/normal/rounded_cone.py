@@ -5,13 +5,17 @@ Parabolic tip running tangentially into a cone at r = b.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:

@@ -5,12 +5,16 @@ Flatter than the quartic: most of the load is carried near the rim of the contac
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:

@@ -5,14 +5,18 @@ The exact spherical shape; differs from the paraboloid by terms of order a^2/R^2
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
 from .._integrals import displacement_integral_tanh, pressure_integral_tanh
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, R: ArrayLike) -> Result:

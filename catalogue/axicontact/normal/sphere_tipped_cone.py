@@ -5,8 +5,9 @@ Sphere of radius R up to b = R sin(theta), then its tangent cone: the exact sphe
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
@@ -19,6 +20,9 @@ from .._integrals import (
     pressure_integral_tanh,
 )
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:

@@ -5,14 +5,18 @@ A paraboloid with concentric waves of height h, shallow enough for the contact t
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import struve_h0, struve_h1
 from .._integrals import displacement_integral_waves, pressure_integral_waves
 from .._inverse import inverse
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:

@@ -183,15 +183,15 @@ class Complete:
     def _capped_fields(
         self, start: list[str], base: set[str], punch: str, inner: sp.Expr, slope: Private, profile: Private
     ) -> None:
-        form = evaluation_form(inner, facts_of((r, sp.Symbol("rho", positive=True))))
+        rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
+        face = inner.subs(sp.sqrt(rho**2 - r**2), root)
         pressure = python(HOMOGENEOUS.pressure_scale)
         lines = [
             *start,
             "root = np.sqrt(np.maximum(rho - r, 0.0) * (rho + r))",
-            f"face = {python(inner.subs(sp.sqrt(sp.Symbol('rho', positive=True) ** 2 - r**2), sp.Symbol('root', positive=True)))}",
+            f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
-        del form
         self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
         scale = python(HOMOGENEOUS.displacement_scale)
         lines = [

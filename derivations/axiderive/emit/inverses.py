@@ -1,4 +1,4 @@
-"""Bodies of the inverse functions: closed where that is stable, else Newton's iteration in a variable of bounded slope."""
+"""Bodies of the inverse functions: closed where stable, else Newton's iteration in a variable of bounded slope."""
 
 from __future__ import annotations
 

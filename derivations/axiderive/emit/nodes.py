@@ -25,19 +25,30 @@ def nodes_source(counts: Sequence[int]) -> str:
         "",
         "from __future__ import annotations",
         "",
+        "from functools import cache",
+        "from typing import Any",
+        "",
         "import numpy as np",
         "",
+        "# only the lower half, the rule is symmetric;",
         "# the weights of numpy.polynomial.legendre.leggauss are off by 6e-14 at 32 nodes and 1e-11 at 128",
-        "NODES = {",
+        "_LOWER_HALVES = {",
     ]
     for count in counts:
-        pairs = gauss_legendre(count)
-        lines.append(f"    {count}: (")
-        for column in (0, 1):
-            lines.append("        np.array(")
-            lines.append("            [")
-            lines += [f"                {pair[column]!r}," for pair in pairs]
-            lines.append("            ]")
-            lines.append("        ),")
-        lines.append("    ),")
-    return "\n".join([*lines, "}", ""])
+        lines.append(f"    {count}: [")
+        lines += [f"        ({node!r}, {weight!r})," for node, weight in gauss_legendre(count)[: count // 2]]
+        lines.append("    ],")
+    return "\n".join([*lines, *TAIL])
+
+
+TAIL = (
+    "}",
+    "",
+    "",
+    "@cache",
+    "def gauss_legendre(count: int) -> tuple[Any, Any]:",
+    '    """Nodes and weights as arrays."""',
+    "    nodes, weights = np.array(_LOWER_HALVES[count]).T",
+    "    return np.concatenate([nodes, 1.0 - nodes[::-1]]), np.concatenate([weights, weights[::-1]])",
+    "",
+)

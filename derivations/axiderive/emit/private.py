@@ -12,7 +12,6 @@ from ..stable.forms import EvaluationForm
 from ..stable.opaque import Root, named
 from .code import python
 
-
 LINE = 116
 """What fits on a line of a function."""
 

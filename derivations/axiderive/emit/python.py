@@ -312,12 +312,11 @@ def _names(text: str) -> set[str]:
 def _imports(module: ModuleText) -> list[str]:
     text = "\n".join([*(str(line) for function in module.private for line in function["lines"])])  # type: ignore[attr-defined]
     text += "\n".join(line for function in module.public for line in function.body)
-    blocks = []
-    if "partial(" in text:
-        blocks += ["from functools import partial", ""]
+    blocks = ["from functools import partial"] if "partial(" in text else []
+    blocks += ["from typing import TYPE_CHECKING", ""]
     if "np." in text:
         blocks.append("import numpy as np")
-    blocks += ["from numpy.typing import ArrayLike", ""]
+    blocks.append("")
     domain = [name for name in ("require", "require_coefficients", "require_order") if f"{name}(" in text]
     blocks.append(f"from .._domain import {', '.join(domain)}")
     blocks.append("from .._elementwise import Array, Result, elementwise")
@@ -336,7 +335,7 @@ def _imports(module: ModuleText) -> list[str]:
     ]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
-    return blocks
+    return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache

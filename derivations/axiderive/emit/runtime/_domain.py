@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._elementwise import Array
 from ._symbols import SYMBOLS
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def require(**parameters: ArrayLike) -> None:

@@ -14,7 +14,7 @@ from functools import partial
 import numpy as np
 
 from ._elementwise import BLOCK, Array
-from ._nodes import NODES
+from ._nodes import gauss_legendre
 
 Slope = Callable[..., Array]
 PANELS = 4096
@@ -23,7 +23,7 @@ PANELS = 4096
 
 def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Array:
     """Integral of `integrand` from 0 to `stop`, elementwise, with `count` nodes along a new first axis."""
-    nodes, weights = (column.reshape(-1, *(1,) * np.ndim(stop)) for column in NODES[count])
+    nodes, weights = (column.reshape(-1, *(1,) * np.ndim(stop)) for column in gauss_legendre(count))
     total = np.zeros_like(stop)
     step = max(1, BLOCK // max(1, np.size(stop)))
     for first in range(0, count, step):
@@ -93,12 +93,13 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: in
         t = np.sqrt(r * r + u * u)
         return slope(t, root) / t * (root / np.cosh(v))
 
-    inside, outside = difference_root(a, r), difference_root(R, a)
-    return integral(integrand, np.arcsinh(inside / outside), count)
+    stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
+    return np.where(a < R, integral(integrand, stop, count), np.inf)
 
 
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    r = np.where(r == b, np.nextafter(b, 0.0), r)
     within = r < b
     scale = np.sqrt(np.abs(r - b) * (r + b))
     span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
@@ -151,7 +152,8 @@ def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count
         root = np.sqrt(difference_root(R, r) ** 2 + part * part)
         return slope(t, root) * np.arctan2(t, beyond) * (part / np.cosh(v))
 
-    return integral(integrand, np.arcsinh(a / difference_root(scale, a)), count)
+    stop = np.arcsinh(a / difference_root(scale, a))
+    return np.where(a < scale, integral(integrand, stop, count), np.inf)
 
 
 def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:

@@ -20,14 +20,14 @@ def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
     depth = np.log1p((a - r) / r)
     cut = np.maximum(depth - _DECAY / np.maximum(n - 1.0, 1e-3), 0.0)
-    start, stop = np.sqrt(cut), np.sqrt(depth)
+    stop = np.sqrt(depth)
 
     def integrand(step: Array) -> Array:
-        s = start + step
-        return np.exp((1.0 - n) * (stop - s) * (stop + s)) * _weight(s)
+        # counted from the upper end, where large powers live and the difference to it must be exact
+        return np.exp((1.0 - n) * step * (2.0 * stop - step)) * _weight(np.maximum(stop - step, 0.0))
 
     centre = np.where(n > 1.0, 1.0 / np.abs(n - 1.0), np.inf)
-    return np.where(r > 0.0, integral(integrand, stop - start, NODES), centre)
+    return np.where(r > 0.0, integral(integrand, stop - np.sqrt(cut), NODES), centre)
 
 
 def power_displacement(r: Array, a: Array, n: Array) -> Array:
@@ -40,7 +40,7 @@ def power_displacement(r: Array, a: Array, n: Array) -> Array:
         ratio = a / r * np.exp(-fall)
         return np.arctan2(ratio, np.sqrt(-np.expm1(-2.0 * s * s))) * np.exp(-n * fall) * 2.0 * s
 
-    return n * integral(integrand, reach, NODES)
+    return np.where(a > 0.0, n * integral(integrand, reach, NODES), 0.0)
 
 
 def power_punches(r: Array, a: Array, n: Array) -> Array:

@@ -1,0 +1,97 @@
+"""The hand-written part of the package: nodes, special functions, rules and the root finder."""
+
+from __future__ import annotations
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from axicontact._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
+from axicontact._inverse import inverse
+from axicontact._nodes import gauss_legendre
+from axicontact._powers import power_displacement, power_pressure, power_punches
+from axiderive.emit import nodes as certified
+from axiderive.emit.symbols import bounds
+
+EPS = np.finfo(float).eps
+FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS
+
+
+@pytest.mark.parametrize("count", [16, 32, 64, 128])
+def test_nodes_integrate_polynomials(count: int) -> None:
+    x, w = gauss_legendre(count)
+    assert len(x) == count
+    for power in (0, 1, 7, 2 * count - 1):
+        assert np.sum(w * x**power) == pytest.approx(1 / (power + 1), rel=SIXTEEN_ULP)
+
+
+def test_nodes_are_those_of_arb_to_the_last_bit() -> None:
+    x, w = gauss_legendre(32)
+    for (node, weight), got, factor in zip(certified.gauss_legendre(32)[:16], x, w, strict=False):
+        assert (node, weight) == (got, factor)
+
+
+@pytest.mark.parametrize(
+    ("function", "reference", "arguments", "tolerance"),
+    [
+        (arctan_gap, lambda x: x - mp.atan(x), np.geomspace(1e-8, 1e6, 60), FOUR_ULP),
+        (tanh_gap, lambda x: x - mp.tanh(x), np.geomspace(1e-8, 40.0, 60), FOUR_ULP),
+        (gamma_ratio, lambda x: mp.gamma(x + 0.5) / mp.gamma(x), np.geomspace(1e-3, 1e4, 60), SIXTEEN_ULP),
+        (dawson, lambda x: mp.exp(-x * x) * mp.erfi(x) * mp.sqrt(mp.pi) / 2, np.linspace(1e-3, 2.0, 60), SIXTEEN_ULP),
+    ],
+)
+def test_functions_of_one_sign(function: object, reference: object, arguments: np.ndarray, tolerance: float) -> None:
+    got = function(arguments)  # type: ignore[operator]
+    with mp.workdps(60):
+        for x, value in zip(arguments, got, strict=True):
+            wanted = reference(mp.mpf(x))  # type: ignore[operator]
+            assert abs(mp.mpf(value) - wanted) <= tolerance * abs(wanted), (x, value, wanted)
+
+
+@pytest.mark.parametrize(("order", "function"), [(0, struve_h0), (1, struve_h1)])
+def test_struve_functions(order: int, function: object) -> None:
+    """H_0 has zeros, so its error is measured against its envelope sqrt(2/(pi z)); the phase costs up to 2 z ulp."""
+    arguments = np.concatenate([np.geomspace(1e-6, 41.9, 60), np.geomspace(42.0, 400.0, 30)])
+    got = function(arguments)  # type: ignore[operator]
+    for z, value in zip(arguments, got, strict=True):
+        wanted = mp.struveh(order, mp.mpf(z))
+        scale = max(abs(wanted), mp.sqrt(2 / (mp.pi * z)) if z > 1 else 0)
+        assert abs(value - wanted) <= (SIXTEEN_ULP + 2 * EPS * z) * scale, (z, value, wanted)
+
+
+def test_power_integrals_against_their_definitions() -> None:
+    for n in (0.5, 1.0, 2.5, 12.0):
+        for ratio in (1e-3, 0.4, 0.99):
+            one, r = np.array([1.0]), np.array([ratio])
+            with mp.workdps(30):
+                inside = mp.quad(lambda v: (ratio * mp.cosh(v)) ** (n - 1), [0, mp.acosh(1 / mp.mpf(ratio))])  # noqa: B023
+                angle = mp.asin(mp.mpf(ratio))
+                punches = mp.quad(lambda p: (mp.sin(p) / ratio) ** n, [0, angle / 100, angle])  # noqa: B023
+            with np.errstate(all="ignore"):  # as `elementwise` sees to: unused branches divide by zero
+                pressure, sunk, outside = (
+                    power_pressure(r, one, n),
+                    power_punches(one, r, n),
+                    power_displacement(one, r, n),
+                )
+            assert pressure[0] == pytest.approx(float(inside), rel=SIXTEEN_ULP)
+            assert sunk[0] == pytest.approx(float(punches), rel=SIXTEEN_ULP)
+            assert outside[0] == pytest.approx(float(angle - punches), rel=SIXTEEN_ULP)
+
+
+def test_inverse_keeps_to_the_bracket_where_newton_overshoots() -> None:
+    """A curve whose slope jumps: Newton alone cycles between the two sides."""
+
+    def curve(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        steep = t > 1.0
+        return np.where(steep, t**9, t), np.where(steep, 9.0, 1.0)
+
+    value = np.array([1e-8, 0.999, 1.0, 1.001, 7.0, 1e9])
+    root = inverse(curve, value, np.full(6, 1e3), (1.0, 9.0))
+    np.testing.assert_allclose(root, np.where(value > 1, value ** (1 / 9), value), rtol=SIXTEEN_ULP)
+
+
+def test_domains_are_read_off_the_notation() -> None:
+    assert bounds("0 < theta < pi/2") == ("0.0", "1.5707963267948966")
+    assert bounds("R > 0") == ("0.0", "inf")
+    with pytest.raises(ValueError, match="not an open interval"):
+        bounds("0 <= c <= a")
