@@ -137,8 +137,9 @@ def _emit(outcomes: Sequence[Outcome]) -> dict[str, bytes]:
     for outcome in outcomes:
         profile = profiles.load(outcome.name)
         pairs.append((profile, work.read_entries(profile, outcome.entries)))
+    derived = {profile.name: entries for profile, entries in pairs}
     evidence = {outcome.name: outcome.evidence for outcome in outcomes}
-    files = {f"axicontact/{path}": text.encode() for path, text in python.module_sources(pairs).items()}
+    files = {path: text.encode() for path, text in python.module_sources(derived).items()}
     files |= {f"handbook/{path}": text.encode() for path, text in handbook.handbook_sources(pairs, evidence).items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(pairs, evidence))
     for outcome, (profile, _) in zip(outcomes, pairs, strict=True):

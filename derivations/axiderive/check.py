@@ -12,7 +12,7 @@ from typing import Any
 from . import profiles
 from .index import Index, NoCatalogueError, load
 from .show import table
-from .verification import verify
+from .verification import details, verify
 from .work import Settings, read_entries
 
 HEAD = ["key", "status", "evidence"]
@@ -35,7 +35,7 @@ def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: boo
             if f"{name}.{suffix}" in selected:
                 rows.append([f"{name}.{suffix}", entries[suffix].status, found["summary"]])
                 if verbose:
-                    rows += [["", "", line] for line in found["details"]]
+                    rows += [["", "", line] for line in details(found)]
     print(table([HEAD, *rows]))
     for failure in failures:
         print(f"FAILED {failure['key']}: {failure['message']}", file=sys.stderr)

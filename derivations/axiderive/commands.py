@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import re
 import sys
 import time
 from pathlib import Path
@@ -106,7 +107,9 @@ def _report_written(
 ) -> None:
     files = catalogue.files
     modules = sum(1 for path in files if path.startswith("axicontact/normal/") and not path.endswith("__init__.py"))
-    functions = sum(files[path].count(b"\ndef ") for path in files if path.startswith("axicontact/normal/"))
+    functions = sum(
+        len(re.findall(rb"^def [a-z]", files[path], re.M)) for path in files if path.startswith("axicontact/normal/")
+    )
     evidence = sum(1 for path in files if path.startswith("evidence/"))
     book = "handbook.pdf" if (root / "handbook" / "handbook.pdf").exists() else "LaTeX only, no PDF"
     shown = root.relative_to(Path.cwd()) if root.is_relative_to(Path.cwd()) else root

@@ -90,7 +90,7 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
         "python": entry["python"],
         "domain": "; ".join(entry["domain"]),
         "sources": ", ".join(entry["sources"]),
-        "evidence": entry["evidence"],
+        "evidence": entry["evidence"].replace("; ", "\n            "),
         "note": entry["note"],
     }
     rows += [f"  {name:9} {text}" for name, text in details.items() if text]

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from .proof import certificate, quadrature, units
+from .proof import certificate, enclosure, identities, quadrature, units
 
 if TYPE_CHECKING:
     from .entry import Entry
@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from .proof.certificate import Certificate
     from .proof.evidence import Evidence
     from .work import Settings
+
+BALL_DIGITS = 10
+"""Digits by which enclosures may be wider than the quadrature is exact."""
 
 
 def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -> dict[str, Any]:
@@ -39,8 +42,11 @@ def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -
 
 
 def _checks(profile: Profile, entries: dict[str, Entry], settings: Settings) -> list[Evidence]:
+    numerical = settings.record()
     return [
-        *quadrature.check_profile(profile, entries, **settings.record()).values(),
+        *quadrature.check_profile(profile, entries, **numerical).values(),
+        *enclosure.check_profile(profile, entries, digits=settings.digits - BALL_DIGITS, seed=settings.seed).values(),
+        *identities.check_profile(profile, entries, **numerical),
         *units.check_profile(profile, entries).values(),
     ]
 
@@ -51,7 +57,6 @@ def _entry(proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
         "certified": proof.proved,
         "residual": max(residuals, key=float, default=""),
         "summary": _summary(proof, checks),
-        "details": _details(proof, checks),
         "certificate": {"proved": proof.proved, "steps": list(proof.steps), "reason": proof.reason},
         "checks": [asdict(check) for check in checks],
     }
@@ -67,15 +72,22 @@ def _summary(proof: Certificate, checks: Sequence[Evidence]) -> str:
 def _short(check: Evidence) -> str:
     if not check.worst:
         return str(check.outcome)
-    return f"{check.outcome}, {check.digits} digits at {check.count} points"
+    points = "1 point" if check.count == 1 else f"{check.count} points"
+    return f"{check.outcome}, {check.digits} digits at {points}"
 
 
-def _details(proof: Certificate, checks: Sequence[Evidence]) -> list[str]:
-    lines = [f"certificate: {step}" for step in proof.steps] if proof.proved else [f"no certificate: {proof.reason}"]
-    for check in checks:
-        reason = f" ({check.reason})" if check.reason else ""
-        worst = f", worst residual {check.worst} at {_point(check.worst_point)}" if check.worst_point else ""
-        lines.append(f"{check.compared}: {_short(check)}{worst}{reason}")
+def details(found: Mapping[str, Any]) -> list[str]:
+    """Every step of the certificate and every check of one entry of a record, a line each."""
+    proof = found["certificate"]
+    lines = [f"certificate: {step}" for step in proof["steps"]]
+    if not proof["proved"]:
+        lines.append(f"no certificate: {proof['reason']}")
+    for check in found["checks"]:
+        text = f"{check['compared']}: {check['outcome']}"
+        if check["worst"]:
+            where = _point(check["worst_point"])
+            text += f", {check['digits']} digits at {check['count']} points, worst residual {check['worst']} at {where}"
+        lines.append(text + (f" ({check['reason']})" if check["reason"] else ""))
     return lines
 
 
