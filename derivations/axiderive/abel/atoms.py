@@ -142,17 +142,17 @@ class PowerAtom:
 
 @dataclass(frozen=True)
 class SphereAtom:
-    """c (R - sqrt(R**2 - r**2)) up to `cap`, constant beyond; without a cap a < R is understood."""
+    """c (R - sqrt(R**2 - r**2)) up to `cap`, constant beyond; zero stands for no cap, and a < R is understood then."""
 
     c: sp.Expr
     R: sp.Expr
-    cap: sp.Expr | None = None
+    cap: sp.Expr = ZERO
 
     def _capped(self, order: Order) -> bool:
-        return self.cap is not None and order.below(self.cap, a)
+        return bool(self.cap != 0 and order.below(self.cap, a))
 
     def shape(self, order: Order) -> sp.Expr:
-        top = self.cap if self.cap is not None and order.below(self.cap, r) else r
+        top = self.cap if self.cap != 0 and order.below(self.cap, r) else r
         return self.c * (self.R - sp.sqrt(self.R**2 - top**2))
 
     def _angle(self, order: Order) -> sp.Expr:

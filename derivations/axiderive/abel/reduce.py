@@ -146,7 +146,7 @@ def _cap(atoms: list[Atom], term: sp.Expr, lower: sp.Expr) -> list[Atom] | None:
     if lower == 0:
         return None
     for i, atom in enumerate(atoms):
-        if isinstance(atom, SphereAtom) and atom.cap is None and term == atom.c * sp.sqrt(atom.R**2 - r**2):
+        if isinstance(atom, SphereAtom) and atom.cap == 0 and term == atom.c * sp.sqrt(atom.R**2 - r**2):
             return [*atoms[:i], SphereAtom(atom.c, atom.R, lower), *atoms[i + 1 :]]
     return None
 

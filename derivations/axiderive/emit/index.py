@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
-from .rows import regions, row
+from .ranges import regions
+from .rows import row
 
 if TYPE_CHECKING:
     from ..entry import Entry

@@ -99,7 +99,8 @@ def _gathered(expr: sp.Expr) -> sp.Expr:
     def collected(total: sp.Add) -> sp.Expr:
         groups: dict[sp.Expr, list[sp.Expr]] = {}
         for term in total.args:
-            plain, special = [], []
+            plain: list[sp.Expr] = []
+            special: list[sp.Expr] = []
             for factor in sp.Mul.make_args(term):
                 (special if factor.atoms(sp.Function) or _radicands(factor) else plain).append(factor)
             groups.setdefault(sp.Mul(*special), []).append(sp.Mul(*plain))
