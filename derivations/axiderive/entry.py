@@ -110,11 +110,7 @@ class Entry:
 def _distinguish(own: list[Case], others: list[Case]) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The smallest set of comparisons that all of `own` fulfil and each of `others` violates somewhere."""
     first = own[0].chain
-    shared = [
-        pair
-        for pair in itertools.combinations(first, 2)
-        if all(case.below(*pair) for case in own)
-    ]
+    shared = [pair for pair in itertools.combinations(first, 2) if all(case.below(*pair) for case in own)]
     for size in range(len(shared) + 1):
         for chosen in itertools.combinations(shared, size):
             if all(any(not other.below(*pair) for pair in chosen) for other in others):
