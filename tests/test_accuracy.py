@@ -125,9 +125,8 @@ def test_forward_functions(name: str) -> None:
         got = getattr(module, entry.quantity.function)(*arguments, **keywords)
         error = relative_error(got, reference)
         if not error <= (RULE if entry.suffix in ("w", "F", "pm") else CLOSED):
-            rows.append(
-                f"{entry.key} {arguments} {keywords}: got {got!r}, wanted {mp.nstr(reference, 17)}, {error / EPS:.0f} ulp"
-            )
+            wanted = mp.nstr(reference, 17)
+            rows.append(f"{entry.key} {arguments} {keywords}: {got!r}, wanted {wanted}, {error / EPS:.0f} ulp")
     assert not rows, "\n".join(rows)
 
 

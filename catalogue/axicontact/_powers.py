@@ -18,7 +18,7 @@ _DECAY = 42.0
 
 def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
-    depth = np.log1p((a - r) / r)
+    depth = _log_ratio(a, r)
     cut = np.maximum(depth - _DECAY / np.maximum(n - 1.0, 1e-3), 0.0)
     stop = np.sqrt(depth)
 
@@ -59,8 +59,14 @@ def _weight(s: Array) -> Array:
     return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))
 
 
+def _log_ratio(x: Array, y: Array) -> Array:
+    """ln(x/y) for x >= y; the quotient overflows where y is subnormal."""
+    excess = (x - y) / y
+    return np.where(np.isfinite(excess), np.log1p(excess), np.log(x) - np.log(y))
+
+
 def _span(r: Array, a: Array, n: Array) -> tuple[Array, Array]:
-    start = np.sqrt(np.log1p((r - a) / a))
+    start = np.sqrt(_log_ratio(r, a))
     fall = _DECAY / (n + 1.0)
     return start, fall / (np.sqrt(start * start + fall) + start)
 

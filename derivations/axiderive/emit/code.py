@@ -119,7 +119,8 @@ def _product(expr: sp.Expr) -> tuple[str, int]:
         else:
             factors.append(factor)
     radical, number, factors = _radical(number, factors)
-    top, bottom = [], []
+    top: list[tuple[str, int]] = []
+    bottom: list[tuple[str, int]] = []
     for factor in sorted(factors, key=_factor_rank):
         base, exponent = factor.as_base_exp()
         negative = exponent.could_extract_minus_sign()

@@ -184,7 +184,8 @@ class Compact:
         return self._limited("stiffness", lines, self.functions.needs(form, ("a",)))
 
     def pressure(self) -> Private:
-        lines, needs, parts = [], {"E_star"}, []
+        lines: list[str] = []
+        needs, parts = {"E_star"}, []
         scale = python(HOMOGENEOUS.pressure_scale)
         regimes = self.regimes("p")
         if "tip" in regimes:
@@ -265,7 +266,8 @@ class Compact:
         return ("t",), name, str(SMOOTH)
 
     def displacement(self) -> Private:
-        lines, needs, parts = [], set(), []
+        lines: list[str] = []
+        needs, parts = set(), []
         scale = python(HOMOGENEOUS.displacement_scale)
         regimes = self.regimes("w")
         closed = self.form("w", "tip") if "tip" in regimes and self.b is None else None

@@ -145,8 +145,7 @@ class Complete:
         """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
         entries, profile = self.entries, self.functions.functions["profile"]
         rho, edge = entries["F"].cases[0].chain
-        compact = {suffix: entries[suffix].partial for suffix in ("F", "p", "w", "k")}
-        assert all(compact.values())
+        compact = {suffix: part for suffix in ("F", "p", "k") if (part := entries[suffix].partial) is not None}
         stiffness = entries["k"].cases[-1].expr
         whole = entries["F"].cases[-1].expr
         depth = sp.expand(d - (whole - compact["F"].cases[0].expr) / stiffness)

@@ -1,0 +1,88 @@
+"""What a module holds and imports: nothing that its public functions do not reach."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+from .code import HELPERS
+from .private import Private, PrivateFunctions
+
+RUNTIME = Path(__file__).with_name("runtime")
+
+
+@dataclass
+class Public:
+    """One public function as the template prints it."""
+
+    signature: str
+    summary: str
+    doc: list[str]
+    body: list[str]
+
+
+@dataclass
+class ModuleText:
+    """One module as the template prints it."""
+
+    title: str
+    text: str
+    imports: list[str] = field(default_factory=list)
+    public: list[Public] = field(default_factory=list)
+    private: list[dict[str, object]] = field(default_factory=list)
+
+
+def is_used(private: Private, module: ModuleText, functions: PrivateFunctions) -> bool:
+    """Whether a public function calls it, directly or through others."""
+    reached, pending = set(), _names("\n".join(line for function in module.public for line in function.body))
+    while pending:
+        name = pending.pop()
+        if name not in reached:
+            reached.add(name)
+            pending |= set().union(
+                *(_names("\n".join(p.lines)) for p in functions.functions.values() if p.name == name)
+            )
+    return private.name in reached
+
+
+def _names(text: str) -> set[str]:
+    return set(re.findall(r"\b_\w+", text))
+
+
+def imports(module: ModuleText) -> list[str]:
+    text = "\n".join([*(str(line) for function in module.private for line in function["lines"])])  # type: ignore[attr-defined]
+    text += "\n".join(line for function in module.public for line in function.body)
+    blocks = ["from functools import partial"] if "partial(" in text else []
+    blocks += ["from typing import TYPE_CHECKING", ""]
+    if "np." in text:
+        blocks.append("import numpy as np")
+    blocks.append("")
+    domain = [name for name in ("require", "require_coefficients", "require_order") if f"{name}(" in text]
+    blocks.append(f"from .._domain import {', '.join(domain)}")
+    blocks.append("from .._elementwise import Array, Result, elementwise")
+    helpers = [name for name in HELPERS if f"{name}(" in text]
+    if helpers:
+        blocks.append(f"from .._functions import {', '.join(helpers)}")
+    rules = sorted({name for name in _rule_names() if f"{name}(" in text})
+    if rules:
+        line = f"from .._integrals import {', '.join(rules)}"
+        split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
+        blocks += [line] if len(line) <= 120 else split
+    if "inverse(" in text:
+        blocks.append("from .._inverse import inverse")
+    powers = [
+        n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
+    ]
+    if powers:
+        blocks.append(f"from .._powers import {', '.join(powers)}")
+    return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
+
+
+@cache
+def _rule_names() -> tuple[str, ...]:
+    text = (RUNTIME / "_integrals.py").read_text()
+    return tuple(
+        line[4 : line.index("(")] for line in text.splitlines() if line.startswith("def ") and "_integral" in line
+    )

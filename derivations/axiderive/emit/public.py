@@ -1,0 +1,134 @@
+"""The public functions: signature, docstring, checks and the call of the formula."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry, Quantity
+from ..notation import a, coefficients, r
+from ..profiles.profile import Profile
+from . import example
+from .code import python
+from .docstring import SUMMARY, docstring
+from .imports import Public
+from .private import Private, PrivateFunctions, parameter_name
+
+PACKAGE = "axicontact"
+
+
+def public(
+    profile: Profile, quantity: Quantity, entry: Entry | None, functions: PrivateFunctions, shown: list[str]
+) -> Public:
+    fields = [str(argument) for argument in quantity.arguments]
+    keywords = [parameter_name(s) for s in (entry.parameters if entry else profile.parameters)]
+    typed = [f"{name}: ArrayLike" for name in fields] + ["*"] + [f"{name}: ArrayLike" for name in keywords]
+    private = functions.functions[quantity.function]
+    check = "_check" if profile.rules else "require"
+    summed = "A" in keywords and coefficients in profile.parameters
+    required = [name for name in keywords if not (summed and name == "A")]
+    body = [f"{check}({', '.join(f'{name}={name}' for name in required)})"] if required else []
+    function, passed = private.name, [f"{name}={name}" for name in private.needs]
+    if summed:
+        body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
+        if "A" in private.needs:
+            function, passed = f"partial({private.name}, A=A)", [p for p in passed if p != "A=A"]
+    body.append(f"return elementwise({', '.join([function, *fields, *passed])})")
+    doc = docstring(profile, quantity, entry, _notes(profile, quantity, private, functions), shown)
+    signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
+    if len(signature) > 120:
+        signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> Result:"
+    return Public(signature, SUMMARY[quantity.suffix], doc, body)
+
+
+def _notes(profile: Profile, quantity: Quantity, private: Private, functions: PrivateFunctions) -> list[str]:
+    notes = [f"Valid for {profile.validity}. Negative or NaN field values give NaN."]
+    text = "\n".join(private.lines)
+    for other in functions.functions.values():
+        if other.name in text:
+            text += "\n" + "\n".join(other.lines)
+    if "_integral" in text or "power_pressure" in text or "power_displacement" in text or "power_punches" in text:
+        notes.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
+    if "inverse(" in text:
+        notes.append("Evaluated by a safeguarded Newton iteration.")
+    if profile.note and quantity.suffix in ("p", "F", "d") and coefficients not in profile.parameters:
+        notes.append(f"{profile.note[:1].upper()}{profile.note[1:]}.")
+    key = "f" if quantity.suffix == "f" else quantity.suffix
+    notes.append(f"Handbook: {profile.name}.{key}" + ("." if key != "f" else ", the definition of the profile."))
+    return [" ".join(notes)]
+
+
+def shown_example(
+    profile: Profile,
+    quantity: Quantity,
+    entry: Entry | None,
+    fields: Mapping[sp.Symbol, sp.Rational],
+    entries: Mapping[str, Entry],
+) -> list[str]:
+    known = example.environment(profile)
+    place = dict(fields)
+    if quantity.suffix == "w":
+        place[r] = 2 * (known[a] if profile.contact == "complete" else fields[a])
+    symbols = entry.parameters if entry else profile.parameters
+    arguments = [example.literal(place[argument]) for argument in quantity.arguments]
+    for symbol in symbols:
+        if symbol == coefficients:
+            arguments.append(f"A=({', '.join(example.literal(c) for c in example.POLYNOMIAL)})")
+        else:
+            arguments.append(f"{symbol}={example.literal(known[symbol])}")
+    call = f"{profile.name}.{quantity.function}({', '.join(arguments)})"
+    at = known | {argument: place[argument] for argument in quantity.arguments}
+    if quantity.suffix in ("Fd", "dF") and entry is not None and entry.status == "root" and entry.composed:
+        outer, inner = entry.composed
+        at = at | {a: example.value(profile, entries[inner], at)}
+        number = example.value(profile, entries[outer], at)
+    elif entry is None:
+        number = example.shape_value(profile, at)
+    else:
+        at = _with_ring(profile, entries, at)
+        number = example.value(profile, entry, at)
+    lines = [f">>> from {PACKAGE}.normal import {profile.name}", f">>> value = {call}", ">>> round(value, 6)"]
+    return [*lines, example.result(number)]
+
+
+def _with_ring(
+    profile: Profile, entries: Mapping[str, Entry], at: dict[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, sp.Expr]:
+    ring = entries.get("rz")
+    if ring is None or ring.status != "root":
+        return at
+    return at | {nt.r_zero: example.value(profile, ring, at)}
+
+
+def check(profile: Profile) -> dict[str, object]:
+    names = [parameter_name(s) for s in profile.parameters]
+    passed = ", ".join(f"{name}={name}" for name in names)
+    lines = [f"require({passed}, **material)"]
+    for rule in profile.rules:
+        symbols = sorted((str(s) for s in (rule.left.free_symbols | rule.right.free_symbols)), key=names.index)
+        relation = sp.sstr(rule.relation())
+        arrays = ", ".join(f"np.asarray({name})" for name in symbols)
+        lines.append(f"{', '.join(symbols)} = {arrays}")
+        sign, left, right = "<" if rule.strict else "<=", rule.left, rule.right
+        if left.is_number:
+            sign, left, right = sign.replace("<", ">"), right, left
+        given = ", ".join(f"{name}={name}" for name in symbols)
+        lines += [
+            "require_order(",
+            f"    {python(left)} {sign} {python(right)},",
+            f'    "{relation}",',
+            *_literal(rule.reason),
+            *(f"    {part}," for part in given.split(", ")),
+            ")",
+        ]
+    signature = ", ".join([*(f"{name}: ArrayLike" for name in names), "**material: ArrayLike"])
+    return {"name": "_check", "signature": signature, "lines": lines, "returns": " -> None", "doc": ""}
+
+
+def _literal(text: str) -> list[str]:
+    """A message as adjacent string literals that fit on their lines."""
+    parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
+    return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']
