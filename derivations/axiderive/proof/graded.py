@@ -14,11 +14,11 @@ import sympy as sp
 from ..contact.adhesive import CONTROLS
 from ..contact.medium import Medium
 from ..entry import Case, Entry, Primitive
-from ..notation import E_star, F, F_x, G_star, H, H_x, a, a_c, k, mu
+from ..notation import E_star, F, F_x, G_star, H, H_x, a, a_c, c, d, k, mu
 from . import special
 from .compact import Compact
 from .complete import Complete
-from .domain import NotProvedError
+from .domain import Domain, NotProvedError
 from .functions import canonical
 from .statement import require_zero
 
@@ -92,7 +92,11 @@ def _same_case(wanted: Entry, case: Case, found: sp.Expr, normal: Compact | Comp
     gap = (found - case.expr).subs(a_c, a)
     if gap.has(F_x) and gap.has(F):
         gap = gap.subs(F, F + F_x / mu)  # F_x < mu F as long as the contact sticks
-    chain = tuple(length.subs(a_c, a) for length in case.chain)
-    domain = normal.domain(chain if all(length.is_Symbol for length in chain) else ())
+    domain = normal.domain(tuple(length.subs(a_c, a) for length in case.chain if length.is_Symbol))
+    for current in (length for length in case.chain if length.has(d)):
+        # the contact radius c before the edge is reached, a power of d
+        factor, power = current.as_independent(d, as_Add=False)
+        gap = gap.subs(d, (c / factor) ** (1 / power.as_base_exp()[1]))
+        domain = Domain(tuple(c if length == current else length for length in case.chain))
     gap = special.elementary(canonical(gap, domain))
     return require_zero(gap, domain, f"at k = 0, H = E* the formula is that of {wanted.key}")

@@ -32,7 +32,7 @@ class Loads:
         if [case.chain for case in entry.cases] != [(r, a), (a, r)]:
             message = f"the cases of {entry.key} are not those inside and outside the loaded circle"
             raise NotProvedError(message)
-        return [self._case(case) for case in entry.cases]
+        return [f"{place}: {self._case(case)}" for place, case in zip(("inside", "outside"), entry.cases, strict=True)]
 
     def _case(self, case: Case) -> str:
         s = self.load.exponent.subs(sigma, SHIFTED - 1)
