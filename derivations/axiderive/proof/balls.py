@@ -171,7 +171,8 @@ class Ball:
     def real_only(self, value: acb) -> acb:
         """A function whose cuts are not watched may stand outside of integrands only."""
         if self.analytic:
-            raise NotAvailableError("a function without a test for its branch cuts inside an integrand")
+            message = "a function without a test for its branch cuts stands inside an integrand"
+            raise NotAvailableError(message)
         return value
 
 

@@ -36,13 +36,13 @@ class Contact:
                 return modulus * integrals.pressure(self.shape, a, number(self.values[nt.r]), digits, self.free_depth)
             case "w":
                 return integrals.displacement(self.shape, a, number(self.values[nt.r]), digits, self.free_depth)
-            case "k" if self.free_depth is None:
+            case "k" if self.free_depth is not None:  # the force is linear in the free depth
+                deeper = integrals.force(self.shape, a, digits, self.free_depth + 1)
+                return modulus * (deeper - integrals.force(self.shape, a, digits, self.free_depth))
+            case "k":
                 # both rates vanish where the contact ceases to be compact, hence the extra digits
                 rates = [rate(self.shape, a, digits + 20) for rate in (integrals.force_rate, integrals.depth_rate)]
                 return modulus * rates[0] / rates[1]
-            case "k":  # the force is linear in the free depth
-                deeper = integrals.force(self.shape, a, digits, self.free_depth + 1)
-                return modulus * (deeper - integrals.force(self.shape, a, digits, self.free_depth))
         message = f"no integral defines {suffix!r}; use d, F, p, w, k or pm"
         raise ValueError(message)
 
@@ -66,4 +66,5 @@ def _partial_radius(profile: Profile, values: Values, start: Number, digits: int
     def gap(a: Number) -> Number:
         return integrals.depth(shape(profile, {**values, nt.a: a}), a, digits) / wanted - 1
 
-    return mp.findroot(gap, (start, start * mp.mpf("1.001")), solver="secant", tol=mp.mpf(10) ** (-2 * digits), verify=False)
+    nearby, tolerance = start * mp.mpf("1.001"), mp.mpf(10) ** (-2 * digits)
+    return mp.findroot(gap, (start, nearby), solver="secant", tol=tolerance, verify=False)

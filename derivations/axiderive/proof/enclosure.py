@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import mpmath as mp
 import sympy as sp
@@ -21,7 +21,7 @@ from ..profiles.profile import Profile
 from .balls import Ball, NotAvailableError, enclose, integral, point, shrinking
 from .evaluate import at_precision, case_at
 from .evidence import Evidence, agreed, not_available, point_text
-from .sampling import points
+from .sampling import Point, fields, points
 from .shape import Values, concrete
 
 Entries = Mapping[str, Entry]
@@ -30,26 +30,33 @@ ENCLOSED = ("d", "F", "pm", "p", "w")
 _T, _S, _Z = sp.symbols("T S Z", positive=True)
 
 
-def check(profile: Profile, entries: Entries, suffix: str, *, digits: int = 40, points: int = 3, seed: int = 0) -> Evidence:
+def check(
+    profile: Profile, entries: Entries, suffix: str, *, digits: int = 40, points: int = 3, seed: int = 0
+) -> Evidence:
     """Enclose both sides at `points` points of every case where Arb can; say why where it cannot."""
     entry = entries[suffix]
     reason = _unsuited(profile, entry)
     if reason:
         return not_available(entry.key, COMPARED, reason)
     bits, extremes, count = 1 << 20, 0, 0
-    for drawn, values in _points(profile, entry, points, seed):
+    for drawn in _points(profile, entry, points, seed):
+        values = drawn.values
         try:
             ours = enclose(case_at(entry, values).expr, values, digits)
-            wanted = shrinking(lambda: _definition(profile, entries, suffix, values), digits)
+            wanted = shrinking(partial(_definition, profile, entries, suffix, values), digits)
         except NotAvailableError as error:
             return not_available(entry.key, COMPARED, str(error))
         if not ours.overlaps(wanted):
             worst = mp.nstr(mp.mpf(abs((ours - wanted) / wanted).mid().str(10, radius=False)), 2)
-            return Evidence(entry.key, COMPARED, "failed", seed, count + 1, extremes, worst, 0, digits, point_text(values))
+            return Evidence(
+                entry.key, COMPARED, "failed", seed, count + 1, extremes, worst, 0, digits, point_text(values)
+            )
         bits = min(bits, ours.rel_accuracy_bits(), wanted.rel_accuracy_bits())
-        count, extremes = count + 1, extremes + drawn
+        count, extremes = count + 1, extremes + drawn.extreme
     width = mp.mpf(2) ** -bits
-    return Evidence(entry.key, COMPARED, "passed", seed, count, extremes, mp.nstr(width, 2), agreed(width, bits), digits)
+    return Evidence(
+        entry.key, COMPARED, "passed", seed, count, extremes, mp.nstr(width, 2), agreed(width, bits), digits
+    )
 
 
 def check_profile(
@@ -74,17 +81,16 @@ def _unsuited(profile: Profile, entry: Entry) -> str:
     return ""
 
 
-def _points(profile: Profile, entry: Entry, count: int, seed: int) -> list[tuple[bool, Values]]:
-    """Points in every case; a power other than an integer has a branch point at the tip, which the boxes cannot pass."""
+def _points(profile: Profile, entry: Entry, count: int, seed: int) -> list[Point]:
+    """Points in every case; a power that is no integer has a branch point at the tip, which boxes cannot pass."""
     complete = profile.contact == "complete"
-    fields = entry.quantity.arguments + ((nt.d,) if complete else ())
-    found = []
+    found: list[Point] = []
     for case in entry.cases:
         if complete and any(x.has(nt.d) for x in case.chain[: case.chain.index(nt.a)]):
             continue
-        drawn = points(profile, case.chain, 5 * count, seed, fields)
+        drawn = points(profile, case.chain, 5 * count, seed, fields(profile, entry))
         fitting = [p for p in drawn if nt.n not in p.values or p.values[nt.n].is_Integer]
-        found += [(p.extreme, p.values) for p in fitting[:count]]
+        found += fitting[:count]
     return found
 
 

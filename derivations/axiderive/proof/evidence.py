@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
@@ -62,7 +63,14 @@ def not_available(key: str, compared: str, reason: str) -> Evidence:
 
 
 def judge(
-    key: str, compared: str, rows: list[tuple[Values, Number]], *, seed: int, extremes: int, digits: int, required: int
+    key: str,
+    compared: str,
+    rows: Sequence[tuple[Values, Number]],
+    *,
+    seed: int,
+    extremes: int,
+    digits: int,
+    required: int,
 ) -> Evidence:
     """Evidence from (point, residual) rows."""
     point, worst = max(rows, key=lambda row: row[1])

@@ -14,24 +14,25 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..profiles import load
-from ..profiles.profile import Limit, Profile
+from ..profiles.profile import Profile
 from .balls import enclose_value
-from .evaluate import at_precision, case_at, evaluate, holds
+from .evaluate import at_precision, case_at, decades, evaluate, holds
 from .evidence import Evidence, judge, not_available, residual
 from .integrals import GUARD, panels_no_longer_than
+from .limits import check_limits
 from .quadrature import LOST
 from .rules import integrate
-from .sampling import Values, border, points
+from .sampling import Values, border, fields, points
 from .shape import Number, shape
-from .unevaluated import evaluate_integral
+from .unevaluated import evaluate_case
 
 Entries = Mapping[str, Entry]
 Rows = list[tuple[Values, Number]]
 EACH = 2
 """Points per case."""
+EXTREME_PLANS = 8
+"""Points with extreme ratios that a chain of up to four lengths starts with; they are passed over here."""
 CONTINUOUS = ("d", "F", "p", "w", "pm")
-INHERITED = ("d", "F", "p", "w", "pm")
 
 
 def check_profile(
@@ -48,14 +49,7 @@ def check_profile(
     for suffix in CONTINUOUS:
         if suffix in entries and len(entries[suffix].cases) > 1:
             checks.append(check_continuity(profile, entries[suffix], digits=digits, seed=seed))
-    for limit in profile.limits:
-        target = load(limit.target)
-        from ..contact.normal import derive
-
-        simpler = derive(target)
-        checks += [
-            check_limit(profile, entries[s], limit, target, simpler[s], digits=digits, seed=seed) for s in INHERITED
-        ]
+    checks += check_limits(profile, entries, digits=digits, seed=seed)
     return checks
 
 
@@ -65,27 +59,17 @@ def _judge(entry: Entry, identity: str, rows: Rows, digits: int, seed: int) -> E
     return judge(entry.key, identity, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
 
 
-def _fields(profile: Profile, entry: Entry) -> tuple[sp.Symbol, ...]:
-    return entry.quantity.arguments + ((nt.d,) if profile.contact == "complete" else ())
-
-
 def _at_cases(profile: Profile, entry: Entry, seed: int, each: int = EACH) -> list[Values]:
     """Random points in every case."""
-    fields = _fields(profile, entry)
-    return [p.values for case in entry.cases for p in points(profile, case.chain, 2 * each + 4, seed, fields) if not p.extreme][
-        : each * len(entry.cases)
-    ]
+    found: list[Values] = []
+    for case in entry.cases:
+        drawn = points(profile, case.chain, each + EXTREME_PLANS, seed, fields(profile, entry))
+        found += [point.values for point in drawn if not point.extreme][:each]
+    return found
 
 
 def _from_a_break(entry: Entry) -> bool:
     return any(integral.limits[0][1] != 0 for case in entry.cases for integral in case.expr.atoms(sp.Integral))
-
-
-def _value(case: Case, values: Values, digits: int) -> Number:
-    """The middle of an enclosure: at these extreme points a C0 by mpmath takes seconds."""
-    if any(integral.limits[0][1] != 0 for integral in case.expr.atoms(sp.Integral)):
-        return evaluate_integral(case.expr, values, digits)
-    return enclose_value(case.expr, values, digits)
 
 
 def check_stiffness(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
@@ -104,7 +88,7 @@ def check_stiffness(profile: Profile, entries: Entries, *, digits: int, seed: in
 
 
 def check_edge(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
-    """w(a) = d - f(a), approached from outside: the distance 1e-(2 digits + 10) leaves a difference of its square root."""
+    """w(a) = d - f(a) from outside: the relative distance 1e-(2 digits + 10) leaves a difference of its square root."""
     gap = sp.Rational(1, 10 ** (2 * digits + 10))
     entry = entries["w"]
     rows: Rows = []
@@ -114,12 +98,16 @@ def check_edge(profile: Profile, entries: Entries, *, digits: int, seed: int) ->
         if position != edge_of_contact:
             continue
         inner = case.chain[position]
-        values = border(profile, case.chain, position, gap, seed, _fields(profile, entry))
+        values = border(profile, case.chain, position, gap, seed, fields(profile, entry))
         with mp.workdps(2 * digits):
             edge = at_precision(inner, values)
-            depth = at_precision(nt.d, values) if nt.d in values else evaluate(case_at(entries["d"], values).expr, values, digits)
+            depth = (
+                at_precision(nt.d, values)
+                if nt.d in values
+                else evaluate(case_at(entries["d"], values).expr, values, digits)
+            )
             wanted = depth - shape(profile, values).height(edge)
-            rows.append((values, residual(_value(case, values, digits), wanted)))
+            rows.append((values, residual(evaluate_case(case, values, digits), wanted)))
     return _judge(entry, "w(a) = d - f(a)", rows, digits, seed)
 
 
@@ -142,10 +130,13 @@ def check_force_of_pressure(profile: Profile, entries: Entries, *, digits: int, 
     """F = 2 pi int p r dr, with r = a sin(u), which removes the singular edge."""
     identity, entry = "F = 2 pi int p r dr", entries["p"]
     if entry.status == "integral":
-        return not_available(entries["F"].key, identity, "the pressure is itself an integral, too slow to integrate again")
+        return not_available(
+            entries["F"].key, identity, "the pressure is itself an integral, too slow to integrate again"
+        )
     rows: Rows = []
     for case in entries["F"].cases:
-        values = points(profile, case.chain, 1, seed, _fields(profile, entry))[0].values
+        drawn = points(profile, case.chain, EXTREME_PLANS + EACH, seed, fields(profile, entry))
+        values = min((point.values for point in drawn), key=decades)
         with mp.workdps(2 * digits + GUARD):
             wanted = evaluate(case.expr, values, digits)
             edge = at_precision(next(x for x in case.chain if x == nt.a or x.has(nt.d)), values)
@@ -168,7 +159,7 @@ def _over_contact(
     edge: Number | None = None,
     variable: sp.Symbol = nt.a,
 ) -> Number:
-    """int_0^(pi/2) integrand(edge sin(u), case there) du, split where the case changes; every such end may be singular."""
+    """int_0^(pi/2) integrand(edge sin(u), case there) du, split where the case changes; such ends may be singular."""
     end = edge if edge is not None else at_precision(nt.a, values)
     face = shape(entry.profile, values)
     lengths = {at_precision(x, values) for case in entry.cases for x in case.chain if not x.has(variable)}
@@ -177,7 +168,7 @@ def _over_contact(
     angles = [mp.asin(z / end) for z in (*lengths, *extra)]
     singular = [*angles, *(-z for z in angles), *(mp.pi - z for z in angles), *ends, -mp.pi / 2]
     longest = min(6 * piece.wavelength for piece in face.stretches) / float(end)
-    total = mp.mpf(0)
+    negligible, total = mp.mpf(10) ** (-digits - 15), mp.mpf(0)
     for lo, hi in itertools.pairwise(ends):
         middle = (lo + hi) / 2
         at = {**values, variable: end * mp.sin(middle)}
@@ -185,18 +176,17 @@ def _over_contact(
         for origin, start, stop in ((lo, mp.mpf(0), middle - lo), (hi, middle - hi, mp.mpf(0))):
 
             def f(x: Number, origin: Number = origin, region: Case | None = case) -> Number:
-                # next to an end the node may round onto it; what is lost there is below the precision
-                s = end * mp.sin(origin + x)
-                return integrand(s, region) if s != end * mp.sin(origin) else mp.mpf(0)
+                # at worst a logarithm: what lies this near to an end is below the digits wanted
+                return integrand(end * mp.sin(origin + x), region) if abs(x) > negligible else mp.mpf(0)
 
             nearby = (0j, *(complex(z - origin) for z in singular if abs(z - origin) > mp.eps ** mp.mpf("0.6")))
             cuts = panels_no_longer_than(longest, start, stop)
-            total += mp.fsum(integrate(f, x, y, nearby, digits + 10) for x, y in itertools.pairwise(cuts))
+            total += mp.fsum(integrate(f, x, y, nearby, digits) for x, y in itertools.pairwise(cuts))
     return total
 
 
 def _among(z: complex, lengths: set[Number]) -> bool:
-    """Whether a singular point of the profile, known to float precision, is one of the lengths of the chains or its mirror image."""
+    """Whether a singular point of the profile, known as a float, is a length of the chains or its mirror image."""
     return any(abs(z - sign * complex(s)) < 1e-12 * abs(z) for s in lengths for sign in (1, -1))
 
 
@@ -205,15 +195,15 @@ def check_continuity(profile: Profile, entry: Entry, *, digits: int, seed: int) 
     gap = sp.Rational(1, 10 ** (2 * digits + 10))
     rows: Rows = []
     if _from_a_break(entry):
-        return not_available(entry.key, "continuity between the cases", "an integral from a break on is too slow so near to it")
+        reason = "an integral from a break on is too slow so near to the break"
+        return not_available(entry.key, "continuity between the cases", reason)
     for left, right in itertools.combinations(entry.cases, 2):
         differing = [i for i, (x, y) in enumerate(zip(left.chain, right.chain, strict=True)) if x != y]
         if len(differing) != 2 or differing[1] != differing[0] + 1 or left.expr == right.expr:
             continue
-        fields = _fields(profile, entry)
-        values = border(profile, left.chain, differing[0], gap, seed, fields)
+        values = border(profile, left.chain, differing[0], gap, seed, fields(profile, entry))
         swapped = _exchanged(left.chain[differing[0]], left.chain[differing[1]], values)
-        here, there = (_value(case, at, digits) for case, at in ((left, values), (right, swapped)))
+        here, there = (evaluate_case(case, at, digits) for case, at in ((left, values), (right, swapped)))
         rows.append((values, residual(here, there)))
     return _judge(entry, "continuity between the cases", rows, digits, seed)
 
@@ -225,37 +215,3 @@ def _exchanged(lo: sp.Expr, hi: sp.Expr, values: Values) -> Values:
         low, high = at_precision(lo, values), at_precision(hi, values)
         moved = high * (high / low) if ratio == 1 else low * (low / high)
     return {**values, symbol: moved}
-
-
-def check_limit(
-    profile: Profile, entry: Entry, limit: Limit, target: Profile, simpler: Entry, *, digits: int, seed: int
-) -> Evidence:
-    """A simpler profile as the limit: exactly where the formula is defined there, else at a distance of 1e-(digits + 10)."""
-    near = sp.Rational(1, 10 ** (digits + 10))
-    vanishing = limit.value == 0
-    case = next(c for c in entry.cases if not vanishing or c.chain[0] == limit.symbol)
-    chain = tuple(x for x in case.chain if not (vanishing and x == limit.symbol))
-    rows: Rows = []
-    for point in points(profile, chain, 6, seed, _fields(profile, entry)):
-        if point.extreme:
-            continue
-        values = {**point.values, limit.symbol: point.values[chain[0]] * near if vanishing else sp.sympify(limit.value)}
-        got = _value(case_at(entry, values), values, digits)
-        with mp.workdps(2 * digits + 40):
-            at_target = {**values, **_parameters(profile, limit, target, values)}
-            wanted = evaluate(case_at(simpler, at_target).expr, at_target, digits)
-        rows.append((values, residual(got, wanted)))
-    return _judge(entry, f"limit {limit.symbol} -> {limit.value}: {simpler.key}", rows, digits, seed)
-
-
-def _parameters(profile: Profile, limit: Limit, target: Profile, values: Values) -> Values:
-    """The target's own parameters, from the coefficient that both shapes must share."""
-    own = [s for s in target.parameters if s not in profile.parameters]
-    if not own:
-        return {}
-    reached = profile.pieces[-1].expr.subs(limit.symbol, limit.value)
-    size = sp.Dummy("size", positive=True)
-    (coefficient,) = (sp.cancel(reached / reached.subs(nt.r, 1)),)
-    ratio = target.pieces[-1].expr / coefficient
-    solved = min(sp.solve(ratio - size, own[0]), key=sp.count_ops)
-    return {own[0]: at_precision(solved, {size: at_precision(reached.subs(nt.r, 1), values)})}

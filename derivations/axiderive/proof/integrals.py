@@ -5,8 +5,10 @@ is exchanged, which leaves one integral over the profile for each quantity:
 
 * (11.29)  g(a) = a int f'(s) du                                  with s = a sin(u)
 * (11.20)  F = 2 E* [(d - g(a)) a + int f'(s) s**2 du]
-* (11.23)  p = E*/pi [int (s f')' K(s, r) ds + sum over the kinks of b (jump of f') K(b, r) + (d - g(a))/sqrt(a**2 - r**2)]
-* (11.26)  w = 2/pi [(d - g(a)) asin(a/r) + int f'(s) (a asin(a/r) - z atan(z/q)) du],  z = a cos(u), q = sqrt(r**2 - a**2)
+* (11.23)  p = E*/pi [int (s f')' K(s, r) ds + sum over the kinks of b (jump of f') K(b, r)
+                      + (d - g(a))/sqrt(a**2 - r**2)]
+* (11.26)  w = 2/pi [(d - g(a)) asin(a/r) + int f'(s) (a asin(a/r) - z atan(z/q)) du]
+           with z = a cos(u), q = sqrt(r**2 - a**2)
 
 K(s, r) = int_max(s, r)^a dt/sqrt((t**2 - s**2)(t**2 - r**2)) is symmetric and
 has a logarithm at s = r.  d - g(a) vanishes for a compact contact.
@@ -15,6 +17,7 @@ has a logarithm at s = r.  d - g(a) vanishes for a compact contact.
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Callable
 
@@ -23,6 +26,7 @@ import mpmath as mp
 from .rules import integrate
 from .shape import Number, Shape, Stretch
 
+Weight = Callable[[Stretch, Number, Number], Number]
 GUARD = 30
 """Digits carried beyond those asked for: 1 - 1e-9 costs 9 to 18 of them."""
 
@@ -33,18 +37,20 @@ def panels_no_longer_than(longest: float, lo: Number, hi: Number) -> list[Number
     return [lo + (hi - lo) * i / count for i in range(count)] + [hi]
 
 
-def _over_angle(
-    piece: Stretch, a: Number, integrand: Callable[[Number, Number, Number], Number], extra: tuple[complex, ...], digits: int
-) -> Number:
-    """int integrand(u, s, a cos u) du over one piece, s = a sin(u); `extra` are singular points in u."""
+def _over_angle(shape: Shape, a: Number, weight: Weight, extra: tuple[complex, ...], digits: int) -> Number:
+    """int weight(piece, s, a cos u) du over all pieces, s = a sin(u); `extra` are singular points in u."""
+    return mp.fsum(_over_piece(piece, a, weight, extra, digits) for piece in shape.stretches)
+
+
+def _over_piece(piece: Stretch, a: Number, weight: Weight, extra: tuple[complex, ...], digits: int) -> Number:
     lo, hi = _angle(piece.lo, a), _angle(piece.hi, a)
     singular = (*(cmath.asin(z / float(a)) for z in piece.singular), *extra)
 
     def f(u: Number) -> Number:
-        return integrand(u, a * mp.sin(u), a * mp.cos(u))
+        return weight(piece, a * mp.sin(u), a * mp.cos(u))
 
     ends = panels_no_longer_than(6 * piece.wavelength / float(a), lo, hi)
-    return mp.fsum(integrate(f, x, y, singular, digits) for x, y in zip(ends, ends[1:], strict=False))
+    return mp.fsum(integrate(f, x, y, singular, digits) for x, y in itertools.pairwise(ends))
 
 
 def _angle(s: Number, a: Number) -> Number:
@@ -53,14 +59,12 @@ def _angle(s: Number, a: Number) -> Number:
 
 def depth(shape: Shape, a: Number, digits: int) -> Number:
     """g(a), (11.29)."""
-    return a * mp.fsum(_over_angle(piece, a, lambda u, s, z, f=piece.slope: f(s), (), digits) for piece in shape.stretches)
+    return a * _over_angle(shape, a, lambda piece, s, z: piece.slope(s), (), digits)
 
 
 def force(shape: Shape, a: Number, digits: int, free_depth: Number | None = None) -> Number:
     """F/E*, (11.20) with the order of integration exchanged; `free_depth` is d of a complete contact."""
-    total = mp.fsum(
-        _over_angle(piece, a, lambda u, s, z, f=piece.slope: f(s) * s * s, (), digits) for piece in shape.stretches
-    )
+    total = _over_angle(shape, a, lambda piece, s, z: piece.slope(s) * s * s, (), digits)
     if free_depth is not None:
         total += (free_depth - depth(shape, a, digits)) * a
     return 2 * total
@@ -68,17 +72,13 @@ def force(shape: Shape, a: Number, digits: int, free_depth: Number | None = None
 
 def depth_rate(shape: Shape, a: Number, digits: int) -> Number:
     """dg/da, the integral (11.29) differentiated under its sign; each kink adds what its moving angle brings in."""
-    total = mp.fsum(_over_angle(piece, a, lambda u, s, z, f=piece.bend: f(s), (), digits) for piece in shape.stretches)
+    total = _over_angle(shape, a, lambda piece, s, z: piece.bend(s), (), digits)
     return total + mp.fsum(b * jump / mp.sqrt((a - b) * (a + b)) for b, jump in shape.kinks if b < a)
 
 
 def force_rate(shape: Shape, a: Number, digits: int) -> Number:
     """(dF/da)/E*, (11.20) differentiated under its sign."""
-
-    def integrand(piece: Stretch) -> Callable[[Number, Number, Number], Number]:
-        return lambda u, s, z: (piece.bend(s) + piece.slope(s)) * s * s / a
-
-    total = mp.fsum(_over_angle(piece, a, integrand(piece), (), digits) for piece in shape.stretches)
+    total = _over_angle(shape, a, lambda piece, s, z: (piece.bend(s) + piece.slope(s)) * s * s / a, (), digits)
     return 2 * (total + mp.fsum(b**3 * jump / (a * mp.sqrt((a - b) * (a + b))) for b, jump in shape.kinks if b < a))
 
 
@@ -89,10 +89,10 @@ def displacement(shape: Shape, a: Number, r: Number, digits: int, free_depth: Nu
     near = complex(0, float(mp.asinh(q / a)))
     extra = (cmath.pi / 2 + near, cmath.pi / 2 - near)
 
-    def integrand(piece: Stretch) -> Callable[[Number, Number, Number], Number]:
-        return lambda u, s, z: piece.slope(s) * (a * inclination - z * mp.atan(z / q))
+    def weight(piece: Stretch, s: Number, z: Number) -> Number:
+        return piece.slope(s) * (a * inclination - z * mp.atan(z / q))
 
-    total = mp.fsum(_over_angle(piece, a, integrand(piece), extra, digits) for piece in shape.stretches)
+    total = _over_angle(shape, a, weight, extra, digits)
     if free_depth is not None:
         total += (free_depth - depth(shape, a, digits)) * inclination
     return 2 * total / mp.pi
@@ -134,19 +134,26 @@ def _kernel(large: Number, gap: Number, rest: Number) -> Number:
 def _pressure_piece(piece: Stretch, a: Number, r: Number, digits: int) -> Number:
     """int (s f')' K(s, r) ds over one piece: in x = u - asin(r/a) next to r, in the angle u near the tip."""
     lo, hi, centre = _angle(piece.lo, a), _angle(piece.hi, a), _angle(r, a)
-    parts = [(lo, min(hi, centre / 2), False), (max(lo, centre / 2), min(hi, centre), True), (max(lo, centre), hi, True)]
+    parts = [
+        (lo, min(hi, centre / 2), False),
+        (max(lo, centre / 2), min(hi, centre), True),
+        (max(lo, centre), hi, True),
+    ]
     singular = [cmath.asin(z / float(a)) for z in piece.singular]
     kernel_points = (complex(centre), complex(-centre), complex(mp.pi - centre))
     rest_at_r = (a - r) * (a + r)
     across, along = mp.cos_sin(centre)
 
-    def integrand(x: Number, near: bool) -> Number:
-        # next to r, x is the exact distance u - asin(r/a) to the logarithm; elsewhere it is u itself
+    def next_to_r(x: Number) -> Number:
+        # x is the exact distance u - asin(r/a) to the logarithm
         c, i = mp.cos_sin(x)
-        if near:
-            cosine, sine, away = c * across - i * along, i * across + c * along, i
-        else:
-            cosine, sine, away = c, i, i * across - c * along
+        return integrand(c * across - i * along, i * across + c * along, i)
+
+    def from_the_tip(u: Number) -> Number:
+        c, i = mp.cos_sin(u)
+        return integrand(c, i, i * across - c * along)
+
+    def integrand(cosine: Number, sine: Number, away: Number) -> Number:
         s, z = a * sine, a * cosine
         gap = abs(a * a * away * (sine * across + cosine * along))
         large, rest = (s, z * z) if away > 0 else (r, rest_at_r)
@@ -157,12 +164,9 @@ def _pressure_piece(piece: Stretch, a: Number, r: Number, digits: int) -> Number
         if end <= start:
             continue
         shift = centre if near else mp.mpf(0)
-        points = tuple(
-            [z - complex(shift) for z in singular]
-            + [complex(0) if near and i == 0 else z - complex(shift) for i, z in enumerate(kernel_points)]
-        )
+        points = [z - complex(shift) for z in (*singular, *kernel_points[1:])]
+        points.append(complex(0) if near else kernel_points[0])
         ends = panels_no_longer_than(6 * piece.wavelength / float(a), start - shift, end - shift)
-        total += mp.fsum(
-            integrate(lambda x, n=near: integrand(x, n), x, y, points, digits) for x, y in zip(ends, ends[1:], strict=False)
-        )
+        f = next_to_r if near else from_the_tip
+        total += mp.fsum(integrate(f, x, y, points, digits) for x, y in itertools.pairwise(ends))
     return total

@@ -15,15 +15,14 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..profiles.profile import Profile
-from .balls import enclose_value
 from .definitions import Contact, contact
 from .evaluate import at_precision, case_at, evaluate, holds
 from .evidence import Evidence, judge, residual
 from .integrals import GUARD
-from .sampling import Point, points
+from .sampling import Point, fields, points
 from .shape import Number, Values, shape
 from .threshold import ring
-from .unevaluated import evaluate_integral
+from .unevaluated import evaluate_case
 
 LOST = 10
 """Digits by which the agreement may fall short of the digits of the quadrature."""
@@ -35,7 +34,9 @@ THRESHOLDS = ("rz", "dmin", "Fmin")
 Entries = Mapping[str, Entry]
 
 
-def check(profile: Profile, entries: Entries, suffix: str, *, digits: int = 50, points: int = 8, seed: int = 0) -> Evidence:
+def check(
+    profile: Profile, entries: Entries, suffix: str, *, digits: int = 50, points: int = 8, seed: int = 0
+) -> Evidence:
     """Compare one entry with its definition at `points` points or more: every case gets at least three."""
     entry = entries[suffix]
     drawn = _points(profile, entries, suffix, points, seed)
@@ -70,9 +71,8 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
     chains = [case.chain for case in source.cases]
     if suffix in ("k", "pm") and "d" in entries:
         chains = [case.chain for case in entries["d"].cases]
-    fields = source.quantity.arguments + ((nt.d,) if profile.contact == "complete" else ())
     each = max(3, -(-count // len(chains)))
-    return [point for chain in chains for point in points(profile, chain, each, seed, fields)]
+    return [point for chain in chains for point in points(profile, chain, each, seed, fields(profile, source))]
 
 
 def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
@@ -90,13 +90,8 @@ def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, d
 
 def value(entry: Entry, values: Values, digits: int) -> Number:
     """A closed result, or one that stays an integral, at a point."""
-    expr = case_at(entry, values).expr
-    if not expr.has(sp.Integral):
-        return evaluate(expr, values, digits)
-    if all(integral.limits[0][1] == 0 for integral in expr.atoms(sp.Integral)):
-        return enclose_value(expr, values, digits)
-    # a lower limit at a break is a branch point, where an enclosure by boxes converges too slowly
-    return evaluate_integral(expr, values, digits)
+    case = case_at(entry, values)
+    return evaluate_case(case, values, digits) if case.expr.has(sp.Integral) else evaluate(case.expr, values, digits)
 
 
 def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number:
@@ -129,11 +124,15 @@ def root(case: Case, unknown: sp.Symbol, known: Values, digits: int, beyond: tup
 
     with mp.extradps(2 * GUARD):
         tolerance = mp.mpf(10) ** (-2 * digits)
-        return mp.findroot(gap, (here - reach, here + reach * mp.mpf("0.7")), solver="secant", tol=tolerance, verify=False)
+        return mp.findroot(
+            gap, (here - reach, here + reach * mp.mpf("0.7")), solver="secant", tol=tolerance, verify=False
+        )
 
 
 @lru_cache(maxsize=8)
-def _ring(profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int) -> tuple[Number, Number]:
+def _ring(
+    profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
+) -> tuple[Number, Number]:
     values = dict(items)
     return ring(shape(profile, values), at_precision(nt.a, values), digits)
 

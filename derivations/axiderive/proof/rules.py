@@ -32,17 +32,18 @@ DEEPEST_CUT = 200
 
 def _legendre_root(order: int, guess: float) -> tuple[Number, Number]:
     """A zero of P_order and the weight that belongs to it, by Newton's iteration from a float."""
-    x = mp.mpf(guess)
+    x, settled = mp.mpf(guess), False
     for _ in range(20):
         previous, current = mp.mpf(1), x
         for k in range(2, order + 1):
             previous, current = current, ((2 * k - 1) * x * current - (k - 1) * previous) / k
         slope = order * (x * current - previous) / (x * x - 1)
+        if settled:
+            return x, 2 / ((1 - x * x) * slope**2)
         step = current / slope
         x -= step
-        if abs(step) < mp.mpf(10) ** (-mp.mp.dps // 2 - 5):
-            # the next step would be the square of this one
-            return x, 2 / ((1 - x * x) * slope**2)
+        # the next step would be the square of this one; the weight still wants the slope at the new x
+        settled = abs(step) < mp.mpf(10) ** (-mp.mp.dps // 2 - 5)
     message = f"Newton's iteration for the zeros of P_{order} did not settle at {mp.mp.dps} digits"
     raise ArithmeticError(message)
 
@@ -51,9 +52,7 @@ def _legendre_root(order: int, guess: float) -> tuple[Number, Number]:
 def gauss_rule(order: int, prec: int) -> Rule:
     """Nodes and weights on (0, 1)."""
     with mp.workprec(prec + 20):
-        half = [
-            _legendre_root(order, math.cos(math.pi * (i + 0.75) / (order + 0.5))) for i in range((order + 1) // 2)
-        ]
+        half = [_legendre_root(order, math.cos(math.pi * (i + 0.75) / (order + 0.5))) for i in range((order + 1) // 2)]
         rule = [((1 - x) / 2, weight / 2) for x, weight in half]
         mirrored = [((1 + x) / 2, weight / 2) for x, weight in half[: order // 2]]
     return tuple(rule + mirrored)
@@ -116,7 +115,7 @@ def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0)
 
 
 def integrate(f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int) -> Number:
-    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f, 0 among them if it is one.
+    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
 
     Only an end of the interval may be a singular point, and only if it is 0.
     """

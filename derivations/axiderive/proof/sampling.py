@@ -11,6 +11,7 @@ from typing import Any
 import sympy as sp
 
 from .. import notation as nt
+from ..entry import Entry
 from ..profiles.profile import Profile
 from .evaluate import at_precision
 from .shape import coefficient
@@ -31,7 +32,9 @@ class Point:
     extreme: bool
 
 
-def points(profile: Profile, chain: tuple[sp.Expr, ...], count: int, seed: int, fields: tuple[sp.Symbol, ...] = ()) -> list[Point]:
+def points(
+    profile: Profile, chain: tuple[sp.Expr, ...], count: int, seed: int, fields: tuple[sp.Symbol, ...] = ()
+) -> list[Point]:
     """`count` points of the region lo < ... < hi of the chain, the extreme ones early.
 
     `fields` are further symbols that need a value.  Ratios of neighbours in the
@@ -43,8 +46,18 @@ def points(profile: Profile, chain: tuple[sp.Expr, ...], count: int, seed: int, 
     return [_draw(profile, chain, fields, next(plans), i, rng) for i in range(count)]
 
 
+def fields(profile: Profile, entry: Entry) -> tuple[sp.Symbol, ...]:
+    """What besides the parameters needs a value: the arguments of the entry, and the depth where it is free."""
+    return tuple(entry.quantity.arguments) + ((nt.d,) if profile.contact == "complete" else ())
+
+
 def border(
-    profile: Profile, chain: tuple[sp.Expr, ...], position: int, gap: sp.Rational, seed: int, fields: tuple[sp.Symbol, ...]
+    profile: Profile,
+    chain: tuple[sp.Expr, ...],
+    position: int,
+    gap: sp.Rational,
+    seed: int,
+    fields: tuple[sp.Symbol, ...],
 ) -> Values:
     """A random point at which the elements `position` and `position + 1` of the chain are a ratio 1 - gap apart."""
     rng = random.Random(f"{seed} {profile.name} {chain} {position}")
@@ -53,7 +66,7 @@ def border(
 
 
 def _plans(pairs: int) -> Any:
-    """Extremes of each pair of neighbours, None for random: low and high alternate, then every combination, then random."""
+    """Ratios of neighbours, None for random: low and high alternate, then every combination, then random."""
     yield (None,) * pairs
     marks = (NEARLY_ZERO, NEARLY_ONE)
     alternating = [tuple(marks[(i + start) % 2] for i in range(pairs)) for start in (0, 1)]
@@ -97,7 +110,7 @@ def _draw(
 
 
 def _chain_values(chain: tuple[sp.Expr, ...], ratios: list[sp.Rational], rng: random.Random) -> Values:
-    """Symbols of the chain first, expressions of them (a lead of a circle, say) solved for what they still leave open."""
+    """Symbols of the chain first; expressions of them are solved for what they still leave open."""
     sizes: list[sp.Expr] = [_length(rng)]
     for ratio in reversed(ratios):
         sizes.insert(0, sizes[0] * ratio)
@@ -140,7 +153,9 @@ def _neighbours(profile: Profile, values: Values, rng: random.Random) -> None:
             _solve(hi, lo.xreplace(values) / ratio, values, rng)
 
 
-def _parameters(profile: Profile, fields: tuple[sp.Symbol, ...], values: Values, index: int, rng: random.Random) -> None:
+def _parameters(
+    profile: Profile, fields: tuple[sp.Symbol, ...], values: Values, index: int, rng: random.Random
+) -> None:
     scale = values.get(nt.a, sp.Integer(1))
     for symbol, expr in profile.abbreviations:
         if symbol in values:
@@ -170,7 +185,9 @@ def _parameters(profile: Profile, fields: tuple[sp.Symbol, ...], values: Values,
 
 def _allowed(profile: Profile, values: Values) -> bool:
     for lo, hi in _order(profile):
-        if not (lo.free_symbols | hi.free_symbols) - set(values) and at_precision(lo, values) >= at_precision(hi, values):
+        if not (lo.free_symbols | hi.free_symbols) - set(values) and at_precision(lo, values) >= at_precision(
+            hi, values
+        ):
             return False
     for rule in profile.rules:
         left, right = at_precision(rule.left, values), at_precision(rule.right, values)

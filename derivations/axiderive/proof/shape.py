@@ -1,4 +1,4 @@
-"""A profile at given parameter values, as the quadrature sees it: pieces of f, f' and (r f')', breaks, singular points."""
+"""A profile at given parameter values, as the quadrature sees it: pieces with derivatives, kinks, singular points."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Stretch:
     """(s f')' = f' + s f''."""
     singular: tuple[complex, ...]
     wavelength: float
-    """Length over which an exponential, trigonometric or high power term changes by a factor or a radian; inf if none does."""
+    """Length over which an exponential, a wave or a high power changes by a factor or a radian; inf without any."""
 
 
 @dataclass(frozen=True)
@@ -132,9 +132,8 @@ def shape(profile: Profile, values: Values) -> Shape:
         exprs = [concrete(expr, values) for expr in exprs]
         height, slope, bend = exprs
         hi = end if upper is None else min(end, bound(upper)(mp.mpf(0)))
-        stretch = Stretch(
-            lo, hi, bound(height), bound(slope), bound(bend), _singular_points(bend, exact), _wavelength(height, exact, end)
-        )
+        points, period = _singular_points(bend, exact), _wavelength(height, exact, end)
+        stretch = Stretch(lo, hi, bound(height), bound(slope), bound(bend), points, period)
         if stretches:
             kinks.append((lo, stretch.slope(lo) - stretches[-1].slope(lo)))
         stretches.append(stretch)

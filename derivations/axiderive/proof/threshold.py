@@ -54,9 +54,7 @@ def _refined(face: Shape, a: Number, rough: Number, digits: int) -> tuple[Number
     x = mp.mpf(0)
     for _ in range(20):
         slope = mp.polyval([c * (len(coefficients) - 1 - i) for i, c in enumerate(coefficients[:-1])], x)
-        bend = mp.polyval(
-            [c * (n := len(coefficients) - 1 - i) * (n - 1) for i, c in enumerate(coefficients[:-2])], x
-        )
+        bend = mp.polyval([c * (n := len(coefficients) - 1 - i) * (n - 1) for i, c in enumerate(coefficients[:-2])], x)
         x -= slope / bend
     return rough + x * step, mp.polyval(coefficients, x)
 
