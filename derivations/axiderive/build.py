@@ -25,7 +25,7 @@ Pairs = list[tuple["Profile", dict[str, "Entry"]]]
 
 @dataclass(frozen=True)
 class Failure:
-    """Something that keeps an entry, or with a bare profile name a whole profile, out of the catalogue."""
+    """Something that keeps a profile out of the catalogue: a formula that failed a check, or a defect."""
 
     key: str
     message: str
@@ -90,7 +90,7 @@ def build(
 
 
 def _expected_effort(name: str) -> tuple[int, int]:
-    """Longest first, so that no process is left alone with a long task at the end: many pieces and symbols take long."""
+    """Longest first, so that no process is left alone with a long task at the end."""
     from . import profiles
 
     profile = profiles.load(name)
@@ -98,24 +98,15 @@ def _expected_effort(name: str) -> tuple[int, int]:
 
 
 def _publishable(outcomes: Sequence[Outcome]) -> tuple[list[Outcome], list[Failure]]:
-    """What may be published: every entry that failed a check is out, and every entry computed through one."""
+    """What may be published: a profile with a failed check is left out whole, because its formulas rest on each other."""
     published, failures = [], []
     for outcome in outcomes:
         if outcome.error:
             failures.append(Failure(outcome.name, outcome.error, outcome.trace))
-            continue
-        failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
-        bad = {failure["key"].partition(".")[2] for failure in outcome.failures}
-        if "" in bad:
-            continue
-        for suffix, record in outcome.entries.items():
-            through = bad & set(record.get("composed") or ())
-            if suffix not in bad and through:
-                message = f"is computed through {outcome.name}.{min(through)}, which failed"
-                failures.append(Failure(f"{outcome.name}.{suffix}", message))
-                bad.add(suffix)
-        entries = {suffix: record for suffix, record in outcome.entries.items() if suffix not in bad}
-        published.append(Outcome(outcome.name, entries, outcome.evidence, outcome.seconds, outcome.cached))
+        elif outcome.failures:
+            failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
+        else:
+            published.append(outcome)
     return published, failures
 
 

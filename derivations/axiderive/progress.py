@@ -89,5 +89,6 @@ def failure_lines(failures: Sequence[Failure], *, seed: int, verbose: bool) -> l
         if verbose and failure.trace:
             lines.append(failure.trace.rstrip())
     if lines:
-        lines.append(f"{len(failures)} left out of the catalogue")
+        names = sorted({failure.key.partition(".")[0] for failure in failures})
+        lines.append(f"left out of the catalogue: {', '.join(names)}")
     return lines
