@@ -98,7 +98,7 @@ def _expected_effort(name: str) -> tuple[int, int]:
 
 
 def _publishable(outcomes: Sequence[Outcome]) -> tuple[list[Outcome], list[Failure]]:
-    """What may be published: a profile with a failed check is left out whole, because its formulas rest on each other."""
+    """What may be published: a profile with a failed check is left out: its formulas rest on each other."""
     published, failures = [], []
     for outcome in outcomes:
         if outcome.error:
