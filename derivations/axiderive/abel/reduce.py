@@ -15,10 +15,11 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import r
 from ..profiles.profile import Piece
-from .atoms import Atom, HyperboloidAtom, PowerAtom, SphereAtom
+from .atoms import Atom, PowerAtom
 from .form import Form
 from .moments import ZERO
 from .order import Order
+from .radicals import HyperboloidAtom, SphereAtom
 from .transcendental import CosineAtom, ExponentialAtom, GaussianAtom
 
 

@@ -117,4 +117,5 @@ def _closed_stick_radius(radius: Entry) -> tuple[Case, ...] | None:
     from ..notation import F as force
 
     own = radius.cases[0]
-    return (Case((c, a), own.expr.subs(force, force - F_x / mu)),)
+    floor = radius.profile.breaks[:1] if radius.profile.truncated else ()
+    return (Case((*floor, c, a), own.expr.subs(force, force - F_x / mu)),)
