@@ -29,6 +29,7 @@ from .moments import (
     arccos_moment,
     depth_moment,
     elliptic_moment,
+    outside_kernel,
     outside_moment,
     pressure_moment,
 )
