@@ -130,9 +130,15 @@ def test_truncated_profiles_start_at_the_face(name: str) -> None:
     assert call(name, "radius_from_force", 0.0) == b
     assert call(name, "force_from_depth", 0.0) == 0.0
     for function in ("depth", "force", "mean_pressure"):
-        assert math.isnan(call(name, function, 0.4)), function
-    assert math.isnan(call(name, "pressure", 0.7, 0.4))
-    assert math.isnan(call(name, "displacement", 0.7, 0.4))
+        with pytest.raises(ValueError, match=r"a = 0\.4 is below b = 0\.5: .* use normal\.flat_punch"):
+            call(name, function, 0.4)
+        few = call(name, function, np.array([0.4, 0.9]))
+        assert math.isnan(few[0]), function
+        assert few[1] == call(name, function, 0.9)
+    for function in ("pressure", "displacement"):
+        with pytest.raises(ValueError, match="below b"):
+            call(name, function, 0.7, 0.4)
+        assert np.isnan(call(name, function, 0.7, np.array([0.4, 0.9]))).tolist() == [True, False]
 
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
@@ -246,7 +252,7 @@ BAD = [
     ("power_law", {"n": 0.0}, r"n = 0\.0 is outside n > 0"),
     ("polynomial", {"A": (0.0, 0.0)}, "none negative and not all zero"),
     ("polynomial", {"A": (1.0, -1.0)}, "none negative"),
-    ("capped_paraboloid", {"R1": 1.0, "R2": 2.0}, r"R2 <= R1 is violated; .*exchange R1 and R2"),
+    ("capped_paraboloid", {"R1": 1.0, "R2": 2.0}, r"^R1 = 1\.0, R2 = 2\.0: R2 <= R1 is violated; .*exchange R1 and R2"),
     ("wavy_paraboloid", {"h": 1.0}, "lower h or lengthen the wave"),
     ("concave_power", {"n": 1.0}, "use n > 1"),
     ("flat_punch", {"a": 0.0}, r"a = 0\.0 is outside a > 0"),

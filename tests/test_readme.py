@@ -30,7 +30,11 @@ def test_an_altered_number_is_noticed(tmp_path: Path) -> None:
 @pytest.mark.parametrize("command", COMMANDS)
 def test_commands_run(command: str) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "axiderive.cli", *command.split()], capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, "-m", "axiderive.cli", *command.split()],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout.strip()

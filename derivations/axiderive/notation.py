@@ -94,17 +94,39 @@ f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from i
 g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
 p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
 r_zero = _define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
-stiffness = _define("stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd")
+stiffness = _define(
+    "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
+)
 
 # material
-E_star = _define("E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i")
+E_star = _define(
+    "E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i"
+)
 
-k = _define("k", "k", NUMBER, "1", "-1 < k < 1", "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space")
-H = _define("H", "H", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H > 0", "foundation modulus of the graded half space, c_N(x) = H |x|^k")
+k = _define(
+    "k",
+    "k",
+    NUMBER,
+    "1",
+    "-1 < k < 1",
+    "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space",
+)
+H = _define(
+    "H",
+    "H",
+    Dimension(-2 - k, sp.S.One),
+    "Pa m^(-k)",
+    "H > 0",
+    "foundation modulus of the graded half space, c_N(x) = H |x|^k",
+)
 
-dgamma = _define("dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area")
+dgamma = _define(
+    "dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area"
+)
 mu = _define("mu", r"\mu", NUMBER, "1", "mu >= 0", "coefficient of friction")
-G_star = _define("G_star", "G^{*}", STRESS, "Pa", "G_star > 0", "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)")
+G_star = _define(
+    "G_star", "G^{*}", STRESS, "Pa", "G_star > 0", "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)"
+)
 
 # geometry
 theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
@@ -120,9 +142,18 @@ wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "w
 
 # adhesive and tangential fields
 c = _define("c", "c", LENGTH, "m", "0 <= c <= a", "radius of the stick zone")
-retraction = _define("retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess")
+retraction = _define(
+    "retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess"
+)
 a_c = _define("a_c", r"a_{\mathrm c}", LENGTH, "m", "", "contact radius at pull-off")
-H_x = _define("H_x", "H_x", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H_x > 0", "tangential foundation modulus, c_T(x) = H_x |x|^k")
+H_x = _define(
+    "H_x",
+    "H_x",
+    Dimension(-2 - k, sp.S.One),
+    "Pa m^(-k)",
+    "H_x > 0",
+    "tangential foundation modulus, c_T(x) = H_x |x|^k",
+)
 F_x = _define("F_x", "F_x", FORCE, "N", "", "tangential force")
 tau = _define("tau", r"\tau", STRESS, "Pa", "", "tangential traction")
 u_0 = _define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the rigid body")
@@ -130,7 +161,9 @@ u_0 = _define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the
 # plane problem
 P = _define("P", "P", Dimension.of(-1, 1), "N/m", "P > 0", "line load, force per length of the strip of contact")
 L = _define("L", "L", LENGTH, "m", "L > a", "distance of the reference point from the middle of the contact")
-x_zero = _define("x_zero", "x_0", LENGTH, "m", "", "distance from the middle where the pressure first vanishes on unloading")
+x_zero = _define(
+    "x_zero", "x_0", LENGTH, "m", "", "distance from the middle where the pressure first vanishes on unloading"
+)
 slope = _define("slope", r"\frac{\mathrm dw}{\mathrm dx}", NUMBER, "1", "", "slope of the surface outside the contact")
 tilt = _define("tilt", r"\varphi", NUMBER, "rad", "", "inclination of the punch, deeper on the side of positive x")
 width = _define("width", r"\ell", LENGTH, "m", "", "width of the contact")
@@ -157,7 +190,14 @@ t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earli
 x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
 u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
 psi = _define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
-C = _define("C", "C", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "", "coefficient h/a^n of a concave face, held fixed while the radius varies")
+C = _define(
+    "C",
+    "C",
+    Dimension(1 - n, sp.S.Zero),
+    "m^(1-n)",
+    "",
+    "coefficient h/a^n of a concave face, held fixed while the radius varies",
+)
 j = sp.Symbol("j", integer=True, positive=True)
 N = sp.Symbol("N", integer=True, positive=True)
 _RECORDS["j"] = Notation(j, "j", NUMBER, "1", "", "summation index")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
+from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
@@ -90,8 +90,8 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. The pressure is bounded,
-    with its peak just outside b. Handbook: rounded_punch.d.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. The pressure is bounded, with its peak just outside b. Handbook: rounded_punch.d.
 
     References
     ----------
@@ -105,6 +105,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     0.270723
     """
     require(R=R, b=b)
+    require_reach(a, b)
     return elementwise(_depth, a, R=R, b=b)
 
 
@@ -136,8 +137,8 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. The pressure is bounded,
-    with its peak just outside b. Handbook: rounded_punch.F.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. The pressure is bounded, with its peak just outside b. Handbook: rounded_punch.F.
 
     References
     ----------
@@ -151,6 +152,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     0.780061
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_force, a, R=R, b=b, E_star=E_star)
 
 
@@ -188,9 +190,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
-    over the growing contact by a Gauss-Legendre rule. The pressure is bounded, with its peak just outside b.
-    Handbook: rounded_punch.p.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. The pressure
+    is bounded, with its peak just outside b. Handbook: rounded_punch.p.
 
     References
     ----------
@@ -204,6 +206,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     0.064187
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
 
 
@@ -237,8 +240,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
-    over the growing contact by a Gauss-Legendre rule. Handbook: rounded_punch.w.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    rounded_punch.w.
 
     References
     ----------
@@ -252,6 +256,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     0.07949
     """
     require(R=R, b=b)
+    require_reach(a, b)
     return elementwise(_displacement, r, a, R=R, b=b)
 
 
@@ -283,8 +288,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Handbook:
-    rounded_punch.k.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.k.
 
     References
     ----------
@@ -298,6 +303,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     3.24
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_stiffness, a, E_star=E_star)
 
 
@@ -329,8 +335,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Handbook:
-    rounded_punch.pm.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.pm.
 
     References
     ----------
@@ -344,6 +350,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     0.094613
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
 
 

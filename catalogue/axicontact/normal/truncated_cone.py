@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
+from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
@@ -89,8 +89,8 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. The pressure is logarithmically infinite
-    at the corner r = b. Handbook: truncated_cone.d.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    The pressure is logarithmically infinite at the corner r = b. Handbook: truncated_cone.d.
 
     References
     ----------
@@ -104,6 +104,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     0.46765
     """
     require(theta=theta, b=b)
+    require_reach(a, b)
     return elementwise(_depth, a, theta=theta, b=b)
 
 
@@ -135,8 +136,8 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. The pressure is logarithmically infinite
-    at the corner r = b. Handbook: truncated_cone.F.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    The pressure is logarithmically infinite at the corner r = b. Handbook: truncated_cone.F.
 
     References
     ----------
@@ -150,6 +151,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     0.661021
     """
     require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_force, a, theta=theta, b=b, E_star=E_star)
 
 
@@ -186,9 +188,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
-    growing contact by a Gauss-Legendre rule. The pressure is logarithmically infinite at the corner r = b.
-    Handbook: truncated_cone.p.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. The pressure is
+    logarithmically infinite at the corner r = b. Handbook: truncated_cone.p.
 
     References
     ----------
@@ -202,6 +204,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     0.252586
     """
     require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star)
 
 
@@ -234,8 +237,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
-    growing contact by a Gauss-Legendre rule. Handbook: truncated_cone.w.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_cone.w.
 
     References
     ----------
@@ -249,6 +252,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     0.10793
     """
     require(theta=theta, b=b)
+    require_reach(a, b)
     return elementwise(_displacement, r, a, theta=theta, b=b)
 
 
@@ -280,7 +284,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: truncated_cone.k.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Handbook: truncated_cone.k.
 
     References
     ----------
@@ -294,6 +299,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     2.0
     """
     require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_stiffness, a, E_star=E_star)
 
 
@@ -325,7 +331,8 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: truncated_cone.pm.
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Handbook: truncated_cone.pm.
 
     References
     ----------
@@ -339,6 +346,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     0.21041
     """
     require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_mean_pressure, a, theta=theta, b=b, E_star=E_star)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
+from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
@@ -89,8 +89,8 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. The pressure is logarithmically infinite at the
-    corner r = b. Handbook: truncated_paraboloid.d.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. The
+    pressure is logarithmically infinite at the corner r = b. Handbook: truncated_paraboloid.d.
 
     References
     ----------
@@ -104,6 +104,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     0.721688
     """
     require(R=R, b=b)
+    require_reach(a, b)
     return elementwise(_depth, a, R=R, b=b)
 
 
@@ -135,8 +136,8 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. The pressure is logarithmically infinite at the
-    corner r = b. Handbook: truncated_paraboloid.F.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. The
+    pressure is logarithmically infinite at the corner r = b. Handbook: truncated_paraboloid.F.
 
     References
     ----------
@@ -150,6 +151,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     1.082532
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_force, a, R=R, b=b, E_star=E_star)
 
 
@@ -187,9 +189,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. The pressure is logarithmically infinite at the corner r = b. Handbook:
-    truncated_paraboloid.p.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. The pressure is logarithmically infinite
+    at the corner r = b. Handbook: truncated_paraboloid.p.
 
     References
     ----------
@@ -203,6 +205,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     0.360444
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
 
 
@@ -235,8 +238,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. Handbook: truncated_paraboloid.w.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_paraboloid.w.
 
     References
     ----------
@@ -250,6 +253,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     0.177251
     """
     require(R=R, b=b)
+    require_reach(a, b)
     return elementwise(_displacement, r, a, R=R, b=b)
 
 
@@ -281,7 +285,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: truncated_paraboloid.k.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
+    truncated_paraboloid.k.
 
     References
     ----------
@@ -295,6 +300,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     2.0
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_stiffness, a, E_star=E_star)
 
 
@@ -326,7 +332,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: truncated_paraboloid.pm.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
+    truncated_paraboloid.pm.
 
     References
     ----------
@@ -340,6 +347,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     0.344581
     """
     require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
     return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
 
 

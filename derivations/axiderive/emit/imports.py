@@ -59,7 +59,9 @@ def imports(module: ModuleText) -> list[str]:
     if "np." in text:
         blocks.append("import numpy as np")
     blocks.append("")
-    domain = [name for name in ("require", "require_coefficients", "require_order") if f"{name}(" in text]
+    domain = [
+        name for name in ("require", "require_coefficients", "require_order", "require_reach") if f"{name}(" in text
+    ]
     blocks.append(f"from .._domain import {', '.join(domain)}")
     blocks.append("from .._elementwise import Array, Result, elementwise")
     helpers = [name for name in HELPERS if f"{name}(" in text]

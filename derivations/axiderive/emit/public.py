@@ -31,6 +31,8 @@ def public(
     summed = "A" in keywords and coefficients in profile.parameters
     required = [name for name in keywords if not (summed and name == "A")]
     body = [f"{check}({', '.join(f'{name}={name}' for name in required)})"] if required else []
+    if profile.truncated and a in quantity.arguments:
+        body.append(f"require_reach(a, {profile.breaks[0]})")
     function, passed = private.name, [f"{name}={name}" for name in private.needs]
     if summed:
         body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
@@ -45,7 +47,10 @@ def public(
 
 
 def _notes(profile: Profile, quantity: Quantity, private: Private, functions: PrivateFunctions) -> list[str]:
-    notes = [f"Valid for {profile.validity}. Negative or NaN field values give NaN."]
+    outside = "Negative or NaN field values"
+    if profile.truncated and a in quantity.arguments:
+        outside += f", and radii below {profile.breaks[0]} among larger ones,"
+    notes = [f"Valid for {profile.validity}. {outside} give NaN."]
     text = "\n".join(private.lines)
     for other in functions.functions.values():
         if other.name in text:

@@ -61,9 +61,7 @@ def by_root(
     return [*steps, *_centre(centre.expr, face, strip, n, domain, k), _ring(ring.expr, N, domain)]
 
 
-def _centre(
-    place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr
-) -> list[str]:
+def _centre(place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr) -> list[str]:
     """For 1 < m, n <= 2 both terms of (m - 1) N are negative where D > 0, by one step of the Beta function."""
     if place != 0:
         message = f"{place} is not the centre"

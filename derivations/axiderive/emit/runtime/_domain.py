@@ -36,8 +36,22 @@ def require(**parameters: ArrayLike) -> None:
 def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayLike) -> None:
     """Raise ValueError with the values and the reason if a relation between parameters is violated."""
     if not np.all(holds):
-        given = ", ".join(f"{name} = {value!r}" for name, value in values.items())
+        given = ", ".join(f"{name} = {np.asarray(value).tolist()!r}" for name, value in values.items())
         message = f"{given}: {relation} is violated; {reason}"
+        raise ValueError(message)
+
+
+def require_reach(a: ArrayLike, b: ArrayLike) -> None:
+    """Raise ValueError if not one contact radius reaches beyond the flat face of radius b, where the contact starts.
+
+    Where some do, the others give NaN like every field value outside its range.
+    """
+    radius, face = np.broadcast_arrays(numbers("a", a), numbers("b", b))
+    if radius.size and np.all((radius >= 0.0) & (radius < face)):
+        message = (
+            f"a = {float(radius.flat[0])!r} is below b = {float(face.flat[0])!r}: the contact starts at a = b, "
+            "the edge of the flat face; use normal.flat_punch for a smaller face"
+        )
         raise ValueError(message)
 
 
