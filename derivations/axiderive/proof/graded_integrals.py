@@ -79,16 +79,23 @@ class Graded:
         """p(r)/H for 0 < r < a."""
         k, breaks = self.k, [piece.hi for piece in self.shape.stretches[:-1]]
         ends = [r, *(b for b in breaks if r < b < a), a]
-        points = [z for piece in self.shape.stretches for z in piece.singular] + [0j, *(complex(b) for b in breaks)]
         total = mp.mpf(0)
         for start, end in zip(ends, ends[1:], strict=False):
-            moved = [z - complex(start) for z in points + [complex(r), complex(-r)]]
+            # below a break nothing is felt of it
+            felt = [piece for piece in self.shape.stretches if piece.lo < end]
+            points = [z for piece in felt for z in (*piece.singular, complex(piece.lo))] + [complex(r), complex(-r)]
+            moved = [z - complex(start) for z in points]
             singular = (0j, *(z for z in moved if abs(z) > 1e-14 * float(end)))
             longest = min(6 * piece.wavelength for piece in self.shape.stretches)
             cuts = panels_no_longer_than(longest, mp.mpf(0), end - start)
             for lo, hi in zip(cuts, cuts[1:], strict=False):
                 total += integrate(
-                    lambda x, at=start: self._pressure_rate(x, at, r), lo, hi, singular, self.digits, least=float(k - 1) / 2
+                    lambda x, at=start: self._pressure_rate(x, at, r),
+                    lo,
+                    hi,
+                    singular,
+                    self.digits,
+                    least=float(k - 1) / 2,
                 )
         if depth is not None:
             total += (depth - self.depth(a)) * ((a - r) * (a + r)) ** ((k - 1) / 2)
@@ -149,10 +156,20 @@ class Graded:
         def between(lo: Number, hi: Number) -> Number:
             cuts = panels_no_longer_than(longest, lo, hi)
             points = (0j, cmath.pi, *own)
-            return mp.fsum(
-                integrate(f, x, y, points, self.digits, least) for x, y in zip(cuts, cuts[1:], strict=False)
-            )
+            return mp.fsum(integrate(f, x, y, points, self.digits, least) for x, y in zip(cuts, cuts[1:], strict=False))
 
+        if piece.lo == 0 and 0 in piece.singular:  # from the tip on, with exact distances to it
+
+            def from_tip(x: Number) -> Number:
+                cosine, sine = mp.cos_sin(x)
+                return integrand(piece, t * sine) * cosine**self.k
+
+            end = (mp.pi / 2 - near) / 2
+            points = tuple(sign * cmath.asin(z / float(t)) for z in piece.singular for sign in (1, -1))
+            points += (cmath.pi / 2, *(cmath.pi / 2 - z for z in extra))
+            cuts = panels_no_longer_than(longest, mp.mpf(0), end)
+            tip = mp.fsum(integrate(from_tip, x, y, points, self.digits) for x, y in zip(cuts, cuts[1:], strict=False))
+            return tip + between(near, mp.pi / 2 - end)
         clear = min([abs(z) for z in own], default=1.0)
         if 0 < near < min(NEAR * clear, far / 2):
             return between(mp.mpf(0), far) - between(mp.mpf(0), near)

@@ -129,14 +129,15 @@ class Units:
         return reduced
 
     def _integral(self, expr: sp.Integral) -> Dimension:
-        variable, *limits = expr.limits[0]
-        wanted = self.dimension(variable)
-        for limit in limits:
-            found = self.dimension(limit)
-            if limit != 0 and not same(found, wanted):
-                message = f"the limit {limit} has {text(found)}, the variable {variable} has {text(wanted)}"
-                raise UnitsError(message)
-        return self.dimension(expr.function) * wanted
+        variable, lower, upper = expr.limits[0]
+        # a power of a length on the graded half space: the limits say which
+        wanted = self.dimension(upper)
+        found = self.dimension(lower)
+        if lower != 0 and not same(found, wanted):
+            message = f"the limit {lower} has {text(found)}, the limit {upper} has {text(wanted)}, in {expr}"
+            raise UnitsError(message)
+        inside = Units({**self.known, variable: wanted})
+        return inside.dimension(expr.function) * wanted
 
 
 def check(profile: Profile, entries: Mapping[str, Entry], suffix: str) -> Evidence:
