@@ -1,4 +1,4 @@
-"""Graded, adhesive, tangential, viscoelastic contact and prescribed pressures against their definitions, and their units.
+"""Graded, adhesive, tangential, viscoelastic contact and prescribed pressures against their definitions; units.
 
 Each check must also fail: an entry with a changed factor, exponent or sign is not passed.
 """
@@ -107,8 +107,8 @@ def test_changed_formula_fails(physics, name, suffix, mutate):
 
 def test_creep_and_relaxation_belong_together():
     values = {
-        nt.E: sp.Rational(7, 5), nt.eta: sp.Rational(3, 2), nt.relaxation: sp.Rational(2, 3), nt.E_inf: sp.Rational(4, 5),
-        nt.E_1: sp.Rational(9, 4), nt.alpha: sp.Rational(2, 5), nt.t_0: sp.Rational(5, 3),
+        nt.E: sp.Rational(7, 5), nt.eta: sp.Rational(3, 2), nt.relaxation: sp.Rational(2, 3),
+        nt.E_inf: sp.Rational(4, 5), nt.E_1: sp.Rational(9, 4), nt.alpha: sp.Rational(2, 5), nt.t_0: sp.Rational(5, 3),
     }  # fmt: skip
     with mp.workdps(80):
         for law in ("mx", "kv", "sls", "pc"):
@@ -142,7 +142,7 @@ def with_a_length_more(expr: sp.Expr) -> sp.Expr:
 
 
 def test_units_of_a_limit_of_integration():
-    """On the graded half space the regularised variable is a power of a length, and both limits must be the same one."""
+    """On the graded half space the regularised variable is a power of a length, the same at both limits."""
     profile, entries = derived("graded", "truncated_cone")
     entry = entries["p"]
     wrong = replace(

@@ -24,14 +24,14 @@ from .shape import Number, Values, number, shape
 THRESHOLDS = ("rz", "dmin", "Fmin")
 DIGITS = 30
 STEP = 6
-"""The minimum is told from its neighbours at a relative distance of 10**-STEP, which fixes it to twice as many digits."""
+"""The minimum is compared with its neighbours at a relative distance of 10**-STEP, which fixes it to 2 STEP digits."""
 EXPONENTS = tuple(sp.Rational(x) for x in ("-3/10", "1/5", "1/2"))
 ELSEWHERE = (0.05, 0.3, 0.6, 0.9)
 
 
 def check(profile: Profile, entries: Mapping[str, Entry], suffix: str, *, seed: int = 0) -> Evidence:
     entry = entries[suffix]
-    rows = []
+    rows: list[tuple[Values, Number]] = []
     with mp.workdps(DIGITS + 30):
         for i, exponent in enumerate(EXPONENTS):
             values = {**points(profile, (nt.a,), 1, seed, (nt.H,))[0].values, nt.k: exponent}
@@ -52,7 +52,7 @@ def _residual(profile: Profile, entries: Mapping[str, Entry], suffix: str, value
         return mp.pi * face.pressure(a, r) * ((a - r) * (a + r)) ** ((1 - face.k) / 2)
 
     ring = _ring(case, values, a)
-    least = weighted(ring) if ring else weighted(a * mp.mpf(10) ** -40)
+    least = weighted(ring)
     if suffix == "rz":
         return _offset(weighted, ring, least, a)
     depth = face.depth(a) - least

@@ -92,7 +92,7 @@ class HalfSpace:
             case "k" if free_depth is None:
                 depth_rate, force_rate = self.rates(a)
                 return force_rate / depth_rate
-            case "k":  # the force is linear in the free depth
+            case "k" if free_depth is not None:  # the force is linear in the free depth
                 return self.force(a, free_depth + 1) - self.force(a, free_depth)
         message = f"no integral defines {suffix!r}; use d, F, pm, p, w or k"
         raise ValueError(message)

@@ -29,7 +29,7 @@ def check(
 ) -> Evidence:
     entry = entries[suffix]
     drawn = [point for case in entry.cases for point in draw(load, case.chain, points, seed, (nt.E_star,))]
-    rows = []
+    rows: list[tuple[Values, Number]] = []
     with mp.workdps(digits + GUARD):
         for i, point in enumerate(drawn):
             values = point.values

@@ -1,4 +1,4 @@
-"""Every formula of graded, adhesive, tangential and viscoelastic contact and of a prescribed pressure against its definition.
+"""Every formula of graded, adhesive, tangential, viscoelastic contact and prescribed pressure against its definition.
 
 Roots and inverses are checked by round trip: the known side is the definition
 at a chosen contact radius, the entry must lead back to it.
@@ -80,7 +80,7 @@ def check(
     working = min(digits, NESTED) if nested else digits
     drawn = _points(profile, entries, suffix, physics, 1 if nested else points, seed, graded)
     with mp.workdps(working + GUARD + (ILL if suffix == "c" else 0)):
-        rows = [
+        rows: list[tuple[Values, Number]] = [
             (point.values, _residual(profile, entries, suffix, physics, point.values, working, graded))
             for point in drawn
         ]
@@ -108,20 +108,13 @@ def _points(
         source = entries["d"]
     elif suffix in INVERSES and profile.contact == "compact":
         source = entries[INVERSES[suffix][0]]
-    elif suffix == "dF" and profile.contact == "complete":
-        source = entries["F"]
-    elif physics == "tangential" and suffix == "c":
+    elif (suffix == "dF" and profile.contact == "complete") or (physics == "tangential" and suffix == "c"):
         source = entries["F"]
     elif suffix in ("k", "pm", "Dl") and "d" in entries:
         source = entries["d"]
     fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
     # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
-    tame = (
-        graded
-        and any(case.expr.has(sp.Integral) for case in entries[suffix].cases)
-        or suffix in ("p", "tau")
-        and graded
-    )
+    tame = graded and (suffix in ("p", "tau") or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
     each = max(1 if tame else 2, -(-count // len(source.cases)))
     out: list[Point] = []
     for chain in [case.chain for case in source.cases]:
@@ -134,7 +127,7 @@ def _point(
     profile: Profile, chain: tuple[sp.Expr, ...], i: int, index: int, seed: int, fields: tuple[sp.Symbol, ...],
     graded: bool, tame: bool,
 ) -> Point:  # fmt: skip
-    """The i-th point of a case; on the graded half space the exponent is chosen first, because chains may contain it."""
+    """The i-th point of a case; on the graded half space the exponent comes first, because chains may contain it."""
     exponents = {nt.k: _exponent(index, profile.name, seed)} if graded else {}
     chain = tuple(length.subs(exponents) for length in chain)
     drawn = [p for p in points(profile, chain, i + 1 + (12 if tame else 0), seed, fields) if not (tame and p.extreme)]
@@ -172,7 +165,7 @@ def _residual(
 
 
 def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
-    """Contact radius and free depth; a complete contact at a small depth may leave a convex face partly out of contact."""
+    """Contact radius and free depth; at a small depth a convex face of a complete contact is partly out of contact."""
     if here.profile.contact == "compact":
         return a, None
     depth, full = here.at(nt.d), here.depth(a)

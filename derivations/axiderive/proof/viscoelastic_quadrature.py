@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -96,7 +97,9 @@ def check(profile: Profile, entries: Mapping[str, Entry], suffix: str, *, points
     """Ramp, step of depth or step of load against the convolution."""
     entry, (kind, law) = entries[suffix], suffix.split("_")
     digits = RAMP if kind == "ramp" else DIGITS
-    rows = []
+    if kind == "ramp" and nt.n not in profile.parameters:
+        points = min(points, 2)  # seconds each
+    rows: list[tuple[Values, Number]] = []
     plain = normal.derive(profile)
     for i, values in enumerate(_points(profile, plain, entry, points, seed)):
         if nt.alpha in values:
@@ -113,10 +116,10 @@ def check(profile: Profile, entries: Mapping[str, Entry], suffix: str, *, points
     )  # fmt: skip
 
 
-def _points(profile: Profile, plain: Mapping[str, Entry], entry: Entry, count: int, seed: int) -> list[Values]:
+def _points(profile: Profile, plain: Mapping[str, Entry], entry: Entry, count: int, seed: int) -> list[dict[Any, Any]]:
     source = plain["d"] if "d" in plain else plain["F"]
     fields = (*entry.parameters, nt.time) + ((nt.d,) if profile.contact == "complete" else ())
-    out = []
+    out: list[dict[Any, Any]] = []
     for case in source.cases:
         tame = [p.values for p in draw(profile, case.chain, count + 8, seed, fields) if not p.extreme]
         out += tame[:count]
