@@ -18,6 +18,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import mpmath as mp
 
@@ -88,15 +89,9 @@ class Graded:
             singular = (0j, *(z for z in moved if abs(z) > 1e-14 * float(end)))
             longest = min(6 * piece.wavelength for piece in self.shape.stretches)
             cuts = panels_no_longer_than(longest, mp.mpf(0), end - start)
+            part = partial(self._pressure_rate, start=start, r=r)
             for lo, hi in zip(cuts, cuts[1:], strict=False):
-                total += integrate(
-                    lambda x, at=start: self._pressure_rate(x, at, r),
-                    lo,
-                    hi,
-                    singular,
-                    self.digits,
-                    least=float(k - 1) / 2,
-                )
+                total += integrate(part, lo, hi, singular, self.digits, min(float(k - 1) / 2, -0.5))
         if depth is not None:
             total += (depth - self.depth(a)) * ((a - r) * (a + r)) ** ((k - 1) / 2)
         return total / mp.pi

@@ -65,12 +65,12 @@ def displacement(values: Values, s: Number, digits: int) -> Number:
 
         return factor * integrate(inside, mp.mpf(0), mp.pi / 2, tuple(complex(z) for z in away), digits)
     # x = a cos(y): the edge of the circle at y = 0
-    away = complex(mp.asinh(mp.sqrt((r - a) * (r + a)) / a))
+    height = complex(mp.asinh(mp.sqrt((r - a) * (r + a)) / a))
     rest = (r - a) * (r + a)
 
     def outside(y: Number) -> Number:
         sine = mp.sin(y)
         return (a * sine) ** (2 * s + 1) * a * sine / mp.sqrt(rest + (a * sine) ** 2)
 
-    points = (0j, complex(mp.pi), 1j * away, -1j * away)
+    points = (0j, complex(mp.pi), 1j * height, -1j * height)
     return factor * integrate(outside, mp.mpf(0), mp.pi / 2, points, digits)
