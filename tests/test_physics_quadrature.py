@@ -127,7 +127,7 @@ EVERYWHERE = [
 
 
 @pytest.mark.parametrize(
-    ("physics", "name"), [row for row in EVERYWHERE if row[1] in ("paraboloid", "truncated_cone", "power")]
+    ("physics", "name"), [row for row in EVERYWHERE if row[1] in ("paraboloid", "truncated_cone", "sphere_tipped_cone", "power")]
 )
 def test_units(physics, name):
     profile, entries = derived(physics, name)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import C0
+from ..abel.masters import C0, CapMoment
 from ..entry import Entry
 from ..notation import Dimension
 from ..profiles.profile import Profile
@@ -88,6 +88,10 @@ class Units:
         if isinstance(expr, OF_LENGTHS):
             self._common(expr)
             return nt.NUMBER
+        if isinstance(expr, CapMoment):
+            exponent, *lengths = expr.args
+            self._common(sp.Tuple(*lengths))
+            return nt.LENGTH**exponent
         if isinstance(expr, sp.Function):
             for argument in expr.args:
                 self._number(argument, expr)
