@@ -118,6 +118,7 @@ def test_creep_and_relaxation_belong_together():
         assert abs(wrong.convolution(mp.mpf(1), 45) - 1) > mp.mpf("1e-3")
 
 
+UNITS_OF = ("paraboloid", "truncated_cone", "sphere_tipped_cone", "power")
 EVERYWHERE = [
     (physics, name)
     for physics in DERIVE
@@ -127,7 +128,8 @@ EVERYWHERE = [
 
 
 @pytest.mark.parametrize(
-    ("physics", "name"), [row for row in EVERYWHERE if row[1] in ("paraboloid", "truncated_cone", "sphere_tipped_cone", "power")]
+    ("physics", "name"),
+    [row for row in EVERYWHERE if row[1] in UNITS_OF],
 )
 def test_units(physics, name):
     profile, entries = derived(physics, name)
