@@ -58,15 +58,15 @@ def gauss_rule(order: int, prec: int) -> Rule:
     return tuple(rule + mirrored)
 
 
-@lru_cache(maxsize=16)
-def exponential_rule(digits: int, prec: int) -> Rule:
-    """Double exponential rule on (0, 1), exact distances to the singular end 0, good for x**(-1/2) and log(x)."""
+@lru_cache(maxsize=64)
+def exponential_rule(digits: int, prec: int, least: float = -0.5) -> Rule:
+    """Double exponential rule on (0, 1), exact distances to the singular end 0, good for x**least and log(x)."""
     with mp.workprec(prec + 20):
         # the strip of analyticity is taken as |Im t| < 1 instead of pi/2: singular points wait beyond the far end
         step = mp.mpf(2 * math.pi / ((digits + 4) * math.log(10)))
         nodes = []
         for direction in (1, -1):
-            reach = (2 if direction > 0 else 1) * (digits + 6) * math.log(10)
+            reach = (1 / (1 + least) if direction > 0 else 1) * (digits + 6) * math.log(10)
             count = int(math.asinh(reach / math.pi) / step)
             for i in range(0 if direction > 0 else 1, count + 1):
                 t = direction * i * step
@@ -114,10 +114,17 @@ def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0)
     return _panels(lo, cut, singular, depth + 1) + _panels(cut, hi, singular, depth + 1)
 
 
+<<<<<<< HEAD
 def integrate(f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int) -> Number:
     """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
+=======
+def integrate(
+    f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int, least: float = -0.5
+) -> Number:
+    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f, 0 among them if it is one.
+>>>>>>> physics-evidence
 
-    Only an end of the interval may be a singular point, and only if it is 0.
+    Only an end of the interval may be a singular point, and only if it is 0; there f may grow like x**least.
     """
     if lo == hi:
         return mp.mpf(0)
@@ -129,7 +136,7 @@ def integrate(f: Integrand, lo: Number, hi: Number, singular: Iterable[complex],
     for (left, right, parameter), start, end in zip(panels, ends, ends[1:], strict=False):
         if 0 in points and 0 in (left, right):
             length = end if left == 0 else start
-            total += abs(length) * mp.fsum(w * f(length * x) for x, w in exponential_rule(digits, prec))
+            total += abs(length) * mp.fsum(w * f(length * x) for x, w in exponential_rule(digits, prec, least))
             continue
         order = 8 * math.ceil((digits + 4) / (16 * math.log10(parameter)))
         length = end - start

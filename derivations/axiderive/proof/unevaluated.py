@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 from functools import lru_cache
 
 import mpmath as mp
 import sympy as sp
 
+from .. import notation as nt
 from ..entry import Case
 from .balls import enclose_value
 from .evaluate import at_precision, decades
@@ -24,21 +26,37 @@ def evaluate_case(case: Case, values: Values, digits: int) -> Number:
     return enclose_value(case.expr, values, digits)
 
 
-def evaluate_integral(expr: sp.Expr, values: Values, digits: int) -> Number:
-    """The value of a result with one or more sp.Integral in it.
+def evaluate_integral(expr: sp.Expr, values: Values, digits: int, radii: tuple[complex, ...] = ()) -> Number:
+    """The value of a result with one or more sp.Integral in it; `radii` are singular points of the profile.
 
     The lower limit may be an algebraic singular point, where terms with
-    x**(-1/2) cancel: twice the digits are carried.
+    x**((k - 1)/2) cancel: twice the digits are carried for k = 0, more for k < 0.
     """
-    with mp.workdps(2 * digits + 2 * decades(values) + 40):
+    carried = digits / (1 + _least(values))
+    with mp.workdps(int(carried) + 2 * decades(values) + 40):
         plain = concrete(expr, values)
-        pieces = {integral: _definite(integral, values, digits) for integral in plain.atoms(sp.Integral)}
+        pieces = {integral: _definite(integral, values, digits, radii) for integral in plain.atoms(sp.Integral)}
         stand_ins = {integral: sp.Dummy("I", real=True) for integral in pieces}
         reduced = plain.xreplace(stand_ins)
         return at_precision(reduced, {**values, **{stand_ins[i]: value for i, value in pieces.items()}})
 
 
-def _definite(integral: sp.Integral, values: Values, digits: int) -> Number:
+def _least(values: Values) -> float:
+    """Exponent of what the edge of an earlier contact brings in."""
+    return min((float(values.get(nt.k, 0)) - 1) / 2, -0.5)
+
+
+def _images(variable: sp.Symbol, values: Values, radii: tuple[complex, ...]) -> list[complex]:
+    """Where the regularised variable of (11.53) or (11.56) meets a singular point of the profile."""
+    if not radii:
+        return []
+    k, r = float(values.get(nt.k, 0)), float(at_precision(nt.r, values))
+    if variable == nt.u:
+        return [0j, *(complex(z * z - r * r) ** ((1 + k) / 2) for z in radii)]
+    return [cmath.pi / 2, -cmath.pi / 2, *(sign * cmath.asin(z / r) for z in radii for sign in (1, -1))]
+
+
+def _definite(integral: sp.Integral, values: Values, digits: int, radii: tuple[complex, ...] = ()) -> Number:
     (variable, lower, upper), integrand = integral.limits[0], integral.function
     start, end = at_precision(lower, values), at_precision(upper, values)
     shifted = [z - start for part in _zeros_of(integrand, variable) for z in _roots(part, values)]
@@ -46,12 +64,18 @@ def _definite(integral: sp.Integral, values: Values, digits: int) -> Number:
     negligible = (end - start) * mp.mpf(10) ** (-mp.mp.dps // 2)
     # a feature behind the branch point, on another sheet, still asks for geometric panels down to its scale
     behind = -float(end - start) * 10.0 ** (-2 * decades(values))
+    # the limits may be images themselves, to the precision of a float; an earlier contact does not feel what is beyond
+    shifted += [
+        z - complex(start)
+        for z in _images(variable, values, radii)
+        if min(abs(z - complex(start)), abs(z - complex(end))) > 1e-13 * max(1.0, abs(start))
+    ]
     points = (0j, complex(behind), *(complex(z) for z in shifted if abs(z) > negligible))
 
     def f(x: Number) -> Number:
         return at_precision(integrand, {**values, variable: start + x})
 
-    return integrate(f, mp.mpf(0), end - start, points, digits)
+    return integrate(f, mp.mpf(0), end - start, points, digits, _least(values))
 
 
 @lru_cache(maxsize=256)

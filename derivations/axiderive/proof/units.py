@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import C0
+from ..abel.masters import C0, CapMoment
 from ..entry import Entry
 from ..notation import Dimension
 from ..profiles.profile import Profile
@@ -88,6 +88,10 @@ class Units:
         if isinstance(expr, OF_LENGTHS):
             self._common(expr)
             return nt.NUMBER
+        if isinstance(expr, CapMoment):
+            exponent, *lengths = expr.args
+            self._common(sp.Tuple(*lengths))
+            return nt.LENGTH**exponent
         if isinstance(expr, sp.Function):
             for argument in expr.args:
                 self._number(argument, expr)
@@ -129,14 +133,15 @@ class Units:
         return reduced
 
     def _integral(self, expr: sp.Integral) -> Dimension:
-        variable, *limits = expr.limits[0]
-        wanted = self.dimension(variable)
-        for limit in limits:
-            found = self.dimension(limit)
-            if limit != 0 and not same(found, wanted):
-                message = f"the limit {limit} has {text(found)}, the variable {variable} has {text(wanted)}"
-                raise UnitsError(message)
-        return self.dimension(expr.function) * wanted
+        variable, lower, upper = expr.limits[0]
+        # a power of a length on the graded half space: the limits say which
+        wanted = self.dimension(upper)
+        found = self.dimension(lower)
+        if lower != 0 and not same(found, wanted):
+            message = f"the limit {lower} has {text(found)}, the limit {upper} has {text(wanted)}, in {expr}"
+            raise UnitsError(message)
+        inside = Units({**self.known, variable: wanted})
+        return inside.dimension(expr.function) * wanted
 
 
 def check(profile: Profile, entries: Mapping[str, Entry], suffix: str) -> Evidence:

@@ -1,0 +1,175 @@
+"""Graded, adhesive, tangential, viscoelastic contact and prescribed pressures against their definitions; units.
+
+Each check must also fail: an entry with a changed factor, exponent or sign is not passed.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import lru_cache
+
+import mpmath as mp
+import pytest
+import sympy as sp
+
+from axiderive import notation as nt
+from axiderive import profiles
+from axiderive.contact import adhesive, loads, normal, tangential, viscoelastic
+from axiderive.contact.medium import GRADED
+from axiderive.entry import Case, Entry
+from axiderive.profiles.loads import LOADS
+from axiderive.profiles.profile import Profile
+from axiderive.proof import physics_quadrature, units
+from axiderive.proof.viscoelastic_quadrature import material
+
+DERIVE = {
+    "graded": lambda profile: normal.derive(profile, GRADED),
+    "adhesive": adhesive.derive,
+    "graded adhesive": lambda profile: adhesive.derive(profile, GRADED),
+    "tangential": tangential.derive,
+    "graded tangential": lambda profile: tangential.derive(profile, GRADED),
+    "viscoelastic": viscoelastic.derive,
+    "load": loads.derive,
+}
+LOAD = {load.name: load for load in LOADS}
+
+
+@lru_cache(maxsize=32)
+def derived(physics: str, name: str) -> tuple[Profile, dict[str, Entry]]:
+    profile = LOAD[name] if physics == "load" else profiles.load(name)
+    return profile, DERIVE[physics](profile)
+
+
+def check(physics: str, name: str, suffix: str, changed: Entry | None = None, **options: int):
+    profile, entries = derived(physics, name)
+    entries = entries if changed is None else {**entries, suffix: changed}
+    return physics_quadrature.check(profile, entries, suffix, physics.split()[-1], **options)
+
+
+QUICK = [
+    ("graded", "paraboloid", "d F w k pm ad aF Fd dF p"),
+    ("graded", "truncated_cone", "d F aF"),
+    ("graded", "capped_cylinder", "F w dF"),
+    ("graded", "power_law", "d F w Fd"),
+    ("adhesive", "cone", "Dl d F p w ad aF ac Fc dc am Fm dm"),
+    ("adhesive", "truncated_paraboloid", "d F w ad aF ac Fc am dm"),
+    ("graded adhesive", "paraboloid", "Dl d F w ad aF ac Fc dc am Fm dm"),
+    ("graded adhesive", "sphere", "d F ac Fc am dm"),
+    ("tangential", "paraboloid", "F tau u c us"),
+    ("tangential", "truncated_cone", "F u c us"),
+    ("graded tangential", "cone", "F u c us"),
+    ("viscoelastic", "cone", "ramp_mx step_kv load_sls load_pc"),
+    ("viscoelastic", "sphere", "step_mx load_kv step_pc"),
+    ("viscoelastic", "flat_punch", "ramp_mx ramp_kv ramp_sls ramp_pc"),
+    *(("load", name, "w") for name in LOAD),
+]
+
+
+@pytest.mark.parametrize(
+    ("physics", "name", "suffix"), [(physics, name, suffix) for physics, name, some in QUICK for suffix in some.split()]
+)
+def test_entry_is_its_definition(physics, name, suffix):
+    evidence = check(physics, name, suffix, points=2)
+    assert evidence.passed, evidence
+    assert evidence.count >= 1
+    json.dumps(evidence.as_dict())
+
+
+MUTANTS = [
+    ("graded", "paraboloid", "d", lambda x: x.subs(nt.k, nt.k + sp.Rational(1, 10**30))),
+    ("graded", "paraboloid", "F", lambda x: x * (1 + sp.Rational(1, 10**35))),
+    ("graded", "paraboloid", "w", lambda x: x * sp.cos(nt.k / 10**18)),
+    ("graded", "paraboloid", "p", lambda x: x * (1 + sp.Rational(1, 10**20))),
+    ("graded", "paraboloid", "aF", lambda x: x * (1 + sp.Rational(1, 10**35))),
+    ("adhesive", "truncated_cone", "d", lambda x: x.subs(nt.dgamma, nt.dgamma * 2)),
+    ("adhesive", "cone", "p", lambda x: x.subs(nt.dgamma, nt.dgamma * (1 + sp.Rational(1, 10**30)))),
+    ("adhesive", "truncated_cone", "ac", lambda x: sp.Eq(x.lhs, x.rhs * (1 + sp.Rational(1, 10**30)))),
+    ("adhesive", "cone", "am", lambda x: x * 3),
+    ("graded adhesive", "paraboloid", "Fc", lambda x: x * (3 - nt.k) / (3 + nt.k)),
+    ("tangential", "paraboloid", "tau", lambda x: x * (1 + sp.Rational(1, 10**30))),
+    ("tangential", "truncated_cone", "c", lambda x: sp.Eq(x.lhs * (1 + sp.Rational(1, 10**30)), x.rhs)),
+    ("graded tangential", "cone", "u", lambda x: x.subs(nt.H_x, nt.H)),
+    ("viscoelastic", "cone", "ramp_mx", lambda x: x * (1 + sp.Rational(1, 10**15))),
+    ("viscoelastic", "cone", "load_pc", lambda x: x.subs(nt.alpha, nt.alpha / 2)),
+    ("viscoelastic", "sphere", "step_mx", lambda x: sp.Eq(x.lhs * (1 + sp.Rational(1, 10**20)), x.rhs)),
+    ("load", "power", "w", lambda x: x.subs(nt.sigma, nt.sigma + sp.Rational(1, 10**30))),
+]
+
+
+@pytest.mark.parametrize(("physics", "name", "suffix", "mutate"), MUTANTS, ids=["-".join(row[:3]) for row in MUTANTS])
+def test_changed_formula_fails(physics, name, suffix, mutate):
+    entry = derived(physics, name)[1][suffix]
+    changed = replace(entry, cases=tuple(Case(case.chain, mutate(case.expr)) for case in entry.cases))
+    evidence = check(physics, name, suffix, changed, points=2)
+    assert not evidence.passed
+
+
+def test_creep_and_relaxation_belong_together():
+    values = {
+        nt.E: sp.Rational(7, 5), nt.eta: sp.Rational(3, 2), nt.relaxation: sp.Rational(2, 3),
+        nt.E_inf: sp.Rational(4, 5), nt.E_1: sp.Rational(9, 4), nt.alpha: sp.Rational(2, 5), nt.t_0: sp.Rational(5, 3),
+    }  # fmt: skip
+    with mp.workdps(80):
+        for law in ("mx", "kv", "sls", "pc"):
+            for time in ("0.3", "2.1"):
+                assert abs(material(law, values).convolution(mp.mpf(time), 45) - 1) < mp.mpf(10) ** -40
+        wrong = replace(material("sls", values), initial=material("mx", values).initial)
+        assert abs(wrong.convolution(mp.mpf(1), 45) - 1) > mp.mpf("1e-3")
+
+
+UNITS_OF = ("paraboloid", "truncated_cone", "sphere_tipped_cone", "power")
+EVERYWHERE = [
+    (physics, name)
+    for physics in DERIVE
+    for name in (LOAD if physics == "load" else profiles.NAMES)
+    if physics in ("load", "graded", "viscoelastic") or name in profiles.COMPACT_NAMES
+]
+
+
+@pytest.mark.parametrize(
+    ("physics", "name"),
+    [row for row in EVERYWHERE if row[1] in UNITS_OF],
+)
+def test_units(physics, name):
+    profile, entries = derived(physics, name)
+    assert all(evidence.passed for evidence in units.check_profile(profile, entries).values())
+    suffix, entry = next(iter(entries.items()))
+    wrong = replace(entry, cases=tuple(Case(case.chain, with_a_length_more(case.expr)) for case in entry.cases))
+    assert not units.check(profile, {suffix: wrong}, suffix).passed
+
+
+def with_a_length_more(expr: sp.Expr) -> sp.Expr:
+    return sp.Eq(expr.lhs * nt.a, expr.rhs) if isinstance(expr, sp.Eq) else expr * nt.a
+
+
+def test_units_of_a_limit_of_integration():
+    """On the graded half space the regularised variable is a power of a length, the same at both limits."""
+    profile, entries = derived("graded", "truncated_cone")
+    entry = entries["p"]
+    wrong = replace(
+        entry,
+        cases=tuple(Case(case.chain, case.expr.replace(sp.Integral, _longer_lower_limit)) for case in entry.cases),
+    )
+    assert units.check(profile, entries, "p").passed
+    assert not units.check(profile, {"p": wrong}, "p").passed
+
+
+def _longer_lower_limit(function: sp.Expr, limits: sp.Tuple) -> sp.Expr:
+    variable, lower, upper = limits
+    return sp.Integral(function, (variable, lower or nt.b**2, upper**2))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("physics", "name"), EVERYWHERE)
+def test_every_entry(physics, name):
+    profile, entries = derived(physics, name)
+    for suffix in entries:
+        for evidence in (units.check(profile, entries, suffix), check(physics, name, suffix)):
+            assert evidence.passed, evidence
+
+
+def test_unknown_physics_is_named():
+    profile, entries = derived("graded", "cone")
+    with pytest.raises(ValueError, match="use one of graded"):
+        physics_quadrature.check_profile(profile, entries, "plastic")
