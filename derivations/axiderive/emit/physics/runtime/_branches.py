@@ -86,18 +86,18 @@ def stable_radius(value: Array, found: Branches, load: Load, rate: Load, xi: flo
     for iteration in range(200):
         gap = load(a) - value
         low, high = np.where(gap < 0.0, a, low), np.where(gap > 0.0, a, high)
-        step = gap / (growth(load, rate, a, xi, E_star, dgamma))
+        step = gap / growth(rate, a, xi, E_star, dgamma)
         newton = a - step
         use = (newton > low) & (newton < high) & (iteration % 4 < 3)
         a_next = np.where(gap == 0.0, a, np.where(use, newton, halfway(low, high)))
-        settled = (np.abs(a_next - a) <= 2e-16 * a) | np.isnan(a)
+        settled = ~(np.abs(a_next - a) > 4e-16 * a) | ~(high - low > 4e-16 * a)
         a = a_next
         if settled.all():
             break
     return np.where(np.isnan(start), np.nan, a)
 
 
-def growth(load: Load, rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:
+def growth(rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:
     """Derivative of the load: that of the depth, or 2 E_star a times it with the retraction weighed by xi."""
     slope = rate(a) - xi * hess_retraction(a, E_star, dgamma) / (2.0 * a)
     return slope * np.where(xi == 1.0, 1.0, 2.0 * E_star * a)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ._elementwise import Array
-from ._integrals import difference_root
+from ._integrals import difference_root, integral
 
 
 def elliptic(kc: Array, a: float, b: Array) -> Array:
@@ -71,3 +71,16 @@ def _beta(s: Array) -> Array:
         return math.sqrt(math.pi) * math.exp(math.lgamma(s + 1.0) - math.lgamma(s + 1.5))
 
     return np.vectorize(beta, otypes=[float])(s)
+
+
+def hertzian(r: Array, a: Array) -> Array:
+    """w E_star/p_0 for s = 1/2; outside the arc sine and its root nearly cancel far away."""
+    far = np.maximum(r, a)
+    root = difference_root(far, a)
+    angle = np.arctan2(a, root)
+    near = ((2.0 * a * a - far * far) * angle + a * root) / (2.0 * a)
+    # with z = sin(angle): angle - z sqrt(1 - z**2) over 2 z**2, as an integral of positive terms
+    z = a / far
+    gap = integral(lambda x: 2.0 * np.sin(x) ** 2, angle, 16)
+    outside = np.where(z > 0.5, near, a * (angle - gap / (2.0 * z * z)))
+    return np.where(r > a, outside, np.pi * (2.0 * a * a - r * r) / (4.0 * a))
