@@ -67,7 +67,9 @@ class _Adhesive:
         if suffix in ("ad", "aF"):
             own = fields[0]
             body += PULLS if self.power == n else []
-            body.append(f"return {evaluate(name, [], keywords, summed, **{own: f'numbers({own!r}, {own})'})}".replace("'", '"'))
+            body.append(
+                f"return {evaluate(name, [], keywords, summed, **{own: f'numbers({own!r}, {own})'})}".replace("'", '"')
+            )
         else:
             body.append(f"return {evaluate('hess_retraction' if suffix == 'Dl' else name, fields, keywords, summed)}")
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
@@ -76,7 +78,12 @@ class _Adhesive:
             if self.power is None:
                 notes += " Where several radii are stable, the largest, which is reached on unloading."
         return Function(
-            entry.quantity.function, fields, keywords, SUMMARY[suffix], text.document(entry, fields, keywords, notes), body
+            entry.quantity.function,
+            fields,
+            keywords,
+            SUMMARY[suffix],
+            text.document(entry, fields, keywords, notes),
+            body,
         )
 
     def check(self, keywords: list[str]) -> list[str]:
@@ -104,8 +111,10 @@ class _Adhesive:
         body = self.check(self.keywords)
         if self.power == n:
             body += PULLS
-        inner = "partial(_pull_off_radius, A=A, control=require_control(control))" if self.module.summed else (
-            "partial(_pull_off_radius, control=require_control(control))"
+        inner = (
+            "partial(_pull_off_radius, A=A, control=require_control(control))"
+            if self.module.summed
+            else ("partial(_pull_off_radius, control=require_control(control))")
         )
         body += [f"radius = elementwise({inner}, {names})"]
         for name in ("force", "depth"):
@@ -146,11 +155,10 @@ class _Adhesive:
             out.append(private(f"_{control}_pull_off_radius", [], needs, [*lines, f"return {python(form.value)}"]))
         passed = ", ".join(needs)
         lines = [
-            f"own = _force_pull_off_radius({passed}) if control == \"force\" else _depth_pull_off_radius({passed})",
+            f'own = _force_pull_off_radius({passed}) if control == "force" else _depth_pull_off_radius({passed})',
             "return np.where(dgamma > 0.0, own, 0.0)",
         ]
         if self.power == n:
-            # the power of zero is no radius where n < 1/2
             lines = lines[:1] + ["return np.where(n > 0.5, np.where(dgamma > 0.0, own, 0.0), np.nan)"]
         out.append(private("_pull_off_radius", [], [*needs, "control"], lines))
         exponent = sp.sstr(self.power)
@@ -190,19 +198,19 @@ class _Adhesive:
         arguments = ", ".join(["a", *needs])
         lines = [
             f"found = _branches({passed}, control=control)",
-            f"load = _force if control == \"force\" else _depth",
+            'load = _force if control == "force" else _depth',
             f"return lowest(found, lambda a: load({arguments}))",
         ]
         out.append(private("_pull_off_radius", [], [*needs, "control"], lines))
         for quantity, field in (("depth", "d"), ("force", "F")):
             lines = [
-                f"found = _branches({passed}, control=\"{quantity}\")",
+                f'found = _branches({passed}, control="{quantity}")',
                 "return stable_radius(",
                 f"    {field},",
                 "    found,",
                 f"    lambda a: _{quantity}({arguments}),",
                 f"    {rate},",
-                f"    XI[\"{quantity}\"],",
+                f'    XI["{quantity}"],',
                 "    E_star,",
                 "    dgamma,",
                 ")",

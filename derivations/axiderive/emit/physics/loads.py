@@ -36,7 +36,9 @@ def module_source(load: Load) -> str:
         f"return elementwise(_displacement, r, {', '.join(f'{name}={name}' for name in keywords)})",
     ]
     document = text.document(entry, ["r"], keywords, f"Valid for {load.validity}. Negative or NaN radii give NaN.")
-    public = Function("displacement", ["r"], keywords, "Displacement of the surface into the half space.", document, body)
+    public = Function(
+        "displacement", ["r"], keywords, "Displacement of the surface into the half space.", document, body
+    )
     lines = FORMULAS.get(load.exponent, ["return p_0 / E_star * power(r, a, s)"])
     imports = [line + ", hertzian" if "_circle" in line else line for line in IMPORTS]
     return text.module(load.title, load.subtitle, imports, [public], [private("_displacement", ["r"], keywords, lines)])

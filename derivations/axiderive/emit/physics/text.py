@@ -64,7 +64,7 @@ class NormalModule:
         plain = [name for name in keywords if name in self.geometry or name == "E_star"]
         physics = [name for name in keywords if name not in plain]
         lines = []
-        if self.summed:
+        if self.summed and "A" in keywords:
             lines.append("A = require_coefficients(A)")
             plain = [name for name in plain if name != "A"]
         if plain:

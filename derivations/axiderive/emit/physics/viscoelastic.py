@@ -5,7 +5,6 @@ from __future__ import annotations
 from ...contact import viscoelastic
 from ...contact.viscoelastic import LAWS
 from ...entry import Entry
-from ...notation import time
 from ..code import python
 from . import text
 from .text import Function, NormalModule, evaluate, private
@@ -50,7 +49,10 @@ def module_source(module: NormalModule) -> str:
 
 
 def _document(entry: Entry, keywords: list[str], notes: str) -> list[str]:
-    return [line if line != "time : array_like" else "t : array_like" for line in text.document(entry, ["t"], keywords, notes)]
+    return [
+        line if line != "time : array_like" else "t : array_like"
+        for line in text.document(entry, ["t"], keywords, notes)
+    ]
 
 
 def _formula(module: NormalModule, entry: Entry, kind: str, law: str, material: list[str]) -> str:

@@ -70,7 +70,9 @@ def lowest(found: Branches, load: Load) -> Array:
     return np.take_along_axis(found.first, best[None], axis=0)[0]
 
 
-def stable_radius(value: Array, found: Branches, load: Load, rate: Load, xi: float, E_star: Array, dgamma: Array) -> Array:
+def stable_radius(
+    value: Array, found: Branches, load: Load, rate: Load, xi: float, E_star: Array, dgamma: Array
+) -> Array:
     """The largest radius of a stable contact under this load; NaN below pull-off."""
     value = np.atleast_1d(value)
     low = high = np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan)
@@ -110,12 +112,17 @@ def decades() -> Array:
 
 def radii_below(high: Array) -> Array:
     """Radii up to an end at which g' is infinite."""
-    return np.multiply.outer(np.concatenate([10.0 ** np.arange(-150.0, 0.0, 10.0), 1.0 - 0.5 ** np.arange(1.0, 53.0, 3.0)]), np.atleast_1d(high))
+    return np.multiply.outer(
+        np.concatenate([10.0 ** np.arange(-150.0, 0.0, 10.0), 1.0 - 0.5 ** np.arange(1.0, 53.0, 3.0)]),
+        np.atleast_1d(high),
+    )
 
 
 def radii_to(high: Array) -> Array:
     """Radii up to an end at which g' vanishes."""
-    return np.multiply.outer(np.concatenate([10.0 ** np.arange(-150.0, -2.0, 10.0), np.arange(1.0, 129.0) / 128.0]), np.atleast_1d(high))
+    return np.multiply.outer(
+        np.concatenate([10.0 ** np.arange(-150.0, -2.0, 10.0), np.arange(1.0, 129.0) / 128.0]), np.atleast_1d(high)
+    )
 
 
 def radii_beyond(b: Array) -> Array:

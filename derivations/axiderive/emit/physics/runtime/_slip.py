@@ -12,7 +12,7 @@ import numpy as np
 from ._elementwise import Array
 from ._integrals import difference_root, integral
 
-CLOSE, NODES = 0.75, 24
+CLOSE, NODES = 0.75, 32
 Slope = Callable[[Array], Array]
 
 

@@ -178,9 +178,9 @@ def _graded_modulus(E_0: Array, c_0: Array, k: Array, nu: Array) -> Array:
 
 
 def _h_N(k: Array, nu: Array) -> Array:
-    beta = np.sqrt((1.0 + k) * (1.0 - k * nu / (1.0 - nu)))
+    beta = np.sqrt((1.0 + k) * ((1.0 - nu) - k * nu) / (1.0 - nu))
     C = 2.0 ** (1.0 + k) * _gamma((3.0 + k + beta) / 2.0) * _gamma((3.0 + k - beta) / 2.0) / (np.pi * _gamma(2.0 + k))
-    punch = 2.0 * (1.0 + k) * np.cos(np.pi * k / 2.0) * _gamma(1.0 + k / 2.0) / _gamma((1.0 + k) / 2.0)
+    punch = 2.0 * (1.0 + k) * np.sin(np.pi * (1.0 - np.abs(k)) / 2.0) * _gamma(1.0 + k / 2.0) / _gamma((1.0 + k) / 2.0)
     return punch / (np.sqrt(np.pi) * C * beta * np.sin(np.pi * beta / 2.0))
 
 
