@@ -67,9 +67,8 @@ class _Adhesive:
         if suffix in ("ad", "aF"):
             own = fields[0]
             body += PULLS if self.power == n else []
-            body.append(
-                f"return {evaluate(name, [], keywords, summed, **{own: f'numbers({own!r}, {own})'})}".replace("'", '"')
-            )
+            value = f'numbers("{own}", {own})'
+            body.append(f"return {evaluate(name, [], keywords, summed, **{own: value})}")
         else:
             body.append(f"return {evaluate('hess_retraction' if suffix == 'Dl' else name, fields, keywords, summed)}")
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
@@ -93,7 +92,10 @@ class _Adhesive:
         module, geometry = self.module, self.module.geometry
         needs = [*geometry, "E_star", "dgamma"]
         return [
-            private("_depth", ["a"], needs, [f"return {module.call('_depth', 'a')} - hess_retraction(a, E_star, dgamma)"]),
+            private(
+                "_depth", ["a"], needs,
+                [f"return {module.call('_depth', 'a')} - hess_retraction(a, E_star, dgamma)"],
+            ),
             private("_force", ["a"], needs, [f"return {module.call('_force', 'a')} - pull(a, E_star, dgamma)"]),
             private(
                 "_pressure", ["r", "a"], needs,

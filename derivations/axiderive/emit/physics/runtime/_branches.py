@@ -96,6 +96,7 @@ def stable_radius(
         a = a_next
         if settled.all():
             break
+    a = np.where((value == np.inf) & (high == np.inf), np.inf, a)
     return np.where(np.isnan(start), np.nan, a)
 
 
