@@ -357,24 +357,79 @@ def test_materials(package: str) -> None:
     assert materials.effective_shear_modulus(1.0, 0.5, math.inf, 0.3) == pytest.approx(2 / 2.25, rel=1e-15)
     np.testing.assert_allclose(materials.h_N(0.0, [-0.5, 0.0, 0.3, 0.5]), 1.0, rtol=1e-15)
     assert materials.graded_modulus(3.0, 2.0, 0.0, 0.5) == pytest.approx(4.0, rel=1e-15)
-    # Gibson's half space, incompressible with G = m z, is Winkler's foundation of modulus 2 m: H = 2 pi m, m = E_0/(3 c_0)
+    # Gibson's half space, incompressible with G = m z, is Winkler's foundation of modulus 2 m:
+    # H = 2 pi m, m = E_0/(3 c_0)
     assert materials.graded_modulus(3.0, 2.0, 1 - 1e-9, 0.5) == pytest.approx(math.pi, rel=1e-7)
     assert list(public(materials)) == ["effective_modulus", "effective_shear_modulus", "graded_modulus", "h_N"]
 
 
 BAD: list[tuple[str, str, tuple[float, ...], dict[str, Any], str]] = [
-    ("adhesive.cone", "force", (1.0,), {"theta": 0.3, "E_star": 1.0, "dgamma": -1.0}, r"dgamma = -1\.0 is outside dgamma >= 0; .*use dgamma = 0"),
-    ("adhesive.cone", "pull_off", ("up",), {"theta": 0.3, "E_star": 1.0, "dgamma": 1.0}, "control = 'up' must be 'force' or 'depth'"),
-    ("adhesive.power_law", "pull_off", (), {"A": 1.0, "n": 0.5, "E_star": 1.0, "dgamma": 1.0}, r"n = 0\.5: n > 1/2 is violated; .*no pull-off"),
-    ("adhesive.power_law", "radius_from_depth", (1.0,), {"A": 1.0, "n": 0.4, "E_star": 1.0, "dgamma": 1.0}, r"n = 0\.4: n > 1/2"),
-    ("tangential.cone", "traction", (0.1, 1.0, 0.5), {"theta": 0.3, "E_star": 1.0, "mu": -0.1}, r"mu = -0\.1 is outside mu >= 0; .*positive"),
-    ("tangential.cone", "tangential_force", (1.0, 1.5), {"theta": 0.3, "E_star": 1.0, "mu": 0.1}, r"c = 1\.5, a = 1\.0: c <= a is violated; .*exchange a and c"),
-    ("viscoelastic.cone", "ramp_force_maxwell", (1.0,), {"v": -1.0, "theta": 0.3, "E": 1.0, "tau": 1.0}, r"v = -1\.0 is outside v > 0; .*shrinking contact"),
-    ("viscoelastic.cone", "step_force_maxwell", (1.0,), {"d": -1.0, "theta": 0.3, "E": 1.0, "tau": 1.0}, r"d = -1\.0 is outside d >= 0"),
-    ("loads.power", "displacement", (1.0,), {"a": 1.0, "p_0": 1.0, "s": -1.0, "E_star": 1.0}, r"s = -1\.0 is outside s > -1; .*infinite force"),
+    (
+        "adhesive.cone",
+        "force",
+        (1.0,),
+        {"theta": 0.3, "E_star": 1.0, "dgamma": -1.0},
+        r"dgamma = -1\.0 is outside dgamma >= 0; .*use dgamma = 0",
+    ),
+    (
+        "adhesive.cone",
+        "pull_off",
+        ("up",),
+        {"theta": 0.3, "E_star": 1.0, "dgamma": 1.0},
+        "control = 'up' must be 'force' or 'depth'",
+    ),
+    (
+        "adhesive.power_law",
+        "pull_off",
+        (),
+        {"A": 1.0, "n": 0.5, "E_star": 1.0, "dgamma": 1.0},
+        r"n = 0\.5: n > 1/2 is violated; .*no pull-off",
+    ),
+    (
+        "adhesive.power_law",
+        "radius_from_depth",
+        (1.0,),
+        {"A": 1.0, "n": 0.4, "E_star": 1.0, "dgamma": 1.0},
+        r"n = 0\.4: n > 1/2",
+    ),
+    (
+        "tangential.cone",
+        "traction",
+        (0.1, 1.0, 0.5),
+        {"theta": 0.3, "E_star": 1.0, "mu": -0.1},
+        r"mu = -0\.1 is outside mu >= 0; .*positive",
+    ),
+    (
+        "tangential.cone",
+        "tangential_force",
+        (1.0, 1.5),
+        {"theta": 0.3, "E_star": 1.0, "mu": 0.1},
+        r"c = 1\.5, a = 1\.0: c <= a is violated; .*exchange a and c",
+    ),
+    (
+        "viscoelastic.cone",
+        "ramp_force_maxwell",
+        (1.0,),
+        {"v": -1.0, "theta": 0.3, "E": 1.0, "tau": 1.0},
+        r"v = -1\.0 is outside v > 0; .*shrinking contact",
+    ),
+    (
+        "viscoelastic.cone",
+        "step_force_maxwell",
+        (1.0,),
+        {"d": -1.0, "theta": 0.3, "E": 1.0, "tau": 1.0},
+        r"d = -1\.0 is outside d >= 0",
+    ),
+    (
+        "loads.power",
+        "displacement",
+        (1.0,),
+        {"a": 1.0, "p_0": 1.0, "s": -1.0, "E_star": 1.0},
+        r"s = -1\.0 is outside s > -1; .*infinite force",
+    ),
     ("materials", "effective_modulus", (1.0, 0.6, 1.0, 0.3), {}, r"nu_1 = 0\.6 is outside -1 < nu_1 <= 1/2"),
     ("materials", "h_N", (1.0, 0.3), {}, r"k = 1\.0 is outside -1 < k < 1"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("name", "function", "fields", "given", "message"), BAD)

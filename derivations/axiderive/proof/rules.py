@@ -114,15 +114,10 @@ def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0)
     return _panels(lo, cut, singular, depth + 1) + _panels(cut, hi, singular, depth + 1)
 
 
-<<<<<<< HEAD
-def integrate(f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int) -> Number:
-    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
-=======
 def integrate(
     f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int, least: float = -0.5
 ) -> Number:
-    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f, 0 among them if it is one.
->>>>>>> physics-evidence
+    """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
 
     Only an end of the interval may be a singular point, and only if it is 0; there f may grow like x**least.
     """
