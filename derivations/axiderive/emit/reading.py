@@ -11,7 +11,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..proof.evaluate import case_at, evaluate
+from ..proof.evaluate import case_at, decades, evaluate
 from ..proof.sampling import points
 from ..proof.shape import coefficient, number, numeric_symbols
 from .readback import environment, read
@@ -33,7 +33,8 @@ def worst_residual(one: Row, entries: Mapping[str, Entry], count: int = 3, seed:
     """
     residuals = []
     for case, values in _points(one, entries, count, seed):
-        with mp.workdps(WORKING):
+        # a displacement far outside leaves a^7/r of terms of the size of r^5 a
+        with mp.workdps(WORKING + 10 * decades(values)):
             residuals += _compared(one, entries, case, values)
     return max(residuals)
 

@@ -42,7 +42,7 @@ def points(
     exact expression where an abbreviation of the profile asks for one.
     """
     rng = random.Random(f"{seed} {profile.name} {chain}")
-    plans = _plans(len(chain) - 1)
+    plans = _plans(max(0, len(chain) - 1))
     return [_draw(profile, chain, fields, next(plans), i, rng) for i in range(count)]
 
 

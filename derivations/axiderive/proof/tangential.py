@@ -100,9 +100,10 @@ class Tangential:
             message = f"{entry.key} is the root of an equation"
             raise NotProvedError(message)
         (case,), (force,) = entry.cases, self.normal.entry("F").cases
-        domain = self.normal.domain((c, a) if self.floor is None else (self.floor, c, a))
-        if case.chain != (c, a):
-            message = f"{entry.key} holds for another order than c < a"
+        chain = (c, a) if self.floor is None else (self.floor, c, a)
+        domain = self.normal.domain(chain)
+        if case.chain != chain:
+            message = f"{entry.key} holds for another order than {' < '.join(map(str, chain))}"
             raise NotProvedError(message)
         outer, inner = force.expr, force.expr.subs(a, c)
         back = case.expr.subs({F: outer, F_x: mu * (outer - inner)}, simultaneous=True)
