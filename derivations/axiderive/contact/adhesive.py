@@ -61,7 +61,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
         If the contact is complete: its edge is fixed, and only the pull-off depth is a question.
     """
     if profile.contact != "compact":
-        message = f"{profile.name} is a complete contact: its edge is fixed; only the retraction of its edge, Dl, is a question"
+        message = f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
         raise ValueError(message)
     plain = normal.derive(profile, medium)
     punch = {
