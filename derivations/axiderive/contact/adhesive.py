@@ -52,6 +52,13 @@ def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
     return {"force": 3 + medium.k, "depth": 1 - medium.k}
 
 
+def refusal(profile: Profile) -> str:
+    """Why a profile has no adhesive entries; empty if it has."""
+    if profile.contact == "compact":
+        return ""
+    return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
+
+
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All adhesive entries of a profile with a compact contact, keyed by suffix.
 
@@ -60,8 +67,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     ValueError
         If the contact is complete: its edge is fixed, and only the pull-off depth is a question.
     """
-    if profile.contact != "compact":
-        message = f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
+    if message := refusal(profile):
         raise ValueError(message)
     plain = normal.derive(profile, medium)
     punch = {
