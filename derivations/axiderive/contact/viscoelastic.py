@@ -63,6 +63,19 @@ LAWS = (
 )  # fmt: skip
 
 
+QUANTITIES = {
+    q.suffix: q
+    for law in LAWS
+    for q in (
+        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)),
+        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)),
+        Quantity(
+            f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}", a, (time, F)
+        ),
+    )
+}
+
+
 def derive(profile: Profile) -> dict[str, Entry]:
     """Force after a ramp (power laws and the flat punch), force after a step of depth, radius after a step of load."""
     plain = normal.derive(profile)
@@ -72,25 +85,15 @@ def derive(profile: Profile) -> dict[str, Entry]:
     for law in LAWS:
         if exponent is not None:
             elastic = depth_route.cases[0].expr.subs(E_star, law.ramp.subs(_m, exponent)).subs(d, v * time)
-            quantity = Quantity(
-                f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)
-            )
+            quantity = QUANTITIES[f"ramp_{law.suffix}"]
             out[quantity.suffix] = _entry(profile, quantity, "closed", (Case((), elastic),), (v, *law.parameters))
         step = tuple(Case(case.chain, _scaled(case.expr, law.relaxation)) for case in depth_route.cases)
-        quantity = Quantity(
-            f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)
-        )
+        quantity = QUANTITIES[f"step_{law.suffix}"]
         out[quantity.suffix] = _entry(profile, quantity, depth_route.status, step, law.parameters)
         if "aF" in plain:
             radius = plain["aF"]
             load = tuple(Case(case.chain, _scaled(case.expr, 1 / law.creep)) for case in radius.cases)
-            quantity = Quantity(
-                f"load_{law.suffix}",
-                f"step_load_radius_{law.name}",
-                f"Contact radius, load step, {law.name}",
-                a,
-                (time, F),
-            )
+            quantity = QUANTITIES[f"load_{law.suffix}"]
             out[quantity.suffix] = _entry(profile, quantity, radius.status, load, law.parameters)
     return out
 
