@@ -19,18 +19,21 @@ def require(**parameters: ArrayLike) -> None:
     Raises
     ------
     ValueError
-        With the parameter, its value and the rule, if a value is outside its domain or not finite.
+        With the parameter, its value, the rule and what to use instead, if a value is outside its domain or not finite.
     TypeError
         If a value is not a real number or an array of real numbers.
     """
     for name, value in parameters.items():
-        low, high, rule, meaning = SYMBOLS[name]
-        array = numbers(name, value)
-        inside = np.isfinite(array) & (low < array) & (array < high)
+        domain = SYMBOLS[name]
+        letter = domain.letter or name
+        array = numbers(letter, value)
+        above = (domain.low <= array) if domain.closed == "low" else (domain.low < array)
+        below = (array <= domain.high) if domain.closed == "high" else (array < domain.high)
+        inside = np.isfinite(array) & above & below
         if not inside.all():
             wrong = float(array[~inside].flat[0])
-            message = f"{name} = {wrong!r} is outside {rule}; {name} is the {meaning}"
-            raise ValueError(message)
+            message = f"{letter} = {wrong!r} is outside {domain.rule}; {letter} is the {domain.meaning}"
+            raise ValueError(f"{message}; {domain.instead}" if domain.instead else message)
 
 
 def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayLike) -> None:
