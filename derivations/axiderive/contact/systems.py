@@ -6,8 +6,11 @@ A system applied to a profile is a problem.  Its key (`cone`, `cone.fgm.adh`,
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 from .. import profiles
 from ..entry import Entry
@@ -48,10 +51,12 @@ class System:
     name: str
     """Package below axicontact."""
     title: str
-    rule: Callable[[Profile], dict[str, Entry]]
+    rule: Callable[[Any], dict[str, Entry]]
     pool: Pool = ROUND
     group: str = ""
     """Part of the keys between profile and quantity."""
+    rests_on: tuple[str, ...] = ()
+    """Systems whose modules its own modules call."""
     refusal: Callable[[Profile], str] = _always
     """Why the system has nothing to say of a profile; empty if it has."""
 
@@ -87,6 +92,10 @@ class Problem:
     def derive(self) -> dict[str, Entry]:
         return self.system.rule(self.profile)
 
+    def base_keys(self) -> set[str]:
+        """Keys of the problems that the generated module of this one rests on."""
+        return {Problem(BY_NAME[name], self.name).key for name in self.system.rests_on}
+
 
 def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> Callable[[Profile], dict[str, Entry]]:
     def derive(profile: Profile) -> dict[str, Entry]:
@@ -97,21 +106,27 @@ def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> 
 
 SYSTEMS = (
     System("normal", "Normal contact without adhesion", _on(normal.derive, HOMOGENEOUS)),
-    System("adhesive", "Adhesive contact", _on(adhesive.derive, HOMOGENEOUS), group="adh", refusal=adhesive.refusal),
+    System(
+        "adhesive", "Adhesive contact", _on(adhesive.derive, HOMOGENEOUS), group="adh",
+        rests_on=("normal",), refusal=adhesive.refusal,
+    ),
     System(
         "tangential", "Tangential contact with partial slip", _on(tangential.derive, HOMOGENEOUS),
-        group="tan", refusal=tangential.refusal,
+        group="tan", rests_on=("normal",), refusal=tangential.refusal,
     ),
     System("graded.normal", "Normal contact, graded half space", _on(normal.derive, GRADED), group="fgm"),
     System(
         "graded.adhesive", "Adhesive contact, graded half space", _on(adhesive.derive, GRADED),
-        group="fgm.adh", refusal=adhesive.refusal,
+        group="fgm.adh", rests_on=("graded.normal",), refusal=adhesive.refusal,
     ),
     System(
         "graded.tangential", "Tangential contact, graded half space", _on(tangential.derive, GRADED),
-        group="fgm.tan", refusal=tangential.refusal,
+        group="fgm.tan", rests_on=("graded.normal",), refusal=tangential.refusal,
     ),
-    System("viscoelastic", "Growing contact, viscoelastic half space", viscoelastic.derive, group="vis"),
+    System(
+        "viscoelastic", "Growing contact, viscoelastic half space", viscoelastic.derive,
+        group="vis", rests_on=("normal",),
+    ),
     System("plane", "Plane contact", plane.derive, STRIPS),
     System("loads", "Prescribed pressure", loads.derive, PRESSURES),
 )  # fmt: skip
@@ -133,10 +148,16 @@ def problems(ids: Iterable[str] | None = None) -> Iterator[Problem]:
                 yield from (Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile))
 
 
+@cache
+def _by_key() -> dict[str, Problem]:
+    return {found.key: found for found in problems()}
+
+
 def problem(key: str) -> Problem:
-    """The problem of that key; `KeyError` if there is none."""
-    for found in problems():
-        if found.key == key:
-            return found
-    message = f"there is no problem {key!r}"
-    raise KeyError(message)
+    """The problem of that key; `KeyError` with the nearest key if there is none."""
+    known = _by_key()
+    if key not in known:
+        near = difflib.get_close_matches(key, known, n=1)
+        message = f"there is no problem {key!r}" + (f"; did you mean {near[0]!r}?" if near else "")
+        raise KeyError(message)
+    return known[key]
