@@ -13,7 +13,8 @@ from ..stable.signs import squares
 
 # material and load first, then lengths from the contact to the profile, intermediates and functions last
 ORDER = (
-    "E_star", "F", "P", "d", "n", "A", "h", "a", "r", "x", "L", "t", "u", "b", "R", "R1", "R2", "s", "wavelength", "theta", "r_zero",
+    "E_star", "F", "P", "d", "n", "A", "h", "a", "r", "x", "L", "t", "u", "b", "R", "R1", "R2", "s", "wavelength",
+    "theta", "r_zero",
 )  # fmt: skip
 FUNCTIONS = {
     sp.Abs: "np.abs",

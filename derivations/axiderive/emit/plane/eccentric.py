@@ -11,7 +11,9 @@ from ...notation import P, a, e, x
 from ..code import python
 from ..private import PrivateFunctions
 
-SIDE, SHORT, NEAR, REACH = (sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach"))
+SIDE, SHORT, NEAR, REACH, FAR, BEYOND = (
+    sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach", "far", "beyond")
+)
 LEAN = {"short": "a - np.abs(e)", "side": "np.sign(e)"}
 """Distance of the load from its edge, and the side it leans to."""
 
@@ -30,8 +32,12 @@ def _limit(entry: Entry) -> str:
 
 
 def _lifted(expr: sp.Expr) -> sp.Expr:
-    """In the distances from the edge that the load leans to."""
-    expr = expr.subs(x, SIDE * (a - NEAR)).subs(sp.Abs(e), a - SHORT).subs(sp.sign(e), SIDE)
+    """In the distances of the point and of the load from the edge that the load leans to."""
+    return _in_distances(expr, SIDE * (a - NEAR), a - SHORT)
+
+
+def _in_distances(expr: sp.Expr, place: sp.Expr, eccentricity: sp.Expr) -> sp.Expr:
+    expr = expr.subs(x, place).subs(sp.Abs(e), eccentricity).subs(sp.sign(e), SIDE)
     return expr.replace(lambda part: part.is_Add, lambda part: sp.expand(sp.expand(part).subs(SIDE**2, 1)))
 
 
@@ -39,6 +45,8 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
     """The punch at x >= 0: the numerator linear in x between its values in the middle and at the edge.
 
     Both values are positive as long as both edges touch, so that nothing cancels.
+    After lift-off the extent of the contact is written in the distances from that
+    edge which is nearer to its end: they are exact where they are small.
     """
     touching, apart = (case.expr for case in entry.cases)
     numerator = sp.expand(touching * sp.pi * a**2 * sp.sqrt(a**2 - x**2) / P)
@@ -48,13 +56,16 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
         raise ValueError(message)
     share = sp.factor(edge / a) * x + sp.factor(middle / a) * (a - x)
     (extent,) = apart.atoms(sp.Max)
-    reach = _lifted(sp.Add(*extent.args))
+    reach = sp.Add(*extent.args)
+    from_edge = _lifted(reach)
+    from_lifted = _in_distances(reach, SIDE * (FAR - a), (a + BEYOND) / 2)
     pressed = _lifted(apart.subs(extent, REACH))
     lines = [
         "root = np.sqrt((a - x) * (a + x))",
         f"touching = P * ({python(share)}) / (np.pi * a**2 * root)",
         f"short, near = {LEAN['short']}, a - np.sign(e) * x",
-        f"reach = np.maximum({python(reach)}, 0.0)",
+        "beyond, far = 2 * np.abs(e) - a, a + np.sign(e) * x",
+        f"reach = np.maximum(np.where(beyond < short, {python(from_lifted)}, {python(from_edge)}), 0.0)",
         f"apart = {python(pressed)}",
         f"pressed = np.where({_limit(entry)}, touching, apart)",
         "return np.where((x <= a) & (P > 0.0), pressed, 0.0)",
