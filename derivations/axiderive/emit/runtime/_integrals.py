@@ -99,7 +99,8 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: in
 
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
-    r = np.where(r == b, np.nextafter(b, 0.0), r)
+    # on the outer side of the break, where the part below it adds nothing
+    r = np.where(r == b, np.nextafter(b, np.inf), r)
     within = r < b
     scale = np.sqrt(np.abs(r - b) * (r + b))
     span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale

@@ -65,7 +65,7 @@ def power_strips(x: Array, a: Array, n: Array) -> Array:
         return np.exp(-(n + 2.0) * step * (2.0 * start + step)) * _weight(s) / (1.0 + root)
 
     reach = fall / (np.sqrt(start * start + fall) + start)
-    return (1.0 + n * (a / x) ** 2 * integral(integrand, reach, NODES)) / x
+    return np.where(a > 0.0, 1.0 + n * (a / x) ** 2 * integral(integrand, reach, NODES), 1.0) / x
 
 
 def _weight(s: Array) -> Array:
