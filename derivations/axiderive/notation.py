@@ -190,6 +190,7 @@ nu, nu_1, nu_2 = (sp.Symbol(name, real=True) for name in ("nu", "nu_1", "nu_2"))
 _RECORDS["nu"] = Notation(nu, r"\nu", NUMBER, "1", "-1 < nu <= 1/2", "Poisson ratio")
 _RECORDS["nu_1"] = Notation(nu_1, r"\nu_1", NUMBER, "1", "-1 < nu_1 <= 1/2", "Poisson ratio of the first body")
 _RECORDS["nu_2"] = Notation(nu_2, r"\nu_2", NUMBER, "1", "-1 < nu_2 <= 1/2", "Poisson ratio of the second body")
+beta = _define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half space")
 h_N = _define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half space, 1 for k = 0")
 
 # prescribed pressure

@@ -31,3 +31,34 @@ def _kind(name: str) -> tuple[int, str]:
     if name.isupper() and len(name) > 1:
         return 0, name
     return (1 if name[:1].isupper() else 2), name
+
+
+def fit(line: str, indent: int = 4) -> list[str]:
+    """A line, or its last bracket opened where it is too long for one."""
+    if indent + len(line) <= LINE or ")" not in line:
+        return [line]
+    close = line.rindex(")")
+    place = _opening(line, close)
+    return call(line[:place], split(line[place + 1 : close]), line[close:], indent)
+
+
+def split(text: str) -> list[str]:
+    """The parts between the commas outside all brackets."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part.strip() for part in parts]
+
+
+def _opening(line: str, close: int) -> int:
+    depth = 0
+    for place in range(close, -1, -1):
+        depth += (line[place] == ")") - (line[place] == "(")
+        if depth == 0:
+            return place
+    message = f"unbalanced brackets in {line!r}"
+    raise ValueError(message)
