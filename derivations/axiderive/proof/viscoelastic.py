@@ -158,9 +158,10 @@ def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[s
     """One rule per kind of loading, for every law."""
     force = "plain.Fd" if "Fd" in normal_entries else "plain.F"
     out: dict[str, Rule] = {}
-    for suffix in entries:
+    for suffix, entry in entries.items():
         kind = suffix.split("_")[0]
-        out[suffix] = (("plain.aF" if kind == "load" else force,), _shown(KINDS[kind], suffix))
+        own = "plain.F" if kind == "step" and entry.status == "root" else force
+        out[suffix] = (("plain.aF" if kind == "load" else own,), _shown(KINDS[kind], suffix))
     return out
 
 
