@@ -39,7 +39,7 @@ class Writer:
     profile: Profile
     entries: Mapping[str, Entry]
     group: str
-    plain: Mapping[str, Entry] | None = None
+    plain: Mapping[str, Entry]
     public: list[Function] = field(default_factory=list)
     private: list[str] = field(default_factory=list)
 
@@ -53,7 +53,7 @@ class Writer:
 
     @cached_property
     def example(self) -> Example:
-        return Example(self.profile, self.entries, f"graded.{self.group}", self.plain)
+        return Example(self.profile, self.entries, self.group, self.plain)
 
     def checks(self, symbols: Sequence[sp.Symbol], reach: bool = False) -> list[str]:
         """The lines that check the parameters, those of the geometry with the rules between them."""
