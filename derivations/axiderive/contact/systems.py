@@ -17,7 +17,7 @@ from ..entry import Entry
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.profile import Profile
-from . import adhesive, loads, normal, plane, tangential, viscoelastic
+from . import adhesive, detachment, loads, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 
@@ -104,11 +104,16 @@ def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> 
     return derive
 
 
+def _adhesive(profile: Profile, medium: Medium) -> dict[str, Entry]:
+    rule = adhesive.derive if profile.contact == "compact" else detachment.derive
+    return rule(profile, medium)
+
+
 SYSTEMS = (
     System("normal", "Normal contact without adhesion", _on(normal.derive, HOMOGENEOUS)),
     System(
-        "adhesive", "Adhesive contact", _on(adhesive.derive, HOMOGENEOUS), group="adh",
-        rests_on=("normal",), refusal=adhesive.refusal,
+        "adhesive", "Adhesive contact", _on(_adhesive, HOMOGENEOUS), group="adh",
+        rests_on=("normal",), refusal=detachment.refusal,
     ),
     System(
         "tangential", "Tangential contact with partial slip", _on(tangential.derive, HOMOGENEOUS),
@@ -116,8 +121,8 @@ SYSTEMS = (
     ),
     System("graded.normal", "Normal contact, graded half space", _on(normal.derive, GRADED), group="fgm"),
     System(
-        "graded.adhesive", "Adhesive contact, graded half space", _on(adhesive.derive, GRADED),
-        group="fgm.adh", rests_on=("graded.normal",), refusal=adhesive.refusal,
+        "graded.adhesive", "Adhesive contact, graded half space", _on(_adhesive, GRADED),
+        group="fgm.adh", rests_on=("graded.normal",), refusal=detachment.refusal,
     ),
     System(
         "graded.tangential", "Tangential contact, graded half space", _on(tangential.derive, GRADED),

@@ -18,7 +18,7 @@ from ..entry import Entry
 from ..notation import F, d
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import adhesive, graded, loads, tangential, viscoelastic
+from . import adhesive, detachment, graded, loads, tangential, viscoelastic
 from .compact import Compact
 from .complete import Complete
 from .domain import NotProvedError
@@ -147,7 +147,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     if kind == viscoelastic.GROUP:
         rules = viscoelastic.rules(entries, plain.entries)
         return Prover(entries, rules, lambda: viscoelastic.Viscoelastic(plain.built(), entries), plain)
-    statements, rules = ABOVE[kind]
+    statements, rules = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES)
     return Prover(entries, rules, lambda: statements(plain.built(), entries), plain)
 
 
