@@ -1,4 +1,4 @@
-"""The committed catalogue as a whole: no problem without a module, no function without an entry, no entry without evidence.
+"""The committed catalogue: no problem without a module, no function without an entry, no entry without evidence.
 
 Everything here is read from what is committed, so that a formula cannot be
 published by a way around the checks.
