@@ -17,7 +17,7 @@ from ..entry import Entry
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.profile import Profile
-from . import adhesive, detachment, loads, normal, plane, tangential, viscoelastic
+from . import adhesive, detachment, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 
@@ -41,7 +41,8 @@ class Pool:
 ROUND = Pool("", profiles.NAMES, profiles.load)
 STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
-POOLS = (ROUND, STRIPS, PRESSURES)
+BODIES = Pool("", ("materials",), lambda name: materials.PROFILE)
+POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,9 @@ class Problem:
 
     @property
     def module(self) -> str:
-        """Path of the generated module below catalogue/."""
+        """Path of the generated module below catalogue/; a system of a single problem is a module by itself."""
+        if self.name == self.system.name:
+            return f"axicontact/{self.name}.py"
         return f"{self.system.package.replace('.', '/')}/{self.name}.py"
 
     def derive(self) -> dict[str, Entry]:
@@ -134,7 +137,9 @@ SYSTEMS = (
     ),
     System("plane", "Plane contact", plane.derive, STRIPS),
     System("loads", "Prescribed pressure", loads.derive, PRESSURES),
+    System("materials", "Elastic constants", lambda profile: materials.derive(), BODIES),
 )  # fmt: skip
+GRADED_SYSTEMS = tuple(system for system in SYSTEMS if system.group.startswith(GRADED.group))
 BY_NAME = {system.name: system for system in SYSTEMS}
 
 
