@@ -139,7 +139,6 @@ SYSTEMS = (
     System("loads", "Prescribed pressure", loads.derive, PRESSURES),
     System("materials", "Elastic constants", lambda profile: materials.derive(), BODIES),
 )  # fmt: skip
-GRADED_SYSTEMS = tuple(system for system in SYSTEMS if system.group.startswith(GRADED.group))
 BY_NAME = {system.name: system for system in SYSTEMS}
 
 

@@ -26,8 +26,7 @@ def package_sources(derived: Derived) -> dict[str, str]:
     files = python.module_sources(families["normal"])
     normal_texts = {name: files[f"{PACKAGE}/normal/{name}.py"] for name in families["normal"]}
     files |= physics.module_sources(families, normal_texts)
-    on_graded = {system.name.removeprefix("graded."): families[system.name] for system in systems.GRADED_SYSTEMS}
-    files |= graded.module_sources(on_graded["normal"], on_graded)
+    files |= graded.module_sources(families["graded.normal"], families)
     files |= plane.module_sources(families["plane"])
     files[f"{PACKAGE}/_symbols.py"] = symbols_source(parameter_names(derived))
     files[f"{PACKAGE}/__init__.py"] = python.package_source(_packages(files))
