@@ -104,7 +104,7 @@ def _points(
 ) -> list[Point]:
     """Points spread over the cases, those of an inverse over the cases of what it inverts."""
     source = entries[suffix]
-    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
+    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF):
         source = entries["d"]
     elif suffix in INVERSES and profile.contact == "compact":
         source = entries[INVERSES[suffix][0]]
@@ -191,9 +191,6 @@ def _value(entry: Entry, values: Values, digits: int, here: HalfSpace) -> Number
 
 def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
     entry, values = entries[suffix], here.values
-    if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
-        defined = here.adhesive({"Fc": "F", "dc": "d"}.get(suffix, suffix), a)
-        return residual(_value(entry, values, digits, here), defined)
     if suffix in PULL_OFF:
         control, sought = PULL_OFF[suffix]
         stationary = {**values, nt.dgamma: here.separation(control, a), nt.a_c: a}
