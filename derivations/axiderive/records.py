@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from .contact import adhesive, loads, plane_quantities, tangential, viscoelastic
+from .contact import adhesive, detachment, loads, materials, plane_quantities, tangential, viscoelastic
 from .entry import COMPACT, COMPLETE, Case, Entry, Primitive, Quantity
 from .profiles.loads import Load
 from .profiles.profile import Limit, Piece, Profile, Rule, Sketch
@@ -26,12 +26,14 @@ _KINDS = {
     "compact": COMPACT,
     "complete": COMPLETE,
     "adhesive": adhesive.QUANTITIES,
+    "detachment": detachment.QUANTITIES,
     "tangential": tangential.QUANTITIES,
     "viscoelastic": viscoelastic.QUANTITIES,
     "plane": plane_quantities.PLANE,
     "plane complete": plane_quantities.PLANE_COMPLETE,
     "plane eccentric": plane_quantities.PLANE_ECCENTRIC,
     "loads": loads.QUANTITIES,
+    "materials": materials.QUANTITIES,
 }
 _QUANTITIES = {f"{name}.{q.suffix}": q for name, kind in _KINDS.items() for q in kind.values()}
 

@@ -17,7 +17,7 @@ from ..entry import Entry
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.profile import Profile
-from . import adhesive, loads, normal, plane, tangential, viscoelastic
+from . import adhesive, detachment, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 
@@ -41,7 +41,8 @@ class Pool:
 ROUND = Pool("", profiles.NAMES, profiles.load)
 STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
-POOLS = (ROUND, STRIPS, PRESSURES)
+BODIES = Pool("", ("materials",), lambda name: materials.PROFILE)
+POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,9 @@ class Problem:
 
     @property
     def module(self) -> str:
-        """Path of the generated module below catalogue/."""
+        """Path of the generated module below catalogue/; a system of a single problem is a module by itself."""
+        if self.name == self.system.name:
+            return f"axicontact/{self.name}.py"
         return f"{self.system.package.replace('.', '/')}/{self.name}.py"
 
     def derive(self) -> dict[str, Entry]:
@@ -104,11 +107,16 @@ def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> 
     return derive
 
 
+def _adhesive(profile: Profile, medium: Medium) -> dict[str, Entry]:
+    rule = adhesive.derive if profile.contact == "compact" else detachment.derive
+    return rule(profile, medium)
+
+
 SYSTEMS = (
     System("normal", "Normal contact without adhesion", _on(normal.derive, HOMOGENEOUS)),
     System(
-        "adhesive", "Adhesive contact", _on(adhesive.derive, HOMOGENEOUS), group="adh",
-        rests_on=("normal",), refusal=adhesive.refusal,
+        "adhesive", "Adhesive contact", _on(_adhesive, HOMOGENEOUS), group="adh",
+        rests_on=("normal",), refusal=detachment.refusal,
     ),
     System(
         "tangential", "Tangential contact with partial slip", _on(tangential.derive, HOMOGENEOUS),
@@ -116,8 +124,8 @@ SYSTEMS = (
     ),
     System("graded.normal", "Normal contact, graded half space", _on(normal.derive, GRADED), group="fgm"),
     System(
-        "graded.adhesive", "Adhesive contact, graded half space", _on(adhesive.derive, GRADED),
-        group="fgm.adh", rests_on=("graded.normal",), refusal=adhesive.refusal,
+        "graded.adhesive", "Adhesive contact, graded half space", _on(_adhesive, GRADED),
+        group="fgm.adh", rests_on=("graded.normal",), refusal=detachment.refusal,
     ),
     System(
         "graded.tangential", "Tangential contact, graded half space", _on(tangential.derive, GRADED),
@@ -129,6 +137,7 @@ SYSTEMS = (
     ),
     System("plane", "Plane contact", plane.derive, STRIPS),
     System("loads", "Prescribed pressure", loads.derive, PRESSURES),
+    System("materials", "Elastic constants", lambda profile: materials.derive(), BODIES),
 )  # fmt: skip
 BY_NAME = {system.name: system for system in SYSTEMS}
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from ..contact.systems import Problem
 from ..entry import Entry
-from . import enclosure, identities, physics_quadrature, plane_closure, plane_quadrature, quadrature, units
+from . import enclosure, identities, materials, physics_quadrature, plane_closure, plane_quadrature, quadrature, units
 from .evidence import Evidence
 
 BALL_DIGITS = 10
@@ -36,6 +36,8 @@ def check_problem(
     elif problem.system.name == "plane":
         checks += plane_quadrature.check_profile(profile, kept, digits=digits, points=points, seed=seed).values()
         checks += plane_closure.check_profile(profile, kept, seed=seed)
+    elif problem.system.name == "materials":
+        checks += [materials.check(kept, suffix, seed=seed) for suffix in kept]
     else:
         physics = PHYSICS[problem.system.name]
         checks += physics_quadrature.check_profile(profile, kept, physics, digits=digits, seed=seed).values()

@@ -11,12 +11,45 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
+from ..profiles.materials import PROFILE as PROFILE
+from .domain import NotProvedError
 from .evaluate import evaluate
 from .evidence import Evidence, judge, residual
 from .graded_half_space import h_N
 from .shape import Number, Values, number
+from .statement import Rule
 
 LOST = 2
+
+
+class Materials:
+    """The entries, and the definitions they solve."""
+
+    def __init__(self, entries: Mapping[str, Entry]) -> None:
+        self.entries = entries
+
+    def reciprocal(self, suffix: str) -> list[str]:
+        """1/modulus is the sum over the bodies, an identity of rational functions."""
+        entry = self.entries[suffix]
+        return [self._equal(entry.cases[0].expr * entry.definition.rhs, sp.S.One, f"{suffix} solves its definition")]
+
+    def graded(self) -> list[str]:
+        entry, factor = self.entries["H"], self.entries["h_N"].cases[0].expr
+        return [self._equal(entry.cases[0].expr, entry.definition.rhs.subs(nt.h_N, factor), "H by its definition")]
+
+    @staticmethod
+    def _equal(left: sp.Expr, right: sp.Expr, statement: str) -> str:
+        if sp.cancel(left / right) != 1:
+            message = f"{statement}: not shown"
+            raise NotProvedError(message)
+        return statement
+
+
+RULES: dict[str, Rule] = {
+    "E_star": ((), lambda proof: proof.reciprocal("E_star")),
+    "G_star": ((), lambda proof: proof.reciprocal("G_star")),
+    "H": (("h_N",), Materials.graded),
+}
 
 
 def check(entries: Mapping[str, Entry], suffix: str, *, digits: int = 40, points: int = 6, seed: int = 0) -> Evidence:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ...entry import Entry
 from ...profiles.loads import Load
-from ..private import parameter_name
-from . import adhesive, flat_punch, loads, materials, refusals, tangential, viscoelastic
+from ...profiles.profile import Profile
+from . import adhesive, detachment, loads, materials, refusals, tangential, viscoelastic
 from .text import PACKAGE, NormalModule
 
 RUNTIME = Path(__file__).with_name("runtime")
@@ -19,7 +19,7 @@ TITLES = {
     "loads": "Displacement under a prescribed pressure",
 }
 WRITERS = {
-    "adhesive": adhesive.module_source,
+    "adhesive": lambda module, entries: _adhesive(module.profile)(module, entries),
     "tangential": tangential.module_source,
     "viscoelastic": viscoelastic.module_source,
 }
@@ -34,12 +34,13 @@ def module_sources(derived: Derived, normal_texts: Mapping[str, str]) -> dict[st
     """
     modules = {name: NormalModule.read(derived["normal"][name], text) for name, text in normal_texts.items()}
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
-    files[f"{PACKAGE}/materials.py"] = materials.module_source(derived["materials"]["materials"])
+    if constants := derived["materials"].get("materials"):
+        files[f"{PACKAGE}/materials.py"] = materials.module_source(constants)
     for group, write in WRITERS.items():
         for name, module in sorted(modules.items()):
             own = derived[group].get(name)
             files[f"{PACKAGE}/{group}/{name}.py"] = (
-                write(module, own) if own is not None else _without_entries(module, group)
+                write(module, own) if own is not None else refusals.module_source(module.profile, group)
             )
         files[f"{PACKAGE}/{group}/__init__.py"] = refusals.package_source(TITLES[group], sorted(modules))
     for name, entries in sorted(derived["loads"].items()):
@@ -50,16 +51,5 @@ def module_sources(derived: Derived, normal_texts: Mapping[str, str]) -> dict[st
     return files
 
 
-def _without_entries(module: NormalModule, group: str) -> str:
-    if group == "adhesive" and module.profile.name == "flat_punch":
-        return flat_punch.module_source(module)
-    return refusals.module_source(module.profile, group)
-
-
-def parameter_names(derived: Derived) -> set[str]:
-    """The parameters these packages check, by their names in the notation."""
-    systems = ("materials", *TITLES)
-    entries = [entry for system in systems for own in derived[system].values() for entry in own.values()]
-    loading = [entry.quantity.arguments[1:] for own in derived["viscoelastic"].values() for entry in own.values()]
-    groups = [*(entry.parameters for entry in entries), *loading]
-    return {parameter_name(symbol) for group in groups for symbol in group}
+def _adhesive(profile: Profile) -> Callable[[NormalModule, Mapping[str, Entry]], str]:
+    return adhesive.module_source if profile.contact == "compact" else detachment.module_source

@@ -13,8 +13,8 @@ REASONS = {
         " with F from axicontact.normal.{name}.force"
     ),
     "adhesive": (
-        "{title} is a complete contact whose edge does not move: adhesion does not change its solution,"
-        " use axicontact.normal.{name}; the pull-off of a flat face is axicontact.adhesive.flat_punch.pull_off"
+        "{title} keeps its edge until it peels off and is then the unbounded profile with a smaller contact radius:"
+        " use axicontact.adhesive.paraboloid"
     ),
 }
 REFUSAL = '''"""{title}: no {group} functions.
