@@ -49,19 +49,17 @@ def _root_of(square: sp.Expr, facts: Facts) -> sp.Expr | None:
     letters = {symbol**2: sp.Dummy(symbol.name, positive=True) for symbol in square.free_symbols}
     back = {dummy: power for power, dummy in letters.items()}
     factors = sp.Mul.make_args(sp.factor(sp.expand(square).subs(letters)).subs(back))
-    root, flips = sp.S.One, 1
+    root = sp.S.One
     for factor in factors:
         base, exponent = factor.as_base_exp()
         if not base.is_Add:
-            flips *= -1 if factor.is_negative else 1
             root *= sp.sqrt(abs(factor) if factor.is_number else factor)
             continue
         side = sign(base, facts) if squares(base) or squares(-base) else 0
         if side == 0 or exponent != 1:
             return None
-        flips *= side
         root *= sp.sqrt(base if side > 0 else sp.expand(-base))
-    return root if flips > 0 else None
+    return root
 
 
 def _conjugated(expr: sp.Expr, facts: Facts) -> EvaluationForm | None:

@@ -15,8 +15,6 @@ from ...stable.opaque import PowerPunches, PowerStrips, Root, named
 from ...stable.signs import facts_of
 from ..private import PrivateFunctions
 
-POINT = sp.Symbol("point", positive=True)
-
 
 @dataclass(frozen=True)
 class Region:
