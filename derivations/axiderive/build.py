@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import pool, work
 from .cache import Cache, digest, source_digest
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build")
 
 Published = list[tuple["Problem", Outcome]]
+Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -84,8 +85,28 @@ def build(
         report(outcome)
     outcomes = tuple(found[problem.key] for problem in wanted)
     published, failures = _publishable(wanted, found)
-    files = _emitted(published, cache, settings)
+    chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
+    failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
+    files = _emitted(published, chapter, cache, settings)
     return Catalogue(files, outcomes, tuple(failures))
+
+
+def _chapter(cache: Cache, jobs: int) -> Record:
+    """What the equations of chapter 11 come to; it depends on their own checks alone."""
+    from .chapter11.record import record
+
+    key = digest([work.FORMAT, "chapter", work.installed("mpmath"), source_digest("axiderive.chapter11")])
+    found = cache.get(key)
+    if found is None:
+        found = record(jobs)
+        cache.put(key, found)
+    return dict(found)
+
+
+def _wrong_equations(chapter: Record | None) -> list[str]:
+    from .chapter11.record import failures
+
+    return [] if chapter is None else failures(chapter)
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:
@@ -115,17 +136,17 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
     return published, failures
 
 
-def _emitted(published: Published, cache: Cache, settings: Settings) -> dict[str, bytes]:
+def _emitted(published: Published, chapter: Record | None, cache: Cache, settings: Settings) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results])
+    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
     texts = cache.get(key)
     if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published).items()}
+        texts = {path: content.decode() for path, content in _emit(published, chapter).items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _emit(published: Published) -> dict[str, bytes]:
+def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     from .emit import handbook, index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
@@ -141,6 +162,8 @@ def _emit(published: Published) -> dict[str, bytes]:
     for problem, outcome in published:
         record = index.evidence_record(problem, outcome.entries, outcome.evidence)
         files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
+    if chapter is not None:
+        files["evidence/chapter11.json"] = index.to_bytes(chapter)
     return files
 
 
