@@ -54,7 +54,12 @@ def test_two_bodies() -> None:
 @pytest.mark.parametrize(("k", "nu"), HALF_SPACES)
 def test_module_is_the_entry(k: str, nu: str) -> None:
     module = emitted("materials")
-    known = {nt.k: sp.Rational(float(k)), nt.nu: sp.Rational(float(nu)), nt.E_0: sp.Integer(3), nt.c_0: sp.Rational(1, 2)}
+    known = {
+        nt.k: sp.Rational(float(k)),
+        nt.nu: sp.Rational(float(nu)),
+        nt.E_0: sp.Integer(3),
+        nt.c_0: sp.Rational(1, 2),
+    }
     entry = materials.derive()["H"]
     known |= {symbol: expr.subs(known) for symbol, expr in entry.profile.abbreviations}
     expected = float(example.number(entry.cases[0].expr, known))
