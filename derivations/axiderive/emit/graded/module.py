@@ -51,6 +51,10 @@ class Writer:
     def summed(self) -> bool:
         return coefficients in self.profile.parameters
 
+    @property
+    def own_check(self) -> str:
+        return "_check" if self.group == "normal" else "normal._check"
+
     @cached_property
     def example(self) -> Example:
         return Example(self.profile, self.entries, self.group, self.plain)
@@ -62,7 +66,7 @@ class Writer:
         if plain:
             ruled = bool(self.profile.rules) and set(self.profile.parameters) <= set(symbols)
             named = ", ".join(f"{name}={name}" for name in plain)
-            lines.append(f"{'normal._check' if ruled else 'require'}({named})")
+            lines.append(f"{self.own_check if ruled else 'require'}({named})")
         if reach:
             lines.append(f'require_reach(a, {self.profile.breaks[0]}, "graded.normal.flat_punch")')
         return lines

@@ -9,6 +9,7 @@ import sympy as sp
 from ...entry import COMPACT, Entry
 from ...notation import a
 from ..docstring import SUMMARY
+from ..layout import fit
 from ..physics.text import name_of
 from .families import Family, family
 from .module import Writer
@@ -41,6 +42,8 @@ class _Normal:
         self.growth()
         self.fields()
         self.inverses()
+        if self.profile.rules:
+            self.check()
         return self.writer.source(f"{self.profile.title} on a power-law graded half space")
 
     def public(self, suffix: str) -> None:
@@ -59,6 +62,30 @@ class _Normal:
         if suffix in INVERSES and self.family.power is None:
             notes.append("Evaluated by a safeguarded Newton iteration.")
         writer.add(entry, SUMMARY[suffix], " ".join(notes), body)
+
+    def check(self) -> None:
+        """The rules between the parameters; that of the waves depends on the grading."""
+        names = self.writer.geometry
+        typed, passed = (", ".join(part.format(name) for name in names) for part in ("{}: ArrayLike", "{0}={0}"))
+        head = fit(f"def _check({typed}, *, k: ArrayLike, **material: ArrayLike) -> None:", 0)
+        if not self.family.has("waves"):
+            body = [f"normal._check({passed}, k=k, **material)"]
+        else:
+            (rule,) = self.profile.rules
+            body = [
+                f"require({passed}, k=k, **material)",
+                "R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)",
+                "require_order(",
+                "    elementwise(steepest_waves, k=k) * R * h <= wavelength**2,",
+                '    "steepest_waves(k)*R*h <= wavelength**2",',
+                f'    "{rule.reason}",',
+                "    R=R,",
+                "    h=h,",
+                "    wavelength=wavelength,",
+                "    k=k,",
+                ")",
+            ]
+        self.writer.private.append("\n".join([*head, *(f"    {line}" for line in body)]) + "\n")
 
     def domain(self) -> str:
         """The condition on the contact radius, "" where there is none."""

@@ -34,7 +34,7 @@ def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES) -> A
 def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
     nodes, _ = gauss_legendre(count)
     column = (-1, *(1,) * np.ndim(stop))
-    weights = weights.reshape(column) if weights.ndim == 1 else weights
+    weights = weights.reshape(count, *(1,) * (np.ndim(stop) + 1 - weights.ndim), *weights.shape[1:])
     total = np.zeros(np.broadcast_shapes(np.shape(stop), weights.shape[1:]))
     step = max(1, BLOCK // max(1, total.size))
     for first in range(0, count, step):
