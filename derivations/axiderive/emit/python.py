@@ -22,7 +22,7 @@ from .complete import Complete
 from .imports import RUNTIME, ModuleText, imports, is_used
 from .inverses import Inverses
 from .nodes import nodes_source
-from .private import Private, PrivateFunctions, parameter_name
+from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
 
 NODE_COUNTS = (16, 32, 64, 128)
