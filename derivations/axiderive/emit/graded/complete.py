@@ -8,7 +8,8 @@ from dataclasses import replace
 import sympy as sp
 
 from ...entry import COMPLETE, Entry
-from ...notation import a, d, n, r
+from ...notation import a, d, r
+from ...profiles.profile import Profile
 from ..code import python
 from ..docstring import SUMMARY
 from ..physics.text import name_of
@@ -40,10 +41,7 @@ class _Complete:
         self.material = [*self.writer.geometry, "H", "k"]
         piece = self.profile.pieces[0].expr
         self.concave = piece.has(a)
-        self.order = python(
-            piece.as_independent(r, as_Add=False)[1].as_base_exp()[1] if not self.concave else _order(piece)
-        )
-        self.order = f"{self.order}.0" if self.order.isdigit() else self.order
+        self.order = order_of(self.profile)
 
     def source(self) -> str:
         self.writer.profile_function()
@@ -156,11 +154,11 @@ class _Complete:
         self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
 
 
-def _order(piece: sp.Expr) -> sp.Expr:
-    (power,) = (own for own in sp.expand_power_base(piece).args if own.as_base_exp()[0] == r)
-    exponent = power.as_base_exp()[1]
-    assert exponent == n or exponent.is_Integer
-    return exponent
+def order_of(profile: Profile) -> str:
+    """The exponent of a face of one power of r, as it stands in the code: 2.0, n."""
+    piece = sp.expand_power_base(profile.pieces[0].expr)
+    exponent = sp.expand_power_base(piece.as_independent(r, as_Add=False)[1]).as_base_exp()[1]
+    return repr(float(exponent)) if exponent.is_Integer else python(exponent)
 
 
 def _with_depth(entry: Entry) -> Entry:
