@@ -156,9 +156,7 @@ def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     texts = modules.package_sources(derived)
     published = [(problem, outcome) for problem, outcome in published if problem.module in texts]
     derived = {problem.key: derived[problem.key] for problem, _ in published}
-    pairs = [(p.profile, derived[p.key]) for p, _ in published if p.system.name == "normal"]
-    own = {p.name: evidence[p.key] for p, _ in published if p.system.name == "normal"}
-    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(pairs, own).items()}
+    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence).items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
