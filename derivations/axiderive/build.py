@@ -154,9 +154,7 @@ def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
-    published = [(problem, outcome) for problem, outcome in published if problem.module in texts]
-    derived = {problem.key: derived[problem.key] for problem, _ in published}
-    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence).items()}
+    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence, chapter).items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
