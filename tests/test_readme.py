@@ -43,3 +43,14 @@ def test_commands_run(command: str) -> None:
 def test_pictures_exist() -> None:
     for path in re.findall(r"!\[[^]]*\]\(([^)]+)\)", README.read_text()):
         assert (README.parent / path).is_file(), path
+
+
+def test_the_matrix_is_that_of_the_catalogue() -> None:
+    """Every profile of every physics has a cell, and none is empty."""
+    import json
+
+    from axiderive.emit.matrix import markdown
+
+    found = json.loads((README.parent / "catalogue" / "axicontact" / "index.json").read_text())["matrix"]
+    assert markdown(found) in README.read_text()
+    assert all(cell for cells in found["profiles"].values() for cell in cells.values())

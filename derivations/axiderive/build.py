@@ -204,7 +204,13 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     for part, name in (("profiles", "name"), ("entries", "profile")):
         rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
         new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
+    new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
     return own | shared | {index_path: to_bytes(new)}
+
+
+def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:
+    profiles = {**old.get("profiles", {}), **new["profiles"]}
+    return {**new, "profiles": {name: profiles[name] for name in order if name in profiles}}
 
 
 def _owner(path: str) -> str:

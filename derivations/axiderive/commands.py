@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import json
 import re
 import sys
 import time
@@ -14,6 +15,7 @@ from .build import Catalogue, differences, only_profiles
 from .build import build as build_catalogue
 from .cache import Cache, digest
 from .contact import systems
+from .emit.matrix import with_matrix
 from .exits import FAILED, INCOMPLETE, CommandError
 from .index import nearest
 from .progress import Progress, failure_lines, summary
@@ -47,10 +49,15 @@ def build(arguments: argparse.Namespace) -> int:
     if not any(path.startswith("evidence/") for path in catalogue.files):
         print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
         return FAILED
+    readme = {} if partial or root != project_root() / "catalogue" else _readme(catalogue)
     if arguments.check:
-        code = _compare(files, root, partial=partial, progress=progress, verbose=arguments.verbose)
+        stale = [] if partial else stale_files(files, root)
+        lines = differences(files, root, stale) + differences(readme, project_root())
+        code = _compare(lines, root, len(files), progress=progress, verbose=arguments.verbose)
     else:
         written, removed = publish(files, root, prune=not partial)
+        for path, content in readme.items():
+            write_atomic(project_root() / path, content)
         code = _handbook(root, cache, arguments, progress)
         _report_written(catalogue, root, (len(written), len(removed)), time.perf_counter() - started, progress)
     if failures:
@@ -59,10 +66,18 @@ def build(arguments: argparse.Namespace) -> int:
     return code
 
 
-def _compare(files: dict[str, bytes], root: Path, *, partial: bool, progress: Progress, verbose: bool) -> int:
-    lines = differences(files, root, [] if partial else stale_files(files, root))
+def _readme(catalogue: Catalogue) -> dict[str, bytes]:
+    """The README with the matrix of this catalogue, where a checkout has one."""
+    path = project_root() / "README.md"
+    if not path.is_file():
+        return {}
+    index = json.loads(catalogue.files["axicontact/index.json"])
+    return {path.name: with_matrix(path.read_text(encoding="utf-8"), index["matrix"]).encode()}
+
+
+def _compare(lines: list[str], root: Path, count: int, *, progress: Progress, verbose: bool) -> int:
     if not lines:
-        progress.say(f"{root} is what a build writes ({len(files)} files)")
+        progress.say(f"{root} is what a build writes ({count} files)")
         return 0
     print("\n".join(lines if verbose else lines[:LONGEST_DIFF]))
     if not verbose and len(lines) > LONGEST_DIFF:

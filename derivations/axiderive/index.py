@@ -39,15 +39,17 @@ class Index:
     """The index of one generated package."""
 
     folder: Path
-    data: dict[str, list[Row]]
+    data: dict[str, Any]
 
     @property
     def profiles(self) -> list[Row]:
-        return self.data["profiles"]
+        rows: list[Row] = self.data["profiles"]
+        return rows
 
     @property
     def entries(self) -> list[Row]:
-        return self.data["entries"]
+        rows: list[Row] = self.data["entries"]
+        return rows
 
     def profile(self, name: str) -> Row:
         for row in self.profiles:

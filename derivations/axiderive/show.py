@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from .index import Index, Row
 
-TOPICS = ("profiles", "physics", "quantities", "units")
+TOPICS = ("profiles", "physics", "quantities", "units", "matrix")
 FORMS = ("text", "latex", "python", "json")
 
 
@@ -23,8 +23,12 @@ def listing(index: Index, topic: str, *, as_json: bool = False) -> str:
 def _rows(index: Index, topic: str) -> list[Row]:
     if topic == "units":
         return [{k: row[k] for k in ("name", "unit", "domain", "meaning")} for row in index.data["units"]]
+    if topic == "matrix":
+        systems = [row["name"] for row in index.data["physics"]]
+        cells: dict[str, dict[str, str]] = index.data["matrix"]["profiles"]
+        return [{"profile": name, **{s: own.get(s, "") for s in systems}} for name, own in cells.items()]
     if topic == "physics":
-        return index.data["physics"]
+        return list(index.data["physics"])
     if topic == "quantities":
         first = {(row["quantity"], row["function"]): row for row in index.entries}
         names = {"quantity": "suffix", "function": "function", "label": "label", "symbol": "symbol", "unit": "unit"}

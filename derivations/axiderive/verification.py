@@ -22,7 +22,7 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
     Returns
     -------
     dict
-        JSON-able: `settings`, `entries` (by suffix: whether certified, worst
+        JSON-able: `settings`, `entries` (by suffix: status, whether certified, worst
         residual, a summary, the certificate and the checks) and `failures`, a
         list of key and message.
     """
@@ -34,14 +34,17 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
         by_key[check.key].append(check)
     return {
         "settings": settings.record(),
-        "entries": {suffix: _entry(certificates[suffix], by_key[entry.key]) for suffix, entry in entries.items()},
+        "entries": {
+            suffix: _entry(entry.status, certificates[suffix], by_key[entry.key]) for suffix, entry in entries.items()
+        },
         "failures": [{"key": c.key, "message": _failure(c)} for c in found if c.outcome == "failed"],
     }
 
 
-def _entry(proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
+def _entry(status: str, proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
     residuals = [check.worst for check in checks if check.passed and check.worst]
     return {
+        "status": status,
         "certified": proof.proved,
         "residual": max(residuals, key=float, default=""),
         "summary": _summary(proof, checks),

@@ -11,6 +11,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..contact import systems
+from .matrix import matrix
 from .ranges import regions
 from .rows import row
 
@@ -54,6 +55,7 @@ def index_record(
             for n in nt.all_notation()
         ],
         "profiles": [_profile(own, derived) for own in profiles.values()],
+        "matrix": matrix(derived, evidence),
         "entries": [row for problem in problems for row in _rows(problem, derived, evidence, modules)],
     }
 

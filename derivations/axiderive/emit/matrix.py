@@ -1,0 +1,86 @@
+"""The matrix profile x physics: what each cell holds and how well it is known; no cell is silent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ..contact import systems
+
+LEGEND = {
+    "✓": "certified: an exact proof of the formula, or of the equation and its one root",
+    "○": "closed form without a certificate, compared with its definition to the digits behind it",
+    "∫": "one integral without a closed form, compared with its definition to the digits behind it",
+    "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
+    "–": "not meaningful; the module says why",
+}
+KINDS = {"closed": "○", "integral": "∫", "root": "√"}
+
+
+def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """The cells by profile and system.
+
+    Parameters
+    ----------
+    derived : iterable of str
+        Keys of the problems.
+    evidence : mapping
+        What was found about them, by key.
+    """
+    profiles: dict[str, dict[str, str]] = {}
+    for key in derived:
+        problem = systems.problem(key)
+        profiles.setdefault(problem.profile_id, {})[problem.system.name] = _cell(evidence[key]["entries"])
+    for pool in systems.POOLS:
+        for system in (system for system in systems.SYSTEMS if system.pool is pool):
+            for name in pool.names:
+                if pool.id(name) in profiles and system.refusal(pool.load(name)):
+                    profiles[pool.id(name)][system.name] = "–"
+    ordered = {
+        name: {s.name: cells[s.name] for s in systems.SYSTEMS if s.name in cells} for name, cells in profiles.items()
+    }
+    return {"legend": LEGEND, "profiles": ordered}
+
+
+def _cell(entries: Mapping[str, Mapping[str, Any]]) -> str:
+    certified, others = 0, dict[str, list[int]]()
+    for found in entries.values():
+        if found["certified"]:
+            certified += 1
+        else:
+            others.setdefault(KINDS[found["status"]], []).append(_digits(found["checks"]))
+    parts = [f"{certified} ✓"] if certified else []
+    return ", ".join([*parts, *(f"{len(digits)} {sign}{min(digits)}" for sign, digits in others.items())])
+
+
+def _digits(checks: Iterable[Mapping[str, Any]]) -> int:
+    """Digits of the best comparison that passed."""
+    return max((check["digits"] for check in checks if check["outcome"] == "passed" and check["worst"]), default=0)
+
+
+BEGIN, END = "<!-- matrix: written by axicontact build -->", "<!-- end of the matrix -->"
+
+
+def with_matrix(text: str, found: Mapping[str, Any]) -> str:
+    """A text with the tables between its two marks; unchanged if it has none."""
+    head, begin, rest = text.partition(BEGIN)
+    _, end, tail = rest.partition(END)
+    return f"{head}{begin}\n\n{markdown(found)}\n\n{end}{tail}" if begin and end else text
+
+
+def markdown(found: Mapping[str, Any]) -> str:
+    """Two tables, for the README: the profiles of revolution by physics, and the others."""
+    names = [system.name for system in systems.SYSTEMS if system.pool is systems.ROUND]
+    rows = [["profile", *names]]
+    rows += [
+        [f"`{p}`", *(cells[name] for name in names)] for p, cells in found["profiles"].items() if names[0] in cells
+    ]
+    others = [["profile", "formulas"]]
+    others += [[f"`{p}`", *cells.values()] for p, cells in found["profiles"].items() if names[0] not in cells]
+    legend = "; ".join(f"{sign} {text}" for sign, text in found["legend"].items())
+    return "\n\n".join([f"{legend}.", _table(rows), _table(others)])
+
+
+def _table(rows: list[list[str]]) -> str:
+    head, *body = [f"| {' | '.join(row)} |" for row in rows]
+    return "\n".join([head, "|---" * len(rows[0]) + "|", *body])
