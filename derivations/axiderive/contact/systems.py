@@ -16,6 +16,7 @@ from .. import profiles
 from ..entry import Entry
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
+from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
 from . import adhesive, detachment, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
@@ -41,7 +42,7 @@ class Pool:
 ROUND = Pool("", profiles.NAMES, profiles.load)
 STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
-BODIES = Pool("", ("materials",), lambda name: materials.PROFILE)
+BODIES = Pool("", ("materials",), lambda name: ELASTIC)
 POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
 
 
