@@ -14,15 +14,16 @@ from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..contact import general, normal
-from ..contact.medium import HOMOGENEOUS, Medium
+from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..emit import example, python
 from ..emit.general import library_source
 from ..entry import Entry
-from ..notation import H, a, r
+from ..notation import a, r
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate, certify_profile
 from ..proof.units import check_profile as check_units
 from .definition import Definition
+from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
 from .validity import Validity, examine
@@ -59,6 +60,8 @@ class Answer:
     module: str
     """Private functions as text for the linker; empty if nothing is emitted for this medium."""
     values: dict[sp.Symbol, sp.Rational]
+    k: sp.Expr = sp.S.Zero
+    """Exponent of the graded half space; the entries hold for any."""
 
     @property
     def worst(self) -> float:
@@ -89,12 +92,12 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     known = drawn | dict(values or {})
     profile = _placed(profile, known)
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
-    medium = HOMOGENEOUS if k == 0 else Medium(H, k, "fgm")
+    medium = HOMOGENEOUS if k == 0 else GRADED
     profile, entries, closed = _derived(profile, medium)
     certificates = certify_profile(profile, dict(entries)) if closed else {}
     compared = () if k != 0 else _compared(profile, entries, known)
     module = "" if k != 0 else _module(profile, entries, closed=closed, validity=validity, known=known)
-    return Answer(own, profile, entries, closed, certificates, validity, compared, module, known)
+    return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
 
 
 def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile:
@@ -119,7 +122,8 @@ def _derived(profile: Profile, medium: Medium) -> tuple[Profile, dict[str, Entry
         return profile, normal.derive(profile, medium), True
     except (NotReducibleError, AssertionError):
         if medium.k != 0:
-            raise
+            message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
+            raise ExpressionError(message, profile.subtitle) from None
         return profile, general.derive(profile), False
 
 

@@ -62,6 +62,10 @@ class PullOff:
     doc: str
     keywords: tuple[str, ...]
 
+    @property
+    def keys(self) -> tuple[Key, Key, Key]:
+        return self.radius, self.force, self.depth
+
 
 def module_text(
     head: str,
@@ -88,8 +92,8 @@ def module_text(
     pull_off : PullOff, optional
         If it is wanted.
     """
-    roots = [pull_off.radius, pull_off.force, pull_off.depth, ("_adhesion", "PullOff"), ("_adhesion", "XI")]
-    linker = Linker(modules, wanted, frozenset(c.name for c in constants), roots if pull_off else ())
+    roots = (*pull_off.keys, ("_adhesion", "PullOff"), ("_adhesion", "XI")) if pull_off else ()
+    linker = Linker(modules, wanted, frozenset(c.name for c in constants), roots)
     public, merged = [], set()
     for one in wanted:
         signed = "@partial(_elementwise, least=-np.inf)" if one.signed else "@_elementwise"
