@@ -71,7 +71,8 @@ class Answer:
         """How one quantity is known."""
         entry = self.entries[suffix]
         if entry.status == "closed":
-            return "closed, certified" if self.certificates[suffix].proved else "closed, not certified"
+            proof = self.certificates.get(suffix)
+            return "closed, certified" if proof and proof.proved else "closed, not certified"
         return "one regular integral" if entry.status == "integral" else "solved by iteration"
 
 

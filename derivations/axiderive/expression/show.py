@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -10,7 +11,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from .. import notation as nt
-from ..emit.docstring import formula
 from .answer import DIGITS, Answer, answered
 from .errors import ExpressionError
 from .profile import OwnProfile, own_profile
@@ -18,6 +18,7 @@ from .profile import OwnProfile, own_profile
 if TYPE_CHECKING:
     from ..scene.compose import Result
 
+WIDTH = 110
 SHOWN = ("d", "F", "p", "w")
 
 
@@ -36,8 +37,8 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     from ..scene.compose import Request, composed
 
     names = list(interface.functions("normal"))
-    request = Request("Contact of a profile of one's own", f"{own.profile.name}.py", None, own, "normal", names)
-    result = composed(request)
+    request = Request("Contact of a profile of one's own", f"{own.profile.name}.py", None, own, "normal", names, formats=("python", "json"))
+    result = composed(request, answer)
     return [*lines, *result.lines], result
 
 
@@ -64,8 +65,14 @@ def _entry(answer: Answer, suffix: str) -> list[str]:
     entry = answer.entries[suffix]
     if answer.k != 0:
         entry = replace(entry, cases=tuple(replace(c, expr=c.expr.subs(nt.k, answer.k)) for c in entry.cases))
-    text = formula(answer.profile, entry.quantity, entry)
-    return ["", f"{entry.quantity.label}: {answer.status(suffix)}", *(f"  {line}" for line in text)]
+    lines = ["", f"{entry.quantity.label}: {answer.status(suffix)}"]
+    for pairs, expr in entry.regions():
+        where = " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in pairs)
+        text = f"{entry.quantity.symbol} = {sp.sstr(expr)}" + (f"   for {where}" if where else "")
+        lines += textwrap.wrap(
+            text, WIDTH, initial_indent="  ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
+        )
+    return lines
 
 
 def _tail(answer: Answer) -> list[str]:

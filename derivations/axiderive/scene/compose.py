@@ -52,20 +52,19 @@ class Result:
     """Sources of the page, for LaTeX."""
 
 
-def composed(request: Request) -> Result:
-    """The files of a request."""
+def composed(request: Request, answer: Answer | None = None) -> Result:
+    """The files of a request; the answer to its expression, if it is known already."""
     with nt.extended(request.own.notation if request.own else ()):
-        return _Composition(request).result()
+        return _Composition(request, answer).result()
 
 
 class _Composition:
-    def __init__(self, request: Request) -> None:
-        self.request = request
-        self.answer: Answer | None = None
+    def __init__(self, request: Request, answer: Answer | None) -> None:
+        self.request, self.answer = request, answer
         if request.own is not None:
             given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
             exact = {p: sp.Rational(v) for p, v in given.items() if v is not None}
-            self.answer = answered(request.own, exact)
+            self.answer = answer or answered(request.own, exact)
             self.profile, self.entries = self.answer.profile, self.answer.entries
             self.normal = self.answer.module
         else:
