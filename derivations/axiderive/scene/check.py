@@ -10,6 +10,8 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..contact.medium import GRADED
+from ..contact.normal import derive
 from ..emit import example
 from ..entry import Entry
 from ..expression.definition import Definition
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
     from .compose import Request
 
 DIGITS = 20
-MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3}
+MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25}
 """Material values where a scene leaves them free."""
 TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
@@ -108,7 +110,10 @@ def check_values(
     for name in request.quantities:
         if name == interface.PULL_OFF:
             continue
-        rows = _compact(contact, request.physics, name) if contact.compact else _complete(contact, name)
+        if request.physics == "graded":
+            rows = _graded(contact, name)
+        else:
+            rows = _compact(contact, request.physics, name) if contact.compact else _complete(contact, name)
         parameters = [*(p.name for p in profile.parameters), *interface.MATERIAL[request.physics]]
         free = tuple((k, contact.all[k]) for k in keywords(parameters))
         found += [Value(name, fields, free, float(wanted)) for fields, wanted in rows]
@@ -160,6 +165,25 @@ def _at(contact: _Contact, physics: str, name: str, a: float) -> list[tuple[tupl
             target = {"radius": mp.mpf(a), "force": force(a), "depth": depth(a)}[name.split("_")[0]]
             return [((given,), target)]
     return []
+
+
+def _graded(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]:
+    """The closed formulas of the graded half space with 30 digits; those that stay integrals are left out."""
+    function = interface.functions("normal")[name]
+    material = {nt.H: sp.Rational(contact.all["H"]), nt.k: sp.Rational(contact.all["k"])}
+    if name == "profile":
+        return []
+    entry = derive(contact.profile, GRADED)[function.quantity.suffix]
+    if entry.status != "closed":
+        return []
+    rows: list[tuple[tuple[float, ...], Any]] = []
+    for a in contact.radii():
+        place = {nt.a: sp.Rational(a), nt.r: sp.Rational(a * (1.6 if name == "displacement" else 0.45))}
+        place |= {nt.d: sp.Rational(a / 50), nt.F: sp.Rational(a)}
+        fields = tuple(float(place[nt.describe(argument).symbol]) for argument in function.fields)
+        known = {**contact.given(), **material, **{nt.describe(f).symbol: place[nt.describe(f).symbol] for f in function.fields}}
+        rows.append((fields, example.value(contact.profile, entry, known)))
+    return rows
 
 
 def _complete(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]:

@@ -23,6 +23,7 @@ from .linking import Wanted
 from .module import Constant, PullOff, module_text
 from .page import page_sources
 
+OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
 
 
@@ -116,8 +117,9 @@ class _Composition:
                 continue
             function = own.get(quantity) or plain[quantity]
             key = (f"{function.physics}.{name}", f"_{quantity}")
-            if key[1] not in modules[key[0]].definitions:  # the retraction is a function of the runtime
-                key = ("_adhesion", "hess_retraction")
+            if key[1] not in modules[key[0]].definitions:
+                # what is the same for all profiles is a function of the runtime, the shape that of any medium
+                key = OF_RUNTIME.get(quantity, (f"normal.{name}", f"_{quantity}"))
             module = modules[key[0]]
             fields = interface.arguments(function, self.entries)
             needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
@@ -145,7 +147,8 @@ class _Composition:
         return PullOff((key, "_pull_off_radius"), (key, force), (key, depth), PULL_OFF_DOC, keywords)
 
     def _head(self) -> str:
-        kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load"}
+        kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
+                "graded": "on a half space whose modulus grows as a power of depth"}  # fmt: skip
         title = _plain(self.request.title)
         what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
             self.profile.subtitle)  # fmt: skip
@@ -231,7 +234,7 @@ def _comment(name: str) -> str:
 
 def _interval(name: str) -> tuple[str, str]:
     try:
-        low, high = bounds(nt.describe(name).domain)
+        low, high, _ = bounds(nt.describe(name).domain)
     except ValueError:
         low, high = "0.0", "inf"
     return low, "np.inf" if high == "inf" else high

@@ -38,7 +38,7 @@ def inlined(linker: Linker) -> frozenset[Key]:
         place = caller.key
         while place in host:
             place = host[place]
-        if _fits(linker, key, caller, node, names[key], names[place]):
+        if place != key and _fits(linker, key, caller, node, names[key], names[place]):
             host[key] = place
             names[place] |= names[key]
     return frozenset(host)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .. import notation as nt
 from ..contact import adhesive, tangential
@@ -12,8 +12,8 @@ from ..emit.physics import adhesive as adhesive_text
 from ..emit.physics import tangential as tangential_text
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 
-MATERIAL = {"normal": ("E_star",), "adhesive": ("E_star", "dgamma"), "tangential": ("E_star", "G_star", "mu")}
-GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan."}
+MATERIAL = {"normal": ("E_star",), "adhesive": ("E_star", "dgamma"), "tangential": ("E_star", "G_star", "mu"), "graded": ("H", "k")}
+GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm."}
 PULL_OFF = "pull_off"
 SIGNED = {("adhesive", "radius_from_depth"), ("adhesive", "radius_from_force")}
 
@@ -47,6 +47,8 @@ class Function:
 def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
     """All functions of a physics by name, `pull_off` left out."""
     table: Mapping[str, Quantity]
+    if physics == "graded":
+        return {name: replace(own, physics=physics) for name, own in functions("normal").items()}
     if physics == "adhesive":
         table, text = adhesive.QUANTITIES, adhesive_text.SUMMARY
     elif physics == "tangential":

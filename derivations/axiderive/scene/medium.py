@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from .text import SceneText
+import math
+from typing import Any
+
+from .text import SceneText, near
 from .units import UnitError, value_of
 
-KEYS = ("kind", "E_star", "E", "nu", "G_star", "k")
+KINDS = ("homogeneous", "power_law")
+KEYS = ("kind", "E_star", "E", "nu", "G_star", "H", "k")
 
 
 def medium_values(text: SceneText) -> dict[str, float]:
-    """E_star and G_star as far as they are frozen."""
+    """E_star and G_star, or H and k, as far as they are frozen."""
     table = text.table("medium", KEYS)
     kind = table.get("kind", "homogeneous")
+    if kind == "power_law":
+        return _graded(text, table)
     if kind != "homogeneous":
-        supported = kind in ("power_law", "graded")
-        reason = "is not emitted for scenes yet" if supported else "is unknown"
-        text.problem("medium", "kind", f"medium {str(kind)[:40]!r} {reason}; the nearest is kind = \"homogeneous\"")
+        text.problem("medium", "kind", f"unknown medium {str(kind)[:40]!r}{near(str(kind), KINDS)}")
         return {}
-    if "k" in table:
-        text.problem("medium", "k", "k belongs to a graded half space, which is not emitted for scenes yet; leave it out")
+    for key in ("k", "H"):
+        if key in table:
+            text.problem("medium", key, f'{key} belongs to a graded half space; add kind = "power_law", or leave it out')
     values: dict[str, float] = {}
     for key in ("E_star", "E", "nu", "G_star"):
         if key in table:
@@ -33,6 +38,28 @@ def medium_values(text: SceneText) -> dict[str, float]:
         values["E_star"] = E / ((1.0 - nu) * (1.0 + nu))
         values.setdefault("G_star", 2.0 * E / ((1.0 + nu) * (2.0 - nu)))
     return {key: values[key] for key in ("E_star", "G_star") if key in values}
+
+
+def _graded(text: SceneText, table: dict[str, Any]) -> dict[str, float]:
+    """H and k of a half space with the foundation modulus H |x|^k."""
+    values: dict[str, float] = {}
+    for key in ("E_star", "E", "nu", "G_star"):
+        if key in table:
+            text.problem("medium", key, f"{key} belongs to a homogeneous half space; a graded one has H and k")
+    for key in ("H", "k"):
+        if key not in table:
+            continue
+        try:
+            value = value_of(table[key], "number")
+        except UnitError as error:
+            text.problem("medium", key, f"{key} {error}; H is in Pa m^(-k), without a unit")
+            continue
+        low, high, rule = (-1.0, 1.0, "-1 < k < 1") if key == "k" else (0.0, math.inf, "H > 0")
+        if low < value < high:
+            values[key] = value
+        else:
+            text.problem("medium", key, f"{key} = {value:g} is outside {rule}; change the value")
+    return values
 
 
 def _read(text: SceneText, values: dict[str, float], key: str, raw: object) -> None:

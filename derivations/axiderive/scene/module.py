@@ -186,7 +186,8 @@ def _nodes(module: Module, counts: Sequence[int]) -> str:
 
 
 def _imports(text: str) -> str:
-    functools = [name for name in ("partial", "wraps") if re.search(rf"\b{name}\(", text)]
+    functools = [name for name in ("cache", "partial", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
     lines = [f"from functools import {', '.join(functools)}"] if functools else []
+    lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
     lines += ["from typing import NamedTuple"] if "(NamedTuple)" in text else []
     return "\n".join([*lines, *([""] if lines else []), "import numpy as np"])

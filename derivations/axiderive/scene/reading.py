@@ -22,9 +22,10 @@ from .units import UnitError, kind_of, value_of
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
 FORMATS = ("python", "tex", "pdf", "json")
 PHYSICS = ("normal", "adhesive", "tangential")
-LATER = ("viscoelastic", "plane", "graded", "loads")
+LATER = ("viscoelastic", "plane", "loads")
 DEFAULT = {
     "normal": ["depth", "force", "pressure", "displacement"],
+    "graded": ["depth", "force", "pressure", "displacement"],
     "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
     "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
 }
@@ -171,8 +172,17 @@ def _physics(text: SceneText, scene: Scene) -> None:
     if len(chosen) == 2:
         message = "adhesive and tangential together are not derived; emit two scenes, one with each"
         text.problem("physics", "tangential", message)
-    scene.physics = chosen[0] if chosen else "normal"
+    medium = text.values.get("medium")
+    graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
+    if graded and chosen:
+        message = f"{chosen[0]} on a graded half space cannot be emitted for a scene yet; the nearest is normal = true"
+        text.problem("physics", chosen[0], message)
+    scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
     profile = scene.profile
+    if graded and profile is not None and (profile.contact != "compact" or scene.own):
+        what = "an expression" if scene.own else f"{profile.name}, a complete contact,"
+        message = f"{what} on a graded half space cannot be emitted; the nearest is kind = \"homogeneous\""
+        text.problem("medium", "kind", message)
     if profile is not None and profile.contact != "compact" and chosen:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
         text.problem("physics", chosen[0], message)

@@ -6,15 +6,21 @@ import json
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-from .. import work
-from ..emit import physics, python
+from ..contact import adhesive as stuck
+from ..contact import normal as plain
+from ..contact import tangential as slipping
+from ..contact.medium import GRADED
+from ..emit import graded, physics, python
+from ..emit.graded import normal as graded_normal
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential
-from ..emit.physics.text import SIGNATURE, NormalModule
+from ..emit.physics.text import NormalModule
 from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
+from ..records import read_entry
 from .library import Module
 from .module import COUNTS
 
@@ -23,7 +29,7 @@ OWN = Path(__file__).with_name("runtime")
 
 @cache
 def runtime() -> dict[str, Module]:
-    paths = [p for folder in (python.RUNTIME, physics.RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
+    paths = [p for folder in (python.RUNTIME, physics.RUNTIME, graded.RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
     return {path.stem: Module(path.stem, path.read_text()) for path in paths} | {
         "_nodes": Module("_nodes", nodes_source(COUNTS))
     }
@@ -33,17 +39,15 @@ def stored_entries(profile: Profile) -> dict[str, Entry]:
     """The entries of a profile of the catalogue as they were verified, or derived anew where none are stored."""
     record = evidence(profile.name)
     if record:
-        return work.read_entries(profile, record["entries"])
-    from ..contact.normal import derive
-
-    return derive(profile)
+        return {suffix: read_entry(entry, profile) for suffix, entry in record["entries"].items()}
+    return plain.derive(profile)
 
 
-def evidence(name: str) -> dict[str, object] | None:
+def evidence(name: str) -> dict[str, Any] | None:
     """The stored record of a profile of the catalogue."""
     try:
         path = load().folder.parent / "evidence" / f"{name}.json"
-        record: dict[str, object] = json.loads(path.read_bytes())
+        record: dict[str, Any] = json.loads(path.read_bytes())
     except (NoCatalogueError, OSError, ValueError):
         return None
     return record
@@ -72,9 +76,12 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     modules = {**runtime(), f"normal.{profile.name}": Module(f"normal.{profile.name}", normal)}
     if wanted == "normal":
         return modules
-    found = SIGNATURE.findall(normal)
-    signatures = {name: [part.split(":")[0] for part in text.split(", ")] for name, text in found}
-    own = NormalModule(profile, entries, {name: list(map(str.strip, names)) for name, names in signatures.items()})
-    build = {"adhesive": adhesive, "tangential": tangential}[wanted]
-    key = f"{wanted}.{profile.name}"
-    return {**modules, key: Module(key, build.module_source(own))}
+    if wanted == "graded":
+        key = f"graded.{profile.name}"
+        return {**modules, key: Module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
+    own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
+    write, above = {
+        "adhesive": (adhesive.module_source, stuck.derive),
+        "tangential": (tangential.module_source, slipping.derive),
+    }[wanted]
+    return {**modules, key: Module(key, write(own, above(profile)))}
