@@ -183,14 +183,14 @@ def _module(
     known: Mapping[sp.Symbol, sp.Rational],
 ) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
-    if closed and validity.exact and len(profile.breaks) <= 1 and _plain(profile):
+    if closed and validity.exact and not profile.breaks and _plain(profile):
         return python.module_source(entries)
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
     return library_source(profile, 64, numeric.exponents(validity.compact_to))
 
 
 def _plain(profile: Profile) -> bool:
+    """Powers of r, or one round shape: what the modules of the catalogue evaluate without loss for any parameters."""
     atoms = parse(profile.pieces).atoms
-    powers = all(isinstance(atom, PowerAtom) and (atom.b == 0 or atom.n.is_Integer) for atom in atoms)
     single = len(atoms) == 1 and isinstance(atoms[0], (SphereAtom, HyperboloidAtom))
-    return single or (powers and (not profile.breaks or all(atom.n.is_Integer for atom in atoms)))
+    return single or all(isinstance(atom, PowerAtom) for atom in atoms)

@@ -170,7 +170,9 @@ def _at(contact: _Contact, physics: str, name: str, a: float) -> list[tuple[tupl
 def _graded(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]:
     """The closed formulas of the graded half space with 30 digits; those that stay integrals are left out."""
     function = interface.functions("normal")[name]
-    material = {nt.H: sp.Rational(contact.all["H"]), nt.k: sp.Rational(contact.all["k"])}
+    # doubles with 40 digits: as exact fractions their powers would have thousands of digits
+    numbers = {nt.H: contact.all["H"], nt.k: contact.all["k"], **contact.given()}
+    known = {symbol: sp.Float(value, 40) for symbol, value in numbers.items()}
     if name == "profile":
         return []
     entry = derive(contact.profile, GRADED)[function.quantity.suffix]
@@ -178,11 +180,10 @@ def _graded(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]
         return []
     rows: list[tuple[tuple[float, ...], Any]] = []
     for a in contact.radii():
-        place = {nt.a: sp.Rational(a), nt.r: sp.Rational(a * (1.6 if name == "displacement" else 0.45))}
-        place |= {nt.d: sp.Rational(a / 50), nt.F: sp.Rational(a)}
-        fields = tuple(float(place[nt.describe(argument).symbol]) for argument in function.fields)
-        known = {**contact.given(), **material, **{nt.describe(f).symbol: place[nt.describe(f).symbol] for f in function.fields}}
-        rows.append((fields, example.value(contact.profile, entry, known)))
+        place = {"a": a, "r": a * (1.6 if name == "displacement" else 0.45), "d": a / 50, "F": a}
+        own = {nt.describe(field).symbol: sp.Float(place[field], 40) for field in function.fields}
+        fields = tuple(float(place[field]) for field in function.fields)
+        rows.append((fields, example.value(contact.profile, entry, known | own)))
     return rows
 
 
