@@ -18,9 +18,7 @@ GOLDEN = {
     "1 + r": "f(0) = 1, but a profile starts at its apex with f(0) = 0; subtract that value\n  1 + r\n  ^^^^^",
     "a*r": "a is a result or an argument of the generated functions; give the parameter another name\n  a*r\n  ^",
     "r.real": "'r.real' (Attribute) has no place here; use names, numbers, + - * / ** and functions\n  r.real\n  ^^^^^^",
-    "c*r**25": (
-        "exponent 25 is outside -24 ... 24 in 12ths; use a parameter as r**n for others\n  c*r**25\n       ^^"
-    ),
+    "c*r**25": ("exponent 25 is outside -24 ... 24 in 12ths; use a parameter as r**n for others\n  c*r**25\n       ^^"),
     "cosq(r)": (
         "cosq is no function of an expression; did you mean cos?; there are Max, sqrt, exp, log, sin, cos, tan, sinh, "
         "cosh, asinh, atan\n  cosq(r)\n  ^^^^"

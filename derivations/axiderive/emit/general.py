@@ -109,7 +109,9 @@ class _General:
             lines = [f"return over_profile({weight}, t, 0.0, np.inf, {self.count})"]
         else:
             lines = [f"smooth = growth_beyond(lambda r: {bend.call('r')}, t, root, {layer.start}, {self.count})"]
-            lines.append(f"return smooth + {_text(layer.start * layer.kink)} / root" if layer.kink != 0 else "return smooth")
+            lines.append(
+                f"return smooth + {_text(layer.start * layer.kink)} / root" if layer.kink != 0 else "return smooth"
+            )
         return self._add(f"growth_{index}", fields, lines, doc)
 
     def _whole(self, weight: str) -> list[str]:
@@ -174,7 +176,11 @@ class _General:
         target = self.functions.functions[curve]
         scale = "2 * E_star * a * " if curve == "force" else ""
         if self.start is not None:
-            place, step, start = f"{self.start} * np.sqrt(1.0 + t * t)", "(a - {0}) * (a + {0}) / a".format(self.start), "1.0"
+            place, step, start = (
+                f"{self.start} * np.sqrt(1.0 + t * t)",
+                "(a - {0}) * (a + {0}) / a".format(self.start),
+                "1.0",
+            )
         else:
             place, step, start = "t", "a", self._length()
         lines = [
@@ -226,5 +232,3 @@ def _closed(layer: Layer) -> EvaluationForm | None:
     allowed = set() if b == 0 else {"root"}
     plain = {name for name in rooted if name.startswith("root")} <= allowed
     return form if plain and not form.cancels else None
-
-

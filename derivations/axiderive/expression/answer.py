@@ -143,7 +143,9 @@ def radii(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[sp.R
     return [*inner, *middle, breaks[-1] * sp.Rational(7, 5)]
 
 
-def points(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[tuple[str, sp.Rational, sp.Rational | None]]:
+def points(
+    profile: Profile, known: Mapping[sp.Symbol, sp.Rational]
+) -> list[tuple[str, sp.Rational, sp.Rational | None]]:
     """Suffix, contact radius and place of every comparison; places are moved off the breaks."""
     found = []
     for radius in radii(profile, known):

@@ -28,7 +28,9 @@ FUNCTIONS = ("Max", "sqrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "
 def refusal(name: str) -> str:
     """Why a name cannot be a parameter, with the next step; an empty text if it can."""
     if not SHAPE.fullmatch(name):
-        return f"{name[:40]!r} is no name of a parameter; use a letter, then at most 9 letters or digits, as b2 or h_tip"
+        return (
+            f"{name[:40]!r} is no name of a parameter; use a letter, then at most 9 letters or digits, as b2 or h_tip"
+        )
     if name in FUNCTIONS:
         return f"{name} is a function; write {name}(...) or give the parameter another name"
     if name in RESULTS:

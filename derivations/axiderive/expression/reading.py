@@ -191,7 +191,9 @@ class _Reader:
             raise self._refuse("an exponent must not depend on r; write exp(...) for an exponential", node)
         if exponent.is_Rational:
             if abs(exponent) > LARGEST_EXPONENT or exponent.q > LARGEST_ROOT:
-                message = f"exponent {exponent} is outside -{LARGEST_EXPONENT} ... {LARGEST_EXPONENT} in {LARGEST_ROOT}ths"
+                message = (
+                    f"exponent {exponent} is outside -{LARGEST_EXPONENT} ... {LARGEST_EXPONENT} in {LARGEST_ROOT}ths"
+                )
                 raise self._refuse(message + "; use a parameter as r**n for others", node)
         elif exponent.is_number:
             raise self._refuse(f"exponent {exponent} is no fraction; write it as one, or as a parameter", node)

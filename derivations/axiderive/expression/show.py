@@ -37,7 +37,15 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     from ..scene.compose import Request, composed
 
     names = list(interface.functions("normal"))
-    request = Request("Contact of a profile of one's own", f"{own.profile.name}.py", None, own, "normal", names, formats=("python", "json"))
+    request = Request(
+        "Contact of a profile of one's own",
+        f"{own.profile.name}.py",
+        None,
+        own,
+        "normal",
+        names,
+        formats=("python", "json"),
+    )
     result = composed(request, answer)
     return [*lines, *result.lines], result
 
@@ -85,4 +93,3 @@ def _tail(answer: Answer) -> list[str]:
     if not answer.closed:
         lines.append("form      outside the normal form (sums of powers, spheres, hyperboloids, 1 - cos, 1 - exp)")
     return lines
-

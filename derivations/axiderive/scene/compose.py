@@ -86,7 +86,9 @@ class _Composition:
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats) and (self.answer is None or self.answer.closed):
-            page = page_sources(_plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None)
+            page = page_sources(
+                _plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None
+            )
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
@@ -110,7 +112,10 @@ class _Composition:
         request, name = self.request, self.profile.name
         physics, wanted, pull_off = request.physics, [], None
         modules = sources.library(self.profile, self.entries, self.normal, physics)
-        own, plain = interface.functions(physics, self.profile.contact), interface.functions("normal", self.profile.contact)
+        own, plain = (
+            interface.functions(physics, self.profile.contact),
+            interface.functions("normal", self.profile.contact),
+        )
         for quantity in request.quantities:
             if quantity == interface.PULL_OFF:
                 pull_off = self._pull_off(modules)
@@ -123,11 +128,10 @@ class _Composition:
             module = modules[key[0]]
             fields = interface.arguments(function, self.entries)
             needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
-            wanted.append(
-                Wanted(key, quantity, fields, self._keywords(needs), function.doc(name), function.signed)
-            )
+            wanted.append(Wanted(key, quantity, fields, self._keywords(needs), function.doc(name), function.signed))
         constants = [
-            Constant(parameter, value, _comment(parameter)) for parameter, value in self._ordered(request.values).items()
+            Constant(parameter, value, _comment(parameter))
+            for parameter, value in self._ordered(request.values).items()
         ]
         free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
         domains = {p: _interval(p) for p in free}
@@ -152,7 +156,11 @@ class _Composition:
         title = _plain(self.request.title)
         what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
             self.profile.subtitle)  # fmt: skip
-        lines = [f"{title}.", "", *_wrapped(f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians.")]
+        lines = [
+            f"{title}.",
+            "",
+            *_wrapped(f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians."),
+        ]
         if self.answer is not None:
             lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
         lines.append(f"Written by axicontact {__version__}.")
@@ -212,7 +220,9 @@ class _Composition:
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines = []
         if self.answer is not None and not self.answer.closed:
-            lines.append("outside the normal form: each quantity is one regular integral, evaluated by a generated rule")
+            lines.append(
+                "outside the normal form: each quantity is one regular integral, evaluated by a generated rule"
+            )
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
         return lines

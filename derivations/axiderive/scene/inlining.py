@@ -44,9 +44,7 @@ def inlined(linker: Linker) -> frozenset[Key]:
     return frozenset(host)
 
 
-def _fits(
-    linker: Linker, key: Key, caller: Definition, node: ast.AST, own: set[str], outer: set[str]
-) -> bool:
+def _fits(linker: Linker, key: Key, caller: Definition, node: ast.AST, own: set[str], outer: set[str]) -> bool:
     """Whether the lines mean the same in the place of the call, and fit on a line."""
     callee = linker.reached[key]
     parts = returned(callee)

@@ -12,7 +12,12 @@ from ..emit.physics import adhesive as adhesive_text
 from ..emit.physics import tangential as tangential_text
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 
-MATERIAL = {"normal": ("E_star",), "adhesive": ("E_star", "dgamma"), "tangential": ("E_star", "G_star", "mu"), "graded": ("H", "k")}
+MATERIAL = {
+    "normal": ("E_star",),
+    "adhesive": ("E_star", "dgamma"),
+    "tangential": ("E_star", "G_star", "mu"),
+    "graded": ("H", "k"),
+}
 GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm."}
 PULL_OFF = "pull_off"
 SIGNED = {("adhesive", "radius_from_depth"), ("adhesive", "radius_from_force")}

@@ -105,7 +105,8 @@ class Linker:
         """Whether the private function itself can be the public one: it takes the fields and nothing else."""
         left = [p for p in self.reached[wanted.key].parameters if p not in self.dropped[wanted.key]]
         shadowed = any(
-            wanted.name in d.bound and any(key == wanted.key for _, key in d.references()) for d in self.reached.values()
+            wanted.name in d.bound and any(key == wanted.key for _, key in d.references())
+            for d in self.reached.values()
         )
         plain = left == list(wanted.fields) and wanted.key not in self._escaping()
         return plain and not shadowed and wanted.key not in self.roots

@@ -23,7 +23,9 @@ def medium_values(text: SceneText) -> dict[str, float]:
         return {}
     for key in ("k", "H"):
         if key in table:
-            text.problem("medium", key, f'{key} belongs to a graded half space; add kind = "power_law", or leave it out')
+            text.problem(
+                "medium", key, f'{key} belongs to a graded half space; add kind = "power_law", or leave it out'
+            )
     values: dict[str, float] = {}
     for key in ("E_star", "E", "nu", "G_star"):
         if key in table:

@@ -25,11 +25,11 @@ CORE = '''def _elementwise(function{option}):
 
     return evaluate'''
 MASK = "        result[~np.all([field >= {least} for field in flat], axis=0)] = np.nan"
-REQUIRE = '''def _require(**parameters):
+REQUIRE = """def _require(**parameters):
     for name, value in parameters.items():
         low, high = _DOMAINS[name]
         if not low < value < high:
-            raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")'''
+            raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")"""
 INTEGRAL = '''def _integral(integrand, stop, count):
     """Integral of `integrand` from 0 to `stop`."""
     rule = _NODES[count]
@@ -180,7 +180,10 @@ def _nodes(module: Module, counts: Sequence[int]) -> str:
     lines = ["# Gauss-Legendre rules on (0, 1): the lower half of the nodes, with their weights", "_NODES = {"]
     for count in counts:
         pairs = ", ".join(f"({x!r}, {w!r})" for x, w in table[count])
-        lines += [f"    {count}: [", *textwrap.wrap(pairs + ",", 112, initial_indent=" " * 8, subsequent_indent=" " * 8)]
+        lines += [
+            f"    {count}: [",
+            *textwrap.wrap(pairs + ",", 112, initial_indent=" " * 8, subsequent_indent=" " * 8),
+        ]
         lines.append("    ],")
     return "\n".join([*lines, "}"])
 

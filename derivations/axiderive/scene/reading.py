@@ -62,7 +62,8 @@ def read(text: SceneText) -> Scene:
     """
     for key in text.values:
         if key not in SECTIONS:
-            text.unknown(key, "", "section" if isinstance(text.values[key], dict) else "key", SECTIONS)
+            kind = "section" if isinstance(text.values[key], dict) else "key"
+            text.problem(key, "", f"unknown {kind} {key[:40]!r}{near(key, SECTIONS)}")
     scene = Scene(_string(text, "name", "scene"), _string(text, "title", ""))
     _profile(text, scene)
     with nt.extended(scene.notation):
@@ -166,7 +167,7 @@ def _physics(text: SceneText, scene: Scene) -> None:
     asked = [name for name in (*PHYSICS, *LATER) if table.get(name) not in (None, False)]
     for name in asked:
         if name in LATER:
-            nearest = "adhesive = { dgamma = \"50 mJ/m^2\" } or normal = true"
+            nearest = 'adhesive = { dgamma = "50 mJ/m^2" } or normal = true'
             text.problem("physics", name, f"{name} cannot be emitted for a scene yet; the nearest is {nearest}")
     chosen = [name for name in asked if name in ("adhesive", "tangential")]
     if len(chosen) == 2:
@@ -181,7 +182,7 @@ def _physics(text: SceneText, scene: Scene) -> None:
     profile = scene.profile
     if graded and profile is not None and (profile.contact != "compact" or scene.own):
         what = "an expression" if scene.own else f"{profile.name}, a complete contact,"
-        message = f"{what} on a graded half space cannot be emitted; the nearest is kind = \"homogeneous\""
+        message = f'{what} on a graded half space cannot be emitted; the nearest is kind = "homogeneous"'
         text.problem("medium", "kind", message)
     if profile is not None and profile.contact != "compact" and chosen:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
@@ -254,7 +255,9 @@ def _output(text: SceneText, scene: Scene) -> None:
     stem = stem if stem[0].isalpha() else f"scene_{stem}"
     scene.module = table.get("module", f"{stem[:60]}.py")
     if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
-        text.problem("output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}")
+        text.problem(
+            "output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
+        )
     scene.folder = table.get("folder", stem[:60])
     if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
         text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")

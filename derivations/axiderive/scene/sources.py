@@ -29,7 +29,9 @@ OWN = Path(__file__).with_name("runtime")
 
 @cache
 def runtime() -> dict[str, Module]:
-    paths = [p for folder in (python.RUNTIME, physics.RUNTIME, graded.RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
+    paths = [
+        p for folder in (python.RUNTIME, physics.RUNTIME, graded.RUNTIME, OWN) for p in sorted(folder.glob("*.py"))
+    ]
     return {path.stem: Module(path.stem, path.read_text()) for path in paths} | {
         "_nodes": Module("_nodes", nodes_source(COUNTS))
     }

@@ -43,7 +43,9 @@ def limited(
     sender.close()
     try:
         if not receiver.poll(seconds):
-            message = f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
+            message = (
+                f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
+            )
             raise LimitError(message)
         try:
             kind, value = receiver.recv()
