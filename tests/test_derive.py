@@ -1,4 +1,4 @@
-"""Profiles of one's own: closed and certified in the normal form, measured rules outside it, and when not compact, where."""
+"""Profiles of one's own: closed and certified in the normal form, by measured rules outside it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Expressions are data: what is read is exact, what is not is refused with position and next step, and nothing is run."""
+"""Expressions are data: what is read is exact, the rest is refused with position and next step, nothing is run."""
 
 from __future__ import annotations
 
@@ -17,13 +17,17 @@ GOLDEN = {
     "r^2": "^ is no power here; write r**2\n  r^2\n   ^",
     "1 + r": "f(0) = 1, but a profile starts at its apex with f(0) = 0; subtract that value\n  1 + r\n  ^^^^^",
     "a*r": "a is a result or an argument of the generated functions; give the parameter another name\n  a*r\n  ^",
-    "r.real": "'r.real' (Attribute) has no place here; use names, numbers, + - * / ** and functions\n  r.real\n  ^^^^^^",
+    "r.real": (
+        "'r.real' (Attribute) has no place here; use names, numbers, + - * / ** and functions\n  r.real\n  ^^^^^^"
+    ),
     "c*r**25": ("exponent 25 is outside -24 ... 24 in 12ths; use a parameter as r**n for others\n  c*r**25\n       ^^"),
     "cosq(r)": (
         "cosq is no function of an expression; did you mean cos?; there are Max, sqrt, exp, log, sin, cos, tan, sinh, "
         "cosh, asinh, atan\n  cosq(r)\n  ^^^^"
     ),
-    "Max(0, b - r)": "'b - r' is not r - b; write breaks as Max(0, r - b) with a parameter b\n  Max(0, b - r)\n  ^^^^^^^^^^^^^",
+    "Max(0, b - r)": (
+        "'b - r' is not r - b; write breaks as Max(0, r - b) with a parameter b\n  Max(0, b - r)\n  ^^^^^^^^^^^^^"
+    ),
     "r/0": "the denominator is 0; divide by something else\n  r/0\n    ^",
 }
 HOSTILE = (

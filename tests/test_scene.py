@@ -175,7 +175,7 @@ scene.toml:17: dgamma: unit 'mJ' in '50 mJ' is unknown; did you mean 'mJ/m^2'?
     17 | adhesive   = { dgamma = "50 mJ" }
 scene.toml:18: adhesive and tangential together are not derived; emit two scenes, one with each
     18 | tangential = { mu = 0.3 }
-scene.toml:19: plane cannot be emitted for a scene yet; the nearest is adhesive = { dgamma = "50 mJ/m^2" } or normal = true
+scene.toml:19: plane is not emitted for scenes yet; the nearest is adhesive = { dgamma = "50 mJ/m^2" } or normal = true
     19 | plane      = true
 scene.toml:22: unknown quantity 'depht' of adhesive; did you mean 'depth'?
     22 | quantities = ["depht"]

@@ -82,7 +82,8 @@ class _General:
             "pm": self._entry("pm", "integral", mean),
         }
         for suffix, source, value, through in (
-            ("ad", depth, d, None), ("aF", force, F, None), ("Fd", depth, d, ("F", "ad")), ("dF", force, F, ("d", "aF")),
+            ("ad", depth, d, None), ("aF", force, F, None),
+            ("Fd", depth, d, ("F", "ad")), ("dF", force, F, ("d", "aF")),
         ):  # fmt: skip
             cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in source)
             entries[suffix] = self._entry(suffix, "root", cases, through)

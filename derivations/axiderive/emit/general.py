@@ -178,7 +178,7 @@ class _General:
         if self.start is not None:
             place, step, start = (
                 f"{self.start} * np.sqrt(1.0 + t * t)",
-                "(a - {0}) * (a + {0}) / a".format(self.start),
+                f"(a - {self.start}) * (a + {self.start}) / a",
                 "1.0",
             )
         else:

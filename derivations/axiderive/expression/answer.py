@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -21,7 +20,6 @@ from ..entry import Entry
 from ..notation import a, r
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate, certify_profile
-from ..proof.units import check_profile as check_units
 from .definition import Definition
 from .errors import ExpressionError
 from .numeric import Numeric

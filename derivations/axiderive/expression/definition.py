@@ -57,13 +57,13 @@ class Definition:
         """d, F, p or w at a contact radius and, for the fields, at a radius."""
         with self._precision():
             radius, place = mp.mpf(a), None if at is None else mp.mpf(at)
-            value = {
+            quantities: dict[str, Callable[[], Number]] = {
                 "d": lambda: radius * self._over_angle(radius, lambda s, z: 1),
                 "F": lambda: 2 * self._over_angle(radius, lambda s, z: s * s),
                 "p": lambda: self._pressure(radius, place),
                 "w": lambda: self._displacement(radius, place),
-            }[suffix]()
-        return value
+            }
+            return quantities[suffix]()
 
     def _pressure(self, a: Number, at: Number) -> Number:
         total = mp.mpf(0)

@@ -9,11 +9,11 @@ import sympy as sp
 from .. import notation as nt
 from .names import latex
 
-SHARED = frozenset("theta R R1 R2 b n h s wavelength".split())
+SHARED = frozenset(["theta", "R", "R1", "R2", "b", "n", "h", "s", "wavelength"])
 """Letters that keep the unit, the domain and the meaning of the notation where these fit."""
 
 
-class _Inconsistent(Exception):
+class _InconsistentError(Exception):
     """No dimensions of the parameters make every sum homogeneous: bare numbers carry units."""
 
 
@@ -23,7 +23,7 @@ def records(tree: sp.Expr, parameters: Sequence[sp.Symbol]) -> tuple[list[nt.Not
     for known in (given, {}):
         try:
             lengths = _lengths(tree, parameters, known)
-        except _Inconsistent:
+        except _InconsistentError:
             continue
         return [_record(p, lengths[p], keep=p in known) for p in parameters], True
     return [_record(p, None, keep=False) for p in parameters], False
@@ -50,14 +50,14 @@ def _lengths(
     conditions = [sp.expand(e) for e in equations if sp.expand(e) != 0]
     if not open_:
         if conditions:
-            raise _Inconsistent
+            raise _InconsistentError
         return dict(known)
     try:
         solutions = sp.linsolve(conditions, open_) if conditions else sp.FiniteSet(tuple(open_))
     except (ValueError, sp.polys.polyerrors.PolynomialError) as error:  # a product of two unknown dimensions
-        raise _Inconsistent from error
+        raise _InconsistentError from error
     if not solutions:
-        raise _Inconsistent
+        raise _InconsistentError
     (values,) = solutions
     free = dict.fromkeys(open_, sp.S.Zero)
     return {**known, **{p: sp.sympify(v).xreplace(free) for p, v in zip(unknown, values, strict=True)}}

@@ -11,15 +11,118 @@ from .. import notation as nt
 
 SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9]{0,9}(_[A-Za-z0-9]{1,6})?")
 RESULTS = frozenset(
-    "a d F p w f g p_mean stiffness r_zero a_c retraction H_x F_x P L x_zero slope tilt width u_0 tau".split()
+    [
+        "a",
+        "d",
+        "F",
+        "p",
+        "w",
+        "f",
+        "g",
+        "p_mean",
+        "stiffness",
+        "r_zero",
+        "a_c",
+        "retraction",
+        "H_x",
+        "F_x",
+        "P",
+        "L",
+        "x_zero",
+        "slope",
+        "tilt",
+        "width",
+        "u_0",
+        "tau",
+    ]
 )
 """Fields and results of the generated functions."""
-MATERIAL = frozenset("E_star G_star E E_inf E_1 eta dgamma mu H k nu v alpha relaxation t_0 p_0".split())
+MATERIAL = frozenset(
+    [
+        "E_star",
+        "G_star",
+        "E",
+        "E_inf",
+        "E_1",
+        "eta",
+        "dgamma",
+        "mu",
+        "H",
+        "k",
+        "nu",
+        "v",
+        "alpha",
+        "relaxation",
+        "t_0",
+        "p_0",
+    ]
+)
 INTERNAL = frozenset(
-    "t u x z psi root angle tip beyond inner within growth inside outside value kappa total plus minus terms "
-    "pressed largest excess rho face edge j N C e i np pi integral elementwise require inverse curve depth force "
-    "pressure displacement profile mean_pressure own least plain found load control radius radii balance partial "
-    "logarithm result square step scale span stop share moved".split()
+    [
+        "t",
+        "u",
+        "x",
+        "z",
+        "psi",
+        "root",
+        "angle",
+        "tip",
+        "beyond",
+        "inner",
+        "within",
+        "growth",
+        "inside",
+        "outside",
+        "value",
+        "kappa",
+        "total",
+        "plus",
+        "minus",
+        "terms",
+        "pressed",
+        "largest",
+        "excess",
+        "rho",
+        "face",
+        "edge",
+        "j",
+        "N",
+        "C",
+        "e",
+        "i",
+        "np",
+        "pi",
+        "integral",
+        "elementwise",
+        "require",
+        "inverse",
+        "curve",
+        "depth",
+        "force",
+        "pressure",
+        "displacement",
+        "profile",
+        "mean_pressure",
+        "own",
+        "least",
+        "plain",
+        "found",
+        "load",
+        "control",
+        "radius",
+        "radii",
+        "balance",
+        "partial",
+        "logarithm",
+        "result",
+        "square",
+        "step",
+        "scale",
+        "span",
+        "stop",
+        "share",
+        "moved",
+    ]
 )
 """Names of the generated code and of integration variables."""
 FUNCTIONS = ("Max", "sqrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "asinh", "atan")
@@ -49,7 +152,28 @@ def nearest_function(name: str) -> str:
 
 
 GREEK = frozenset(
-    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega".split()
+    [
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "rho",
+        "sigma",
+        "tau",
+        "phi",
+        "chi",
+        "psi",
+        "omega",
+    ]
 )
 
 

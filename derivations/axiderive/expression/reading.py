@@ -12,6 +12,7 @@ import re
 import warnings
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NoReturn
 
 import sympy as sp
 
@@ -103,18 +104,18 @@ class _Reader:
             message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
             raise ExpressionError(message) from None
 
-    def _refuse(self, message: str, node: ast.AST) -> ExpressionError:
+    def _refuse(self, message: str, node: ast.AST) -> NoReturn:
         start = getattr(node, "col_offset", 0)
-        return ExpressionError(message, self.text, start, getattr(node, "end_col_offset", start + 1) - start)
+        raise ExpressionError(message, self.text, start, getattr(node, "end_col_offset", start + 1) - start)
 
     def _walk(self, node: ast.expr, depth: int) -> sp.Expr:
         self.nodes += 1
         if depth > DEEPEST:
             message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
-            raise self._refuse(message, node)
+            self._refuse(message, node)
         if self.nodes > MOST_NODES:
             message = f"the expression has more than {MOST_NODES} parts; name its parts"
-            raise self._refuse(message, node)
+            self._refuse(message, node)
         return self._bounded(self._node(node, depth + 1), node)
 
     def _node(self, node: ast.expr, depth: int) -> sp.Expr:
@@ -142,12 +143,12 @@ class _Reader:
             case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in CALLS:
                 return CALLS[name](self._walk(inner, depth))
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
-                raise self._refuse(f"{name} takes one argument; write {name}(...)", node)
+                self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):
-                raise self._refuse(nearest_function(name), node.func)
+                self._refuse(nearest_function(name), node.func)
         kind = type(node).__name__
         message = f"{self._segment(node)!r} ({kind}) has no place here; use names, numbers, + - * / ** and functions"
-        raise self._refuse(message, node)
+        return self._refuse(message, node)
 
     def _segment(self, node: ast.expr) -> str:
         return (ast.get_source_segment(self.text, node) or "")[:40]
@@ -156,11 +157,11 @@ class _Reader:
         text = (ast.get_source_segment(self.text, node) or "").replace("_", "")
         match = NUMBER.fullmatch(text)
         if match is None:
-            raise self._refuse(f"{text[:40]!r} is no number of an expression; write 3, 0.25 or 1e-3", node)
+            self._refuse(f"{text[:40]!r} is no number of an expression; write 3, 0.25 or 1e-3", node)
         exponent = int(match[2][1:]) if match[2] and len(match[2]) < 6 else 0 if not match[2] else 99
         if len(match[1].replace(".", "").lstrip("0")) > DIGITS or abs(exponent) > DIGITS:
             message = f"{text[:40]!r} has more than {DIGITS} digits or decimals; scale it into a parameter"
-            raise self._refuse(message, node)
+            self._refuse(message, node)
         fraction = Fraction(text)
         return sp.Rational(fraction.numerator, fraction.denominator)
 
@@ -174,64 +175,64 @@ class _Reader:
             return self.parameters[name]
         reason = refusal(name)
         if reason:
-            raise self._refuse(reason, node)
+            self._refuse(reason, node)
         if len(self.parameters) == MOST_PARAMETERS:
-            raise self._refuse(f"{name} is one parameter more than {MOST_PARAMETERS}; put numbers for some", node)
+            self._refuse(f"{name} is one parameter more than {MOST_PARAMETERS}; put numbers for some", node)
         symbol = sp.Symbol(name, positive=True)
         self.parameters[name] = symbol
         return symbol
 
     def _quotient(self, top: sp.Expr, bottom: sp.Expr, node: ast.expr) -> sp.Expr:
         if bottom == 0:
-            raise self._refuse("the denominator is 0; divide by something else", node)
+            self._refuse("the denominator is 0; divide by something else", node)
         return top / bottom
 
     def _power(self, base: sp.Expr, exponent: sp.Expr, node: ast.expr) -> sp.Expr:
         if exponent.has(r) or exponent.atoms(sp.Symbol) & set(map(step, self.breaks.values())):
-            raise self._refuse("an exponent must not depend on r; write exp(...) for an exponential", node)
+            self._refuse("an exponent must not depend on r; write exp(...) for an exponential", node)
         if exponent.is_Rational:
             if abs(exponent) > LARGEST_EXPONENT or exponent.q > LARGEST_ROOT:
                 message = (
                     f"exponent {exponent} is outside -{LARGEST_EXPONENT} ... {LARGEST_EXPONENT} in {LARGEST_ROOT}ths"
                 )
-                raise self._refuse(message + "; use a parameter as r**n for others", node)
+                self._refuse(message + "; use a parameter as r**n for others", node)
         elif exponent.is_number:
-            raise self._refuse(f"exponent {exponent} is no fraction; write it as one, or as a parameter", node)
+            self._refuse(f"exponent {exponent} is no fraction; write it as one, or as a parameter", node)
         if base == 0:
-            raise self._refuse("a power of 0 says nothing; leave the term out", node)
+            self._refuse("a power of 0 says nothing; leave the term out", node)
         if base.is_number and not base.is_positive and not exponent.is_Integer:
-            raise self._refuse(f"the base {base} of a broken power is not above 0; change its sign", node)
+            self._refuse(f"the base {base} of a broken power is not above 0; change its sign", node)
         return base**exponent
 
     def _step(self, arguments: list[ast.expr], node: ast.Call, depth: int) -> sp.Expr:
         form = "write breaks as Max(0, r - b) with a parameter b"
         if len(arguments) != 2:
-            raise self._refuse(f"Max takes two arguments; {form}", node)
+            self._refuse(f"Max takes two arguments; {form}", node)
         values = [self._walk(argument, depth) for argument in arguments]
         rest = [value for value in values if value != 0]
         if len(rest) != 1:
-            raise self._refuse(f"one argument of Max must be 0; {form}", node)
+            self._refuse(f"one argument of Max must be 0; {form}", node)
         b = sp.expand(r - rest[0])
         if not (b.is_Symbol and b.is_positive and b != r):
-            raise self._refuse(f"{self._segment(arguments[values.index(rest[0])])!r} is not r - b; {form}", node)
+            self._refuse(f"{self._segment(arguments[values.index(rest[0])])!r} is not r - b; {form}", node)
         self.breaks.setdefault(b.name, b)
         if len(self.breaks) > MOST_BREAKS:
-            raise self._refuse(f"{b} is one break more than {MOST_BREAKS}; join some pieces", node)
+            self._refuse(f"{b} is one break more than {MOST_BREAKS}; join some pieces", node)
         return rest[0] * step(b)
 
     def _bounded(self, expr: sp.Expr, node: ast.expr) -> sp.Expr:
         """Numbers of bounded size, and as many terms as can be multiplied out in no time."""
         if expr.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
-            raise self._refuse(f"{self._segment(node)!r} is no real number; change it", node)
+            self._refuse(f"{self._segment(node)!r} is no real number; change it", node)
         for number in expr.atoms(sp.Rational):
             if max(abs(number.p), number.q) > 10**60:
                 message = f"{self._segment(node)!r} holds a number of more than 60 digits; scale it into a parameter"
-                raise self._refuse(message, node)
+                self._refuse(message, node)
         if expr.is_number and not _finite(expr):
-            raise self._refuse(f"{self._segment(node)!r} is out of the range of numbers; scale it", node)
+            self._refuse(f"{self._segment(node)!r} is out of the range of numbers; scale it", node)
         if terms(expr) > MOST_TERMS:
             message = f"{self._segment(node)!r} has more than {MOST_TERMS} terms when multiplied out; lower its power"
-            raise self._refuse(message, node)
+            self._refuse(message, node)
         return expr
 
 

@@ -88,7 +88,7 @@ def _tail(answer: Answer) -> list[str]:
     if answer.comparisons:
         count = len(answer.comparisons)
         lines.append(
-            f"checked   {count} values against the integral of the definition at {DIGITS} digits, worst {answer.worst:.1e}"
+            f"checked   {count} values against the defining integrals, {DIGITS} digits, worst {answer.worst:.1e}"
         )
     if not answer.closed:
         lines.append("form      outside the normal form (sums of powers, spheres, hyperboloids, 1 - cos, 1 - exp)")

@@ -1,4 +1,4 @@
-"""Values a module is checked with: from the integrals of the definition at 20 digits, never from the module's own rules."""
+"""Values a module is checked with: integrals of the definition at 20 digits, never the module's own rules."""
 
 from __future__ import annotations
 
@@ -243,7 +243,7 @@ def test_text(
     rows = [f'    ("{v.function}", {v.fields!r}, dict({_passed(v)}), {v.wanted!r}),' for v in values]
     tolerance = repr(float(f"{rule:.1e}"))
     lines = [
-        f'"""Values of {stem} from the integrals that define them, computed with {DIGITS} digits: run with plain Python."""',
+        f'"""Values of {stem} from the integrals that define them, {DIGITS} digits; run it with plain Python."""',
         "",
         "import math",
         "",

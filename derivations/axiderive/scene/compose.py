@@ -171,7 +171,7 @@ class _Composition:
     def _evidence(self) -> Mapping[str, Any]:
         if self.answer is None:
             record = sources.evidence(self.profile.name)
-            return record["evidence"] if record else {}  # type: ignore[return-value]
+            return record["evidence"] if record else {}
         return {"entries": {suffix: self._found(suffix) for suffix in self.entries}}
 
     def _found(self, suffix: str) -> dict[str, Any]:

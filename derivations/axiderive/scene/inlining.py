@@ -24,7 +24,7 @@ def returned(definition: Definition) -> tuple[list[ast.stmt], ast.expr] | None:
 
 def inlined(linker: Linker) -> frozenset[Key]:
     """The keys of these functions."""
-    uses: dict[Key, list[tuple[Definition, ast.AST]]] = {}
+    uses: dict[Key, list[tuple[Definition, ast.expr]]] = {}
     for definition in linker.reached.values():
         for node, key in definition.references():
             uses.setdefault(key, []).append((definition, node))
@@ -44,7 +44,7 @@ def inlined(linker: Linker) -> frozenset[Key]:
     return frozenset(host)
 
 
-def _fits(linker: Linker, key: Key, caller: Definition, node: ast.AST, own: set[str], outer: set[str]) -> bool:
+def _fits(linker: Linker, key: Key, caller: Definition, node: ast.expr, own: set[str], outer: set[str]) -> bool:
     """Whether the lines mean the same in the place of the call, and fit on a line."""
     callee = linker.reached[key]
     parts = returned(callee)

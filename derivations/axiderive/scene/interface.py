@@ -1,4 +1,4 @@
-"""The functions a scene can ask for, by physics: name, fields, what they rest on, and one line that says what they are."""
+"""The functions a scene can ask for, by physics: name, fields, and one line that says what they are."""
 
 from __future__ import annotations
 

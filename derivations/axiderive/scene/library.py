@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 Key = tuple[str, str]
 """Module and name."""
@@ -99,14 +100,14 @@ class Module:
             return self.name, name
         return self.imported.get(name)
 
-    def span(self, node: ast.AST) -> tuple[int, int]:
+    def span(self, node: Any) -> tuple[int, int]:
         """First and last byte of a node, decorators of a function included."""
-        first = min([node, *getattr(node, "decorator_list", [])], key=lambda n: n.lineno)  # type: ignore[attr-defined]
-        column = 0 if first is not node else node.col_offset  # type: ignore[attr-defined]
-        end = self.starts[node.end_lineno - 1] + node.end_col_offset  # type: ignore[attr-defined]
-        return self.starts[first.lineno - 1] + column, end  # type: ignore[attr-defined]
+        first = min([node, *getattr(node, "decorator_list", [])], key=lambda n: n.lineno)
+        column = 0 if first is not node else node.col_offset
+        end = self.starts[node.end_lineno - 1] + node.end_col_offset
+        return self.starts[first.lineno - 1] + column, end
 
-    def source(self, node: ast.AST) -> str:
+    def source(self, node: Any) -> str:
         start, end = self.span(node)
         return self.bytes[start:end].decode()
 

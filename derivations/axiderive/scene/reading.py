@@ -168,7 +168,7 @@ def _physics(text: SceneText, scene: Scene) -> None:
     for name in asked:
         if name in LATER:
             nearest = 'adhesive = { dgamma = "50 mJ/m^2" } or normal = true'
-            text.problem("physics", name, f"{name} cannot be emitted for a scene yet; the nearest is {nearest}")
+            text.problem("physics", name, f"{name} is not emitted for scenes yet; the nearest is {nearest}")
     chosen = [name for name in asked if name in ("adhesive", "tangential")]
     if len(chosen) == 2:
         message = "adhesive and tangential together are not derived; emit two scenes, one with each"

@@ -92,9 +92,7 @@ class _Rewriting:
     def _edits(self, node: ast.AST) -> list[tuple[int, int, str]]:
         edits = []
         for child in ast.walk(node):
-            if child is not node and isinstance(child, ast.Call) and id(child.func) in self.keys:
-                edits += self._call(child)
-            elif isinstance(child, ast.Call) and id(child.func) in self.keys and child is node:
+            if isinstance(child, ast.Call) and id(child.func) in self.keys:
                 edits += self._call(child)
             elif id(child) in self.keys:
                 edits.append((*self.module.span(child), self._name(self.keys[id(child)])))

@@ -12,8 +12,10 @@ from ..contact import adhesive as stuck
 from ..contact import normal as plain
 from ..contact import tangential as slipping
 from ..contact.medium import GRADED
-from ..emit import graded, physics, python
+from ..emit import physics, python
 from ..emit.graded import normal as graded_normal
+from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
+from ..emit.imports import RUNTIME
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential
 from ..emit.physics.text import NormalModule
@@ -29,9 +31,7 @@ OWN = Path(__file__).with_name("runtime")
 
 @cache
 def runtime() -> dict[str, Module]:
-    paths = [
-        p for folder in (python.RUNTIME, physics.RUNTIME, graded.RUNTIME, OWN) for p in sorted(folder.glob("*.py"))
-    ]
+    paths = [p for folder in (RUNTIME, physics.RUNTIME, GRADED_RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
     return {path.stem: Module(path.stem, path.read_text()) for path in paths} | {
         "_nodes": Module("_nodes", nodes_source(COUNTS))
     }

@@ -15,7 +15,8 @@ KINDS: dict[str, dict[str, Fraction]] = {
     "pressure": {"Pa": Fraction(1), "kPa": Fraction(1000), "MPa": Fraction(10**6), "GPa": Fraction(10**9)},
     "force": {"N": Fraction(1), "kN": Fraction(1000), "mN": Fraction(1, 1000), "uN": Fraction(1, 10**6),
               "nN": Fraction(1, 10**9)},
-    "energy per area": {"J/m^2": Fraction(1), "mJ/m^2": Fraction(1, 1000), "N/m": Fraction(1), "mN/m": Fraction(1, 1000)},
+    "energy per area": {"J/m^2": Fraction(1), "mJ/m^2": Fraction(1, 1000), "N/m": Fraction(1),
+                        "mN/m": Fraction(1, 1000)},
     "angle": {"rad": Fraction(1), "deg": Fraction(0)},
     "number": {"1": Fraction(1)},
 }  # fmt: skip

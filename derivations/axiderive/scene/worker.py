@@ -36,7 +36,7 @@ def limited(
     CommandError
         Whatever the function itself raises, with its message.
     """
-    context = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
+    context: Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(target=_work, args=(sender, function, arguments, megabytes), daemon=True)
     process.start()
