@@ -30,8 +30,8 @@ FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
 """Radii over the contact radius at which fields are compared."""
 DIGITS = 20
-COUNTS = (32, 64, 128)
-ACCURATE = 1e-13
+COUNT = 64
+"""Nodes of the rules over the profile: 2e-15 from the definition for smooth profiles."""
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def _module(
     if closed and validity.exact and not profile.breaks and _plain(profile):
         return python.module_source(entries)
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
-    return library_source(profile, 64, numeric.exponents(validity.compact_to))
+    return library_source(profile, COUNT, numeric.exponents(validity.compact_to))
 
 
 def _plain(profile: Profile) -> bool:

@@ -18,10 +18,11 @@ from ..expression.answer import DIGITS, Answer, answered
 from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
 from . import interface, sources
-from .check import MATERIAL, Value, check_values, measured, test_text
+from .check import MATERIAL, Value, check_values, measured
 from .linking import Wanted
 from .module import Constant, PullOff, module_text
 from .page import page_sources
+from .written import test_text
 
 OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
