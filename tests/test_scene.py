@@ -120,15 +120,17 @@ def test_free_parameters_stay_keywords_and_are_checked():
     "source",
     [
         'profile = "q*r**2 + c*r**4"\n[parameters]\nq = 3\nc = "2 mm^-3"\n[physics]\nadhesive = { dgamma = 0.1 }\n',
+        'profile = "q*r**2 + Max(0, r - b)*tan(theta)"\n[parameters]\nb = 0.002\n[physics]\nadhesive = true\n',
         'profile = "rounded_punch"\n[parameters]\nR = "2 mm"\nb = "5 mm"\n[physics]\ntangential = { mu = 0.2 }\n',
         'profile = "concave_paraboloid"\n[medium]\nE_star = "2 GPa"\n',
         'profile = "cone"\n[parameters]\ntheta = "10 deg"\n[medium]\nkind = "power_law"\nH = 1e6\nk = 0.3\n',
     ],
-    ids=["expression with adhesion", "tangential", "complete", "graded"],
+    ids=["expression with adhesion", "break and free parameters", "tangential", "complete", "graded"],
 )
 def test_other_combinations(source):
     result = composed_from(source + '[output]\nformats = ["python", "json"]\n')
     assert "values agree with the definition" in result.lines[-1]
+    compile(result.files["test_scene.py"], "test_scene.py", "exec")
 
 
 BAD = """\

@@ -206,7 +206,9 @@ def _complete(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any
     return [(tuple(float(v) for v in own.values()), example.value(contact.profile, entry, known | own))]
 
 
-def measured(text: str, values: Sequence[Value], request: Request) -> tuple[list[Value], dict[str, float]]:
+def measured(
+    text: str, values: Sequence[Value], request: Request, free: Mapping[str, float]
+) -> tuple[list[Value], dict[str, float]]:
     """The values with the keywords each function really has, and its worst relative deviation, found by running it.
 
     Raises
@@ -216,6 +218,9 @@ def measured(text: str, values: Sequence[Value], request: Request) -> tuple[list
     """
     space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
     exec(compile(text, request.module, "exec"), space)  # text of our own making
+    if interface.PULL_OFF in request.quantities:
+        for control in ("force", "depth"):
+            space[interface.PULL_OFF](control, **free)
     errors: dict[str, float] = {}
     called = []
     for value in values:

@@ -80,7 +80,7 @@ class _Composition:
         text = self._module()
         stem = self.request.module.removesuffix(".py")
         values = check_values(self.profile, self.entries, self.request, self._keywords)
-        values, errors = measured(text, values, self.request)
+        values, errors = measured(text, values, self.request, self._free())
         files: dict[str, bytes] = {}
         if "python" in self.request.formats:
             files[self.request.module] = text.encode()

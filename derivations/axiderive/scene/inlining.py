@@ -31,29 +31,36 @@ def inlined(linker: Linker) -> frozenset[Key]:
     kept = {w.key for w in linker.wanted} | set(linker.roots)
     names: dict[Key, set[str]] = {key: set(d.bound) for key, d in linker.reached.items()}
     host: dict[Key, Key] = {}
+    parts = {key: returned(d) for key, d in linker.reached.items()}
+    carries = {key: bool(own and own[0]) for key, own in parts.items()}
+    straight: dict[Key, bool] = {}
     for key, found in uses.items():
         if key not in linker.reached or key in kept or len(found) != 1 or not linker.reached[key].function:
             continue
         caller, node = found[0]
-        place = caller.key
-        while place in host:
-            place = host[place]
-        if place != key and _fits(linker, key, caller, node, names[key], names[place]):
-            host[key] = place
+        chain = [caller.key]
+        while chain[-1] in host:
+            chain.append(host[chain[-1]])
+        call = next((c for c in ast.walk(caller.node) if isinstance(c, ast.Call) and c.func is node), None)
+        if call is None or parts[key] is None or key in chain:
+            continue
+        plain = _straight(caller, call)
+        # lines cannot leave a lambda, also not one further out
+        if carries[key] and not (plain and all(straight[inner] for inner in chain[:-1])):
+            continue
+        place = chain[-1]
+        if _fits(linker, key, caller, call, names[key], names[place]):
+            host[key], straight[key] = caller.key, plain
             names[place] |= names[key]
+            if carries[key]:
+                carries |= dict.fromkeys(chain, True)
     return frozenset(host)
 
 
-def _fits(linker: Linker, key: Key, caller: Definition, node: ast.expr, own: set[str], outer: set[str]) -> bool:
+def _fits(linker: Linker, key: Key, caller: Definition, call: ast.Call, own: set[str], outer: set[str]) -> bool:
     """Whether the lines mean the same in the place of the call, and fit on a line."""
     callee = linker.reached[key]
-    parts = returned(callee)
-    call = next((c for c in ast.walk(caller.node) if isinstance(c, ast.Call) and c.func is node), None)
-    if parts is None or call is None:
-        return False
-    assignments, value = parts
-    if assignments and not _straight(caller, call):
-        return False
+    assignments, value = returned(callee) or ([], ast.Constant(None))
     given = linker.given(call, callee)
     taken = [p for p in callee.parameters if p not in linker.dropped[key]]
     if not all(isinstance(v := given.get(p), ast.Name) and v.id == p for p in taken):

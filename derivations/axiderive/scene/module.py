@@ -38,8 +38,9 @@ PULL_OFF = '''def pull_off({control}):
     """{doc}"""
     if control not in {xi}:
         raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-{check}    radius = np.ravel({radius})
-    force, depth = np.ravel({force}), np.ravel({depth})
+{check}    with np.errstate(all="ignore"):
+        radius = np.ravel({radius})
+        force, depth = np.ravel({force}), np.ravel({depth})
     return {PullOff}(float(radius[0]), float(force[0]), float(depth[0]))'''
 
 
