@@ -128,7 +128,7 @@ def test_free_parameters_stay_keywords_and_are_checked():
     ids=["expression with adhesion", "break and free parameters", "tangential", "complete", "graded"],
 )
 def test_other_combinations(source):
-    result = composed_from(source + '[output]\nformats = ["python", "json"]\n')
+    result = composed_from(source + NO_PDF)
     assert "values agree with the definition" in result.lines[-1]
     compile(result.files["test_scene.py"], "test_scene.py", "exec")
 

@@ -8,8 +8,10 @@ from typing import Any
 from .. import __version__
 from .. import notation as nt
 from ..emit import front
-from ..emit.handbook import handbook_sources
+from ..emit.handbook import _environment as handbook_environment
 from ..emit.page import symbols
+from ..emit.panel import shape_tex
+from ..emit.rows import ordered
 from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
@@ -49,14 +51,25 @@ def page_sources(
     path = f"profiles/{profile.name}.tex"
     texts = None if own else _stored(path)
     if texts is None:
-        found = handbook_sources({profile.name: entries}, {profile.name: evidence})
-        texts = {name: found[name] for name in (path, "preamble.tex")}
+        preamble = handbook_environment().get_template("preamble.tex.j2").render(version=__version__)
+        texts = {path: _formulas(profile, entries, evidence), "preamble.tex": preamble}
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}\\\\"
         for n in front.notation_rows(symbols(entries) | {p.name for p in profile.parameters if nt.known(p.name)})
     ]
     main = MAIN % {"title": escaped(title), "version": __version__, "rows": "\n".join(rows), "name": profile.name}
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
+
+
+def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> str:
+    """Shape, formulas by range, and whether each is certified."""
+    lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
+    for row in ordered(entries):
+        certified = evidence.get("entries", {}).get(row.suffix, {}).get("certified")
+        label, small = row.label
+        lines.append(rf"\par\vspace{{2mm}}\textbf{{{label}}} {small} {'(certified)' if certified else ''}\par")
+        lines += [rf"$\displaystyle {region.tex}$ \quad ${region.condition}$\par" for region in row.regions]
+    return "\n".join([*lines, ""])
 
 
 def _stored(path: str) -> dict[str, str] | None:
