@@ -68,7 +68,7 @@ def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[
         certified = evidence.get("entries", {}).get(row.suffix, {}).get("certified")
         label, small = row.label
         lines.append(rf"\par\vspace{{2mm}}\textbf{{{label}}} {small} {'(certified)' if certified else ''}\par")
-        lines += [rf"$\displaystyle {region.tex}$ \quad ${region.condition}$\par" for region in row.regions]
+        lines += [rf"$\displaystyle {region.tex}$ \quad {_math(region.condition)}\par" for region in row.regions]
     return "\n".join([*lines, ""])
 
 
