@@ -89,6 +89,18 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p, or chapter; default all formulas")
     _numerical(check)
 
+    derive = commands.add_parser("derive", help="formulas and a module for a profile of your own")
+    derive.set_defaults(run=_derive)
+    derive.add_argument("expression", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it")
+    derive.add_argument("--out", type=Path, metavar="DIR", help="write the module and its test there")
+    derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half space (%(default)s)")
+
+    emit = commands.add_parser("emit", help="a self-contained module for a scene")
+    emit.set_defaults(run=_emit)
+    emit.add_argument("scene", type=Path, metavar="SCENE", help="a TOML file, see examples/")
+    emit.add_argument("--out", type=Path, metavar="DIR", help="folder to write to, instead of that of the scene")
+    emit.add_argument("--dry-run", action="store_true", help="say what would be written, with all defaults")
+
     study.add_commands(commands)
     return parser
 
@@ -146,6 +158,18 @@ def _check(arguments: argparse.Namespace) -> int:
     settings = Settings(arguments.digits, arguments.points, arguments.seed)
     folder = project_root() / "catalogue" / "evidence"
     return 0 if check(arguments.keys, folder, settings, verbose=arguments.verbose) else FAILED
+
+
+def _derive(arguments: argparse.Namespace) -> int:
+    from .scene.commands import derive
+
+    return derive(arguments)
+
+
+def _emit(arguments: argparse.Namespace) -> int:
+    from .scene.commands import emit
+
+    return emit(arguments)
 
 
 if __name__ == "__main__":

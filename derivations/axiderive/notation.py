@@ -12,6 +12,8 @@ share one unit, forces are length unit squared times the unit of E_star.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import sympy as sp
@@ -76,6 +78,18 @@ def describe(symbol: sp.Symbol | sp.IndexedBase | str) -> Notation:
 
 def known(name: str) -> bool:
     return name in _RECORDS
+
+
+@contextmanager
+def extended(records: Iterable[Notation]) -> Iterator[None]:
+    """The notation with the parameters of a profile of the user's own, for as long as that profile is worked on."""
+    before = dict(_RECORDS)
+    _RECORDS.update({record.name: record for record in records})
+    try:
+        yield
+    finally:
+        _RECORDS.clear()
+        _RECORDS.update(before)
 
 
 def all_notation() -> tuple[Notation, ...]:

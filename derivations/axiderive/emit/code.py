@@ -19,7 +19,7 @@ ORDER = (
 FUNCTIONS = {
     sp.Abs: "np.abs",
     sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
-    sp.cosh: "np.cosh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
+    sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
     opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
     opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
     masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
@@ -125,7 +125,8 @@ def _product(expr: sp.Expr) -> tuple[str, int]:
     top: list[tuple[str, int]] = []
     bottom: list[tuple[str, int]] = []
     for factor in sorted(factors, key=_factor_rank):
-        base, exponent = factor.as_base_exp()
+        # an exponential is a function here, not a power of e
+        base, exponent = (factor, sp.S.One) if isinstance(factor, sp.exp) else factor.as_base_exp()
         negative = exponent.could_extract_minus_sign()
         (bottom if negative else top).append(_power(base, -exponent if negative else exponent))
     if radical:

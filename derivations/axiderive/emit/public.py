@@ -25,7 +25,9 @@ def public(
 ) -> Public:
     fields = [str(argument) for argument in quantity.arguments]
     keywords = [parameter_name(s) for s in (entry.parameters if entry else profile.parameters)]
-    typed = [f"{name}: ArrayLike" for name in fields] + ["*"] + [f"{name}: ArrayLike" for name in keywords]
+    typed = (
+        [f"{name}: ArrayLike" for name in fields] + ["*"] * bool(keywords) + [f"{name}: ArrayLike" for name in keywords]
+    )
     private = functions.functions[quantity.function]
     check = "_check" if profile.rules else "require"
     summed = "A" in keywords and coefficients in profile.parameters

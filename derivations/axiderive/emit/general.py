@@ -1,0 +1,234 @@
+"""Private functions of a profile with several breaks or without closed forms: rules over the profile.
+
+Depth, force and displacement are integrals of f' times a positive weight, the
+pressure one of g'; g' of each layer is closed where the engine has it in a form
+without cancellation, else an integral of (s f')'.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..abel.order import Order
+from ..abel.reduce import NotReducibleError, parse
+from ..contact.general import Layer, layers
+from ..notation import E_star, a, r
+from ..profiles.profile import Piece, Profile
+from ..stable.forms import EvaluationForm, evaluation_form
+from ..stable.signs import facts_of
+from ..stable.slopes import slope_form
+from .code import python
+from .private import LINE, Private, PrivateFunctions
+from .python import _private, _profile_function
+
+GRADED = 128
+
+
+def library_source(profile: Profile, count: int, exponents: tuple[float, float]) -> str:
+    """The functions as text, for the linker.
+
+    Parameters
+    ----------
+    profile : Profile
+        Compact, with any number of breaks.
+    count : int
+        Nodes of the rules over the profile.
+    exponents : tuple of float
+        Least logarithmic slope of depth and force over the contact radius.
+    """
+    functions = PrivateFunctions(profile)
+    _profile_function(functions)
+    _General(functions, count).add_all(exponents)
+    lines = [
+        "import numpy as np",
+        "",
+        "from .._elementwise import Array",
+        "from .._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap",
+        "from .._integrals import difference_root, pressure_integral, pressure_integral_beyond",
+        "from .._inverse import inverse",
+        "from .._over_profile import growth_beyond, over_profile",
+    ]
+    for private in functions.functions.values():
+        row = _private(private, profile)
+        lines += ["", "", f"def {row['name']}({row['signature']}){row['returns']}:"]
+        lines += [f'    """{private.doc}"""'] if private.doc else []
+        lines += [("    " + line).rstrip() for line in private.lines]
+    return "\n".join([*lines, ""])
+
+
+@dataclass
+class _General:
+    functions: PrivateFunctions
+    count: int
+
+    def __post_init__(self) -> None:
+        self.profile = self.functions.profile
+        self.names = {p.name for p in self.profile.parameters}
+        self.layers = layers(self.profile)
+        self.start = self.profile.breaks[0] if self.profile.truncated else None
+
+    def add_all(self, exponents: tuple[float, float]) -> None:
+        self.steep = [self._steepness(i, piece) for i, piece in enumerate(self.profile.pieces)]
+        growths = [self._growth(i, layer) for i, layer in enumerate(self.layers)]
+        self._over("depth", "1.0", "a")
+        self._over("force", "x * x", python(2 * E_star), {"E_star"})
+        self._pressure(growths)
+        self._displacement()
+        self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"], {"E_star"})
+        force = self.functions.functions["force"]
+        self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"], force.needs)
+        rate = self._slope_at(growths)
+        for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
+            self._inverse(field, curve, rate, exponent)
+
+    def _add(self, name: str, fields: tuple[str, ...], lines: list[str], doc: str = "") -> Private:
+        """Add a function that needs whatever parameter its lines name."""
+        words = set("".join(c if c.isalnum() or c == "_" else " " for c in " ".join(lines)).split())
+        return self.functions.add(name, fields, lines, words & {*self.names, "E_star"}, doc)
+
+    def _steepness(self, index: int, piece: Piece) -> Private | None:
+        below = [layer for layer in self.layers if layer.start in (0, *self.profile.breaks[:index])]
+        slope = sp.Add(*(around(layer.slope, layer.start) for layer in below))
+        if slope == 0:
+            return None
+        return self._add(f"steepness_{index}", ("r",), [f"return {_text(slope)}"], "Slope f'(r) of a piece.")
+
+    def _growth(self, index: int, layer: Layer) -> Private:
+        fields = ("t",) if layer.start == 0 else ("t", "root")
+        form = _closed(layer)
+        doc = "Rate g'(t) of the indentation depth" + (f", what begins at {layer.start}." if layer.start != 0 else ".")
+        if form is not None:
+            lines = self.functions.steps(form, fields)
+            lines.append(f"return {self.functions.value_lines(form.value, lines)}")
+            return self._add(f"growth_{index}", fields, lines, doc)
+        bend = self._add(f"bend_{index}", ("r",), [f"return {_text(around(layer.bend, layer.start))}"], "(r f')'.")
+        if layer.start == 0:
+            weight = f"lambda x, z: {bend.call('x')}"
+            lines = [f"return over_profile({weight}, t, 0.0, np.inf, {self.count})"]
+        else:
+            lines = [f"smooth = growth_beyond(lambda r: {bend.call('r')}, t, root, {layer.start}, {self.count})"]
+            lines.append(
+                f"return smooth + {_text(layer.start * layer.kink)} / root" if layer.kink != 0 else "return smooth"
+            )
+        return self._add(f"growth_{index}", fields, lines, doc)
+
+    def _whole(self, weight: str) -> list[str]:
+        """Lines that add up the integrals over the pieces; `weight` in x and z."""
+        ends = ["0.0", *map(str, self.profile.breaks), "np.inf"]
+        found: list[tuple[str, str]] = []
+        for low, high, steep in zip(ends, ends[1:], self.steep, strict=False):
+            if steep is not None:
+                factor = "" if weight == "1.0" else f" * {weight}"
+                found.append((f"lambda x, z: {steep.call('x')}{factor}", f"a, {low}, {high}, {self.count}"))
+        lines: list[str] = []
+        for integrand, limits in found:
+            before = "whole = whole + " if lines else "whole = "
+            line = f"{before}over_profile({integrand}, {limits})"
+            split = [f"{before}over_profile(", f"    {integrand},", f"    {limits},", ")"]
+            lines += [line] if len(line) <= LINE else split
+        return lines
+
+    def _over(self, name: str, weight: str, scale: str, more: set[str] | None = None) -> None:
+        lines = self._whole(weight)
+        lines.append(f"return {self._reached(f'{scale} * whole')}")
+        self._add(name, ("a",), lines)
+
+    def _reached(self, value: str) -> str:
+        return f"np.where(a >= {self.start}, {value}, np.nan)" if self.start is not None else value
+
+    def _pressure(self, growths: list[Private]) -> None:
+        lines, value = [], "E_star / np.pi * pressed"
+        for i, (layer, growth) in enumerate(zip(self.layers, growths, strict=True)):
+            if layer.start == 0:
+                text = f"pressure_integral({growth.growth('t')}, r, a, {self.count})"
+            else:
+                text = f"pressure_integral_beyond({growth.growth('t', 'root')}, r, a, {layer.start}, {GRADED})"
+            lines.append(f"pressed = {'pressed + ' if i else ''}{text}")
+        for layer in self.layers:
+            if layer.kink != 0:
+                at = f"(r == {layer.start}) & (a > {layer.start})"
+                lines.append(f"pressed = np.where({at}, np.inf, pressed)")
+        lines.append(f"return {self._reached(f'np.where(r < a, {value}, 0.0)')}")
+        self._add("pressure", ("r", "a"), lines)
+
+    def _displacement(self) -> None:
+        depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
+        lines = ["root = difference_root(r, a)", "angle = np.arctan2(a, root)"]
+        lines += self._whole("(a * angle - z * np.arctan2(z, root))")
+        lines += ["outside = 2 / np.pi * whole", f"inside = {depth.call()} - {profile.call()}"]
+        lines.append(f"return {self._reached('np.where(r > a, outside, inside)')}")
+        self._add("displacement", ("r", "a"), lines)
+
+    def _slope_at(self, growths: list[Private]) -> Private:
+        lines = []
+        for i, (layer, growth) in enumerate(zip(self.layers, growths, strict=True)):
+            before = "rate + " if i else ""
+            if layer.start == 0:
+                lines.append(f"rate = {before}{growth.call('a')}")
+            else:
+                lines.append(f"root_{i} = difference_root(a, {layer.start})")
+                lines.append(f"rate = {before}np.where(a > {layer.start}, {growth.call('a', f'root_{i}')}, 0.0)")
+        return self._add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
+
+    def _inverse(self, field: str, curve: str, rate: Private, exponent: float) -> None:
+        target = self.functions.functions[curve]
+        scale = "2 * E_star * a * " if curve == "force" else ""
+        if self.start is not None:
+            place, step, start = (
+                f"{self.start} * np.sqrt(1.0 + t * t)",
+                f"(a - {self.start}) * (a + {self.start}) / a",
+                "1.0",
+            )
+        else:
+            place, step, start = "t", "a", self._length()
+        lines = [
+            "def curve(t: Array) -> tuple[Array, Array]:",
+            f"    a = {place}",
+            f"    value = {target.call('a')}",
+            f"    return value, {scale}{step} * {rate.call('a')} / value",
+            "",
+            f"t = inverse(curve, {field}, np.full_like({field}, {start}), ({exponent!r}, np.inf))",
+            f"return {place}",
+        ]
+        radius = self._add(f"radius_from_{curve}", (field,), lines)
+        other = "depth" if curve == "force" else "force"
+        name = "force_from_depth" if curve == "depth" else "depth_from_force"
+        self._add(name, (field,), [f"return {self.functions.functions[other].call(radius.call())}"])
+
+    def _length(self) -> str:
+        """A length of the profile as first guess."""
+        from .. import notation as nt
+
+        lengths = [p.name for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
+        return lengths[0] if lengths else "1.0"
+
+
+def _text(expr: sp.Expr) -> str:
+    form = evaluation_form(expr, facts_of(()))
+    return python(expr) if form.cancels or form.steps else python(form.value)
+
+
+def around(expr: sp.Expr, start: sp.Expr) -> sp.Expr:
+    """A polynomial in powers of r - start, which keeps its digits next to the break."""
+    if not expr.is_polynomial(r):
+        return expr
+    moved = sp.Poly(sp.expand(expr.subs(r, r + start)), r)
+    return sp.Add(*(sp.factor(c) * (r - start) ** power for (power,), c in moved.terms()))
+
+
+def _closed(layer: Layer) -> EvaluationForm | None:
+    """g' of a layer by the engine, if it is a sum of atoms and its form does not cancel."""
+    b = layer.start
+    pieces = (Piece(None, layer.shape),) if b == 0 else (Piece(b, sp.S.Zero), Piece(None, layer.shape))
+    chain = (a,) if b == 0 else (b, a)
+    try:
+        depth = parse(pieces).depth(Order(chain)).expr()
+        form = slope_form(depth, facts_of(chain))
+    except (NotReducibleError, ValueError, AssertionError):
+        return None
+    rooted = {str(name) for name, _ in form.steps}
+    allowed = set() if b == 0 else {"root"}
+    plain = {name for name in rooted if name.startswith("root")} <= allowed
+    return form if plain and not form.cancels else None

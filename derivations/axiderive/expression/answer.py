@@ -1,0 +1,196 @@
+"""The whole answer to an expression: entries with certificates, the generated functions, and how far both agree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..abel.atoms import PowerAtom
+from ..abel.radicals import HyperboloidAtom, SphereAtom
+from ..abel.reduce import NotReducibleError, parse
+from ..contact import general, normal
+from ..contact.medium import GRADED, HOMOGENEOUS, Medium
+from ..emit import example, python
+from ..emit.general import library_source
+from ..entry import Entry
+from ..notation import a, r
+from ..profiles.profile import Profile, Sketch
+from ..proof.certificate import Certificate, certify_profile
+from .definition import Definition
+from .errors import ExpressionError
+from .numeric import Numeric
+from .profile import OwnProfile
+from .validity import Validity, examine
+
+FIELDS = ("d", "F", "p", "w")
+PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
+"""Radii over the contact radius at which fields are compared."""
+DIGITS = 20
+COUNT = 64
+"""Nodes of the rules over the profile: 2e-15 from the definition for smooth profiles."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One formula against the integral of its definition."""
+
+    suffix: str
+    at: str
+    residual: float
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the engine says about an expression."""
+
+    own: OwnProfile
+    profile: Profile
+    entries: dict[str, Entry]
+    closed: bool
+    """Whether the profile is in the normal form; else every quantity is a regular integral."""
+    certificates: dict[str, Certificate]
+    validity: Validity
+    comparisons: tuple[Comparison, ...]
+    module: str
+    """Private functions as text for the linker; empty if nothing is emitted for this medium."""
+    values: dict[sp.Symbol, sp.Rational]
+    k: sp.Expr = sp.S.Zero
+    """Exponent of the graded half space; the entries hold for any."""
+
+    @property
+    def worst(self) -> float:
+        return max((c.residual for c in self.comparisons), default=0.0)
+
+    def status(self, suffix: str) -> str:
+        """How one quantity is known."""
+        entry = self.entries[suffix]
+        if entry.status == "closed":
+            proof = self.certificates.get(suffix)
+            return "closed, certified" if proof and proof.proved else "closed, not certified"
+        return "one regular integral" if entry.status == "integral" else "solved by iteration"
+
+
+def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = None, k: sp.Expr = sp.S.Zero) -> Answer:
+    """Derive, certify, compare and emit; to be called while the notation is extended by `own.notation`.
+
+    Parameters
+    ----------
+    own : OwnProfile
+        The expression.
+    values : mapping, optional
+        Values of parameters; the others are those of the sketch.
+    k : sympy expression
+        Exponent of a graded half space.
+    """
+    profile = own.profile
+    drawn = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values}
+    known = drawn | dict(values or {})
+    profile = _placed(profile, known)
+    validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
+    medium = HOMOGENEOUS if k == 0 else GRADED
+    profile, entries, closed = _derived(profile, medium)
+    certificates = certify_profile(profile, dict(entries)) if closed else {}
+    compared = () if k != 0 else _compared(profile, entries, known)
+    module = "" if k != 0 else _module(profile, entries, closed=closed, validity=validity, known=known)
+    return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
+
+
+def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile:
+    """The profile drawn at the values at hand: beyond its breaks, else at its own length."""
+    breaks = [float(known[b]) for b in profile.breaks]
+    radius = 1.4 * breaks[-1] if breaks else profile.sketch.a
+    lengths = [float(known[p]) for p in profile.parameters if nt.describe(p).dimension == nt.LENGTH]
+    if not breaks and lengths:
+        radius = min(lengths) * 0.8
+    return replace(profile, sketch=Sketch(tuple((s, float(v)) for s, v in known.items()), a=radius))
+
+
+def _derived(profile: Profile, medium: Medium) -> tuple[Profile, dict[str, Entry], bool]:
+    """Closed entries where the profile is a sum of atoms; the profile learns where a spherical tip ends."""
+    try:
+        atoms = parse(profile.pieces, medium.k).atoms
+        spheres = {atom.R for atom in atoms if isinstance(atom, SphereAtom)}
+        if spheres:
+            if len(spheres) > 1 or profile.breaks or not (end := spheres.pop()).is_Symbol:
+                raise NotReducibleError
+            profile = replace(profile, chain=(a, end))
+        return profile, normal.derive(profile, medium), True
+    except (NotReducibleError, AssertionError):
+        if medium.k != 0:
+            message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
+            raise ExpressionError(message, profile.subtitle) from None
+        return profile, general.derive(profile), False
+
+
+def environment(profile: Profile, known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    return {**known, sp.Symbol("E_star", positive=True): sp.S.One}
+
+
+def radii(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[sp.Rational]:
+    """Contact radii within each piece at which formulas are compared."""
+    breaks = [known[b] for b in profile.breaks]
+    size = sp.Rational(str(profile.sketch.a))
+    if not breaks:
+        return [size * sp.Rational(2, 5), size]
+    inner = [] if profile.truncated else [breaks[0] * sp.Rational(3, 5)]
+    middle = [(low + high) / 2 for low, high in zip(breaks, breaks[1:], strict=False)]
+    return [*inner, *middle, breaks[-1] * sp.Rational(7, 5)]
+
+
+def points(
+    profile: Profile, known: Mapping[sp.Symbol, sp.Rational]
+) -> list[tuple[str, sp.Rational, sp.Rational | None]]:
+    """Suffix, contact radius and place of every comparison; places are moved off the breaks."""
+    found = []
+    for radius in radii(profile, known):
+        for suffix in FIELDS:
+            for place in PLACES[suffix]:
+                at = None if place is None else radius * sp.Rational(str(place))
+                if at in {known[b] for b in profile.breaks}:
+                    at = at * sp.Rational(101, 100)
+                found.append((suffix, radius, at))
+    return found
+
+
+def _compared(
+    profile: Profile, entries: Mapping[str, Entry], known: dict[sp.Symbol, sp.Rational]
+) -> tuple[Comparison, ...]:
+    """Closed formulas against the definition; an integral is its definition, and its rule is measured instead."""
+    definition, found = Definition(profile, known, DIGITS), []
+    for suffix, radius, at in points(profile, known):
+        entry = entries[suffix]
+        if entry.status != "closed":
+            continue
+        place = {} if at is None else {r: at}
+        value = example.value(profile, entry, environment(profile, known) | {a: radius} | place)
+        wanted = definition.quantity(suffix, radius, at)
+        with mp.workdps(DIGITS + 5):
+            residual = abs(mp.mpf(str(value)) / wanted - 1) if wanted else abs(mp.mpf(str(value)))
+            found.append(Comparison(suffix, f"a = {float(radius):g}", float(residual)))
+    return tuple(found)
+
+
+def _module(
+    profile: Profile,
+    entries: Mapping[str, Entry],
+    *,
+    closed: bool,
+    validity: Validity,
+    known: Mapping[sp.Symbol, sp.Rational],
+) -> str:
+    """The module of the catalogue's kind where that is safe, else rules over the profile."""
+    if closed and validity.exact and not profile.breaks and _plain(profile):
+        return python.module_source(entries)
+    numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
+    return library_source(profile, COUNT, numeric.exponents(validity.compact_to))
+
+
+def _plain(profile: Profile) -> bool:
+    """Powers of r, or one round shape: what the modules of the catalogue evaluate without loss for any parameters."""
+    atoms = parse(profile.pieces).atoms
+    single = len(atoms) == 1 and isinstance(atoms[0], (SphereAtom, HyperboloidAtom))
+    return single or all(isinstance(atom, PowerAtom) for atom in atoms)

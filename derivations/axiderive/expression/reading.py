@@ -1,0 +1,255 @@
+"""Whitelist reader of expressions in r: a walk over Python's own syntax tree that builds the SymPy tree node by node.
+
+Nothing is evaluated but sums, products and powers of checked size; decimals
+stay exact; `Max(0, r - b)` becomes (r - b) times the step symbol of b.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+import warnings
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NoReturn
+
+import sympy as sp
+
+from ..notation import r
+from .errors import ExpressionError
+from .names import FUNCTIONS, nearest_function, refusal
+
+LONGEST, DEEPEST, MOST_NODES = 400, 30, 150
+LARGEST_EXPONENT, LARGEST_ROOT = 24, 12
+DIGITS = 15
+"""Digits of a number, and decimals of its exponent of ten."""
+MOST_TERMS = 400
+MOST_PARAMETERS, MOST_BREAKS = 8, 4
+NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+CALLS = {name: getattr(sp, name) for name in FUNCTIONS if name != "Max"}
+
+
+@dataclass(frozen=True)
+class Expression:
+    """f(r) as it was written: the tree, its parameters in order of appearance, and its breaks with their steps."""
+
+    text: str
+    tree: sp.Expr
+    parameters: tuple[sp.Symbol, ...]
+    breaks: tuple[sp.Symbol, ...]
+
+    def between(self, passed: int) -> sp.Expr:
+        """f(r) beyond the first `passed` breaks."""
+        on = {step(b): sp.S.One if i < passed else sp.S.Zero for i, b in enumerate(self.breaks)}
+        return self.tree.xreplace(on)
+
+
+def step(b: sp.Symbol) -> sp.Symbol:
+    """0 for r < b, 1 for r > b."""
+    return sp.Symbol(f"[r > {b.name}]", nonnegative=True)
+
+
+def read(text: str) -> Expression:
+    """The expression of a text.
+
+    Raises
+    ------
+    ExpressionError
+        With the value, the rule, the next step and the position.
+    """
+    return _Reader(text).read()
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.parameters: dict[str, sp.Symbol] = {}
+        self.breaks: dict[str, sp.Symbol] = {}
+        self.nodes = 0
+
+    def read(self) -> Expression:
+        node = self._parsed()
+        tree = self._walk(node, 0)
+        if not tree.has(r):
+            message = "f does not depend on r; write the height of the indenter over its tip, as r**2/(2*R)"
+            raise ExpressionError(message, self.text, 0, len(self.text))
+        return Expression(self.text.strip(), tree, tuple(self.parameters.values()), tuple(self.breaks.values()))
+
+    def _parsed(self) -> ast.expr:
+        if not self.text.strip():
+            message = "the expression is empty; write f(r), as r**2/(2*R)"
+            raise ExpressionError(message)
+        if len(self.text) > LONGEST:
+            message = f"the expression has {len(self.text)} characters, at most {LONGEST} are read; name its parts"
+            raise ExpressionError(message)
+        odd = next((i for i, c in enumerate(self.text) if not (c.isascii() and c.isprintable())), None)
+        if odd is not None:
+            message = f"character {self.text[odd]!a} is not read; use plain ASCII, ** for powers and * for products"
+            raise ExpressionError(message, self.text, odd)
+        if "^" in self.text:
+            message = "^ is no power here; write r**2"
+            raise ExpressionError(message, self.text, self.text.index("^"))
+        stripped = len(self.text) - len(self.text.lstrip())
+        self.text = self.text.strip()
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # "3(r)" and "1if" make the compiler remark, the walk below refuses
+                return ast.parse(self.text, mode="eval").body
+        except SyntaxError as error:
+            place = min(max(0, (error.offset or 1) - 1), len(self.text) - 1)
+            message = f"not an expression: {error.msg}; write it as in Python, r**2/(2*R) + c*r**4"
+            raise ExpressionError(message, " " * stripped + self.text, stripped + place) from None
+        except (RecursionError, MemoryError, ValueError):
+            message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
+            raise ExpressionError(message) from None
+
+    def _refuse(self, message: str, node: ast.AST) -> NoReturn:
+        start = getattr(node, "col_offset", 0)
+        raise ExpressionError(message, self.text, start, getattr(node, "end_col_offset", start + 1) - start)
+
+    def _walk(self, node: ast.expr, depth: int) -> sp.Expr:
+        self.nodes += 1
+        if depth > DEEPEST:
+            message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
+            self._refuse(message, node)
+        if self.nodes > MOST_NODES:
+            message = f"the expression has more than {MOST_NODES} parts; name its parts"
+            self._refuse(message, node)
+        return self._bounded(self._node(node, depth + 1), node)
+
+    def _node(self, node: ast.expr, depth: int) -> sp.Expr:
+        match node:
+            case ast.Constant():
+                return self._number(node)
+            case ast.Name():
+                return self._name(node)
+            case ast.UnaryOp(op=ast.USub(), operand=inner):
+                return -self._walk(inner, depth)
+            case ast.UnaryOp(op=ast.UAdd(), operand=inner):
+                return self._walk(inner, depth)
+            case ast.BinOp(left=left, op=ast.Add(), right=right):
+                return self._walk(left, depth) + self._walk(right, depth)
+            case ast.BinOp(left=left, op=ast.Sub(), right=right):
+                return self._walk(left, depth) - self._walk(right, depth)
+            case ast.BinOp(left=left, op=ast.Mult(), right=right):
+                return self._walk(left, depth) * self._walk(right, depth)
+            case ast.BinOp(left=left, op=ast.Div(), right=right):
+                return self._quotient(self._walk(left, depth), self._walk(right, depth), right)
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                return self._power(self._walk(left, depth), self._walk(right, depth), right)
+            case ast.Call(func=ast.Name(id="Max"), args=arguments, keywords=[]):
+                return self._step(arguments, node, depth)
+            case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in CALLS:
+                return CALLS[name](self._walk(inner, depth))
+            case ast.Call(func=ast.Name(id=name)) if name in CALLS:
+                self._refuse(f"{name} takes one argument; write {name}(...)", node)
+            case ast.Call(func=ast.Name(id=name)):
+                self._refuse(nearest_function(name), node.func)
+        kind = type(node).__name__
+        message = f"{self._segment(node)!r} ({kind}) has no place here; use names, numbers, + - * / ** and functions"
+        return self._refuse(message, node)
+
+    def _segment(self, node: ast.expr) -> str:
+        return (ast.get_source_segment(self.text, node) or "")[:40]
+
+    def _number(self, node: ast.Constant) -> sp.Expr:
+        text = (ast.get_source_segment(self.text, node) or "").replace("_", "")
+        match = NUMBER.fullmatch(text)
+        if match is None:
+            self._refuse(f"{text[:40]!r} is no number of an expression; write 3, 0.25 or 1e-3", node)
+        exponent = int(match[2][1:]) if match[2] and len(match[2]) < 6 else 0 if not match[2] else 99
+        if len(match[1].replace(".", "").lstrip("0")) > DIGITS or abs(exponent) > DIGITS:
+            message = f"{text[:40]!r} has more than {DIGITS} digits or decimals; scale it into a parameter"
+            self._refuse(message, node)
+        fraction = Fraction(text)
+        return sp.Rational(fraction.numerator, fraction.denominator)
+
+    def _name(self, node: ast.Name) -> sp.Expr:
+        name = node.id
+        if name == "r":
+            return r
+        if name == "pi":
+            return sp.pi
+        if name in self.parameters:
+            return self.parameters[name]
+        reason = refusal(name)
+        if reason:
+            self._refuse(reason, node)
+        if len(self.parameters) == MOST_PARAMETERS:
+            self._refuse(f"{name} is one parameter more than {MOST_PARAMETERS}; put numbers for some", node)
+        symbol = sp.Symbol(name, positive=True)
+        self.parameters[name] = symbol
+        return symbol
+
+    def _quotient(self, top: sp.Expr, bottom: sp.Expr, node: ast.expr) -> sp.Expr:
+        if bottom == 0:
+            self._refuse("the denominator is 0; divide by something else", node)
+        return top / bottom
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr, node: ast.expr) -> sp.Expr:
+        if exponent.has(r) or exponent.atoms(sp.Symbol) & set(map(step, self.breaks.values())):
+            self._refuse("an exponent must not depend on r; write exp(...) for an exponential", node)
+        if exponent.is_Rational:
+            if abs(exponent) > LARGEST_EXPONENT or exponent.q > LARGEST_ROOT:
+                message = (
+                    f"exponent {exponent} is outside -{LARGEST_EXPONENT} ... {LARGEST_EXPONENT} in {LARGEST_ROOT}ths"
+                )
+                self._refuse(message + "; use a parameter as r**n for others", node)
+        elif exponent.is_number:
+            self._refuse(f"exponent {exponent} is no fraction; write it as one, or as a parameter", node)
+        if base == 0:
+            self._refuse("a power of 0 says nothing; leave the term out", node)
+        if base.is_number and not base.is_positive and not exponent.is_Integer:
+            self._refuse(f"the base {base} of a broken power is not above 0; change its sign", node)
+        return base**exponent
+
+    def _step(self, arguments: list[ast.expr], node: ast.Call, depth: int) -> sp.Expr:
+        form = "write breaks as Max(0, r - b) with a parameter b"
+        if len(arguments) != 2:
+            self._refuse(f"Max takes two arguments; {form}", node)
+        values = [self._walk(argument, depth) for argument in arguments]
+        rest = [value for value in values if value != 0]
+        if len(rest) != 1:
+            self._refuse(f"one argument of Max must be 0; {form}", node)
+        b = sp.expand(r - rest[0])
+        if not (b.is_Symbol and b.is_positive and b != r):
+            self._refuse(f"{self._segment(arguments[values.index(rest[0])])!r} is not r - b; {form}", node)
+        self.breaks.setdefault(b.name, b)
+        if len(self.breaks) > MOST_BREAKS:
+            self._refuse(f"{b} is one break more than {MOST_BREAKS}; join some pieces", node)
+        return rest[0] * step(b)
+
+    def _bounded(self, expr: sp.Expr, node: ast.expr) -> sp.Expr:
+        """Numbers of bounded size, and as many terms as can be multiplied out in no time."""
+        if expr.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
+            self._refuse(f"{self._segment(node)!r} is no real number; change it", node)
+        for number in expr.atoms(sp.Rational):
+            if max(abs(number.p), number.q) > 10**60:
+                message = f"{self._segment(node)!r} holds a number of more than 60 digits; scale it into a parameter"
+                self._refuse(message, node)
+        if expr.is_number and not _finite(expr):
+            self._refuse(f"{self._segment(node)!r} is out of the range of numbers; scale it", node)
+        if terms(expr) > MOST_TERMS:
+            message = f"{self._segment(node)!r} has more than {MOST_TERMS} terms when multiplied out; lower its power"
+            self._refuse(message, node)
+        return expr
+
+
+def _finite(number: sp.Expr) -> bool:
+    try:
+        return math.isfinite(abs(complex(number.evalf(15))))
+    except OverflowError:
+        return False
+
+
+def terms(expr: sp.Expr) -> int:
+    """How many terms `expand` makes of it."""
+    if expr.is_Add:
+        return sum(terms(arg) for arg in expr.args)
+    if expr.is_Mul:
+        return math.prod(terms(arg) for arg in expr.args)
+    if expr.is_Pow and expr.exp.is_Integer:
+        count, power = terms(expr.base), abs(int(expr.exp))
+        return math.comb(count + power - 1, power) if count > 1 else 1
+    return max([1, *(terms(arg) for arg in expr.args)])

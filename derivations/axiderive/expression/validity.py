@@ -1,0 +1,130 @@
+"""Whether a profile touches in one circle: f >= 0, g' >= 0, and no break at which the slope falls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ..abel.radicals import HyperboloidAtom, SphereAtom
+from ..abel.reduce import NotReducibleError, parse
+from ..contact.general import layers
+from ..notation import describe, r, theta
+from ..profiles.profile import Piece, Profile
+from .errors import ExpressionError
+from .numeric import Numeric
+
+DECADES = 3
+PER_DECADE = 60
+ROUNDING = 1e-9
+"""A g' as small as this against its largest value so far is rounding."""
+
+
+@dataclass(frozen=True)
+class Validity:
+    """What was found: `exact` without numbers, else at these values, up to the radius `compact_to`."""
+
+    exact: bool
+    compact_to: float | None
+    where: str
+
+    @property
+    def sentence(self) -> str:
+        if self.exact:
+            return "compact for every contact radius: all coefficients of f are positive"
+        if self.compact_to is None:
+            return f"compact for every contact radius that was tried, at {self.where}"
+        return (
+            f"compact up to a = {self.compact_to:.6g} at {self.where}: beyond it g' < 0, the pressure falls below "
+            "zero at the edge, and the contact is no longer one circle"
+        )
+
+
+def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "") -> Validity:
+    """The validity of a profile, exactly where the signs of all coefficients say it, else at these values.
+
+    Raises
+    ------
+    ExpressionError
+        If the indenter does not touch with its apex first, or its slope falls at a break.
+    """
+    where = ", ".join(f"{s.name} = {float(v):g}" for s, v in values.items()) or "these numbers"
+    if all(_rises(layer.shape, layer.start) for layer in layers(profile)):
+        return Validity(True, None, where)
+    numeric = Numeric(profile, values)
+    for b, kink in numeric.kinks():
+        if kink < 0.0:
+            message = (
+                f"the slope of f falls by {-kink:.4g} at the break r = {b:.4g} ({where}): the pressure is -inf there "
+                "and the contact has a gap; make the outer part steeper, or round the break"
+            )
+            raise ExpressionError(message, text)
+    scale = max([*numeric.breaks, *_lengths(values)], default=1.0)
+    radii = scale * 10.0 ** np.linspace(-DECADES, DECADES, 2 * DECADES * PER_DECADE + 1)
+    if profile.truncated:
+        radii = numeric.breaks[0] * np.sqrt(1.0 + (radii / scale) ** 2)
+    height, rate = numeric.height(radii), numeric.rate(radii)
+    usable = np.isfinite(height) & np.isfinite(rate)
+    if not usable[0]:
+        message = f"f or its slope is no real number at r = {radii[0]:.3g} ({where}); choose other values"
+        raise ExpressionError(message, text)
+    last = len(radii) if usable.all() else int(np.argmin(usable))
+    radii, height, rate = radii[:last], height[:last], rate[:last]
+    largest = np.maximum.accumulate(np.abs(rate))
+    wrong = np.flatnonzero((rate < -ROUNDING * largest) | (height < 0.0))
+    if not len(wrong):
+        return Validity(False, None, where)
+    first = int(wrong[0])
+    if first == 0:
+        below = "f < 0" if height[0] < 0.0 else "g' < 0"
+        message = (
+            f"{below} already at r = {radii[0]:.3g} ({where}): the apex is not the lowest point, and the contact is "
+            "not compact; a profile rises from f(0) = 0"
+        )
+        raise ExpressionError(message, text)
+    return Validity(False, _refined(numeric, radii[first - 1], radii[first]), where)
+
+
+def _refined(numeric: Numeric, low: float, high: float) -> float:
+    for _ in range(60):
+        middle = (low + high) / 2.0
+        at = np.array([middle])
+        good = bool((numeric.rate(at) >= 0.0).all() and (numeric.height(at) >= 0.0).all())
+        low, high = (middle, high) if good else (low, middle)
+    return float(low)
+
+
+def _lengths(values: Mapping[sp.Symbol, float]) -> list[float]:
+    from .. import notation as nt
+
+    return [float(v) for s, v in values.items() if nt.known(s.name) and describe(s).dimension == nt.LENGTH]
+
+
+def _rises(shape: sp.Expr, start: sp.Expr) -> bool:
+    """A polynomial with positive coefficients in r - start: f' and (r f')' are positive for every value."""
+    inclined = sp.Dummy(positive=True)
+    moved = sp.expand(shape.subs(r, r + start)).subs(sp.tan(theta), inclined)
+    if not moved.is_polynomial(r):
+        return start == 0 and (_power_law(moved) or _round(shape))
+    return all(c.is_positive for c in sp.Poly(moved, r).coeffs())
+
+
+def _round(shape: sp.Expr) -> bool:
+    """A sphere, an ellipsoid or a hyperboloid: f' and r f'' are positive."""
+    try:
+        (atom,) = parse((Piece(None, shape),)).atoms
+    except (NotReducibleError, ValueError, AssertionError):
+        return False
+    return isinstance(atom, (SphereAtom, HyperboloidAtom)) and bool(atom.c.is_positive)
+
+
+def _power_law(expr: sp.Expr) -> bool:
+    """A sum of c r**n with positive c and n."""
+    for term in sp.Add.make_args(expr):
+        factor, power = term.as_independent(r, as_Add=False)
+        base, exponent = power.as_base_exp()
+        if not (factor.is_positive and base == r and exponent.is_positive):
+            return False
+    return True

@@ -1,0 +1,99 @@
+"""The commands `axicontact derive` and `axicontact emit`."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import time
+from pathlib import Path
+
+from .. import pdf
+from ..exits import USAGE, CommandError
+from ..expression.show import shown
+from ..writing import write_atomic
+from . import interface, text
+from .compose import Request, Result, composed, manifest
+from .reading import Scene, read
+from .worker import limited
+
+
+def derive(arguments: argparse.Namespace) -> int:
+    """Print the formulas of an expression; write its module and test where a folder is named."""
+    lines, result = limited(_derived, arguments.expression, arguments.k, arguments.out is not None)
+    print("\n".join(lines))
+    if arguments.out is not None and result is not None:
+        _write(result, arguments.out)
+    return 0
+
+
+def _derived(expression: str, k: str, write: bool) -> tuple[list[str], Result | None]:
+    """In the worker: the printed lines and the files."""
+    return shown(expression, k, write=write)
+
+
+def emit(arguments: argparse.Namespace) -> int:
+    """Write what a scene asks for."""
+    started = time.perf_counter()
+    path: Path = arguments.scene
+    source = text.load(path)
+    scene = read(source)
+    folder = arguments.out or path.parent / scene.folder
+    if arguments.out is None:
+        _inside(folder, path.parent)
+    if arguments.dry_run:
+        print("\n".join(_plan(scene, folder)))
+        return 0
+    result: Result = limited(composed, _request(scene, source.text))
+    for line in result.lines:
+        print(line)
+    _write(result, folder, with_pdf="pdf" in scene.formats)
+    print(f"{time.perf_counter() - started:.1f} s in all")
+    return 0
+
+
+def _request(scene: Scene, source: str) -> Request:
+    return Request(
+        scene.title, scene.module, scene.profile, scene.own, scene.physics, scene.quantities, scene.values,
+        scene.formats, source,
+    )  # fmt: skip
+
+
+def _plan(scene: Scene, folder: Path) -> list[str]:
+    """What would be written, with the defaults filled in."""
+    assert scene.profile is not None
+    names = [p.name for p in scene.profile.parameters] + list(interface.MATERIAL[scene.physics])
+    frozen = ", ".join(f"{n} = {scene.values[n]!r}" for n in names if n in scene.values) or "none"
+    free = ", ".join(n for n in names if n not in scene.values) or "none"
+    return [
+        f"profile     {scene.profile.name}  {scene.profile.subtitle if scene.own else ''}".rstrip(),
+        f"physics     {scene.physics}",
+        f"functions   {', '.join(scene.quantities)}",
+        f"frozen      {frozen}",
+        f"free        {free}",
+        f"formats     {', '.join(scene.formats)}",
+        f"would write {folder}/{scene.module}",
+    ]
+
+
+def _inside(folder: Path, root: Path) -> None:
+    """A scene writes below its own place only, also through links."""
+    if not folder.resolve().is_relative_to(root.resolve()):
+        message = f"{folder} leads out of {root}; choose another folder with --out"
+        raise CommandError(message, USAGE)
+
+
+def _write(result: Result, folder: Path, *, with_pdf: bool = False) -> None:
+    files = dict(result.files)
+    if with_pdf and result.page:
+        try:
+            pdf.ensure_latex(install=False, say=print)
+            files["page.pdf"], _ = pdf.compile_pdf(result.page)
+        except pdf.NoLatexError as error:
+            print(error)
+        except pdf.LatexError as error:
+            message = f"the page does not compile, nothing was written\n{error}"
+            raise CommandError(message) from error
+    files["MANIFEST.json"] = manifest(files)
+    for name, content in files.items():
+        write_atomic(folder / name, content)
+    print(f"wrote     {os.path.relpath(folder)}: {', '.join(sorted(n for n in files if '/' not in n))}")

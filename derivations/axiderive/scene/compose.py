@@ -1,0 +1,266 @@
+"""From a scene, or an expression alone, to files: module, test, page, evidence, manifest - a pure function."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from .. import __version__
+from .. import notation as nt
+from ..emit.symbols import bounds
+from ..entry import Entry
+from ..expression.answer import DIGITS, Answer, answered
+from ..expression.profile import OwnProfile
+from ..profiles.profile import Profile
+from . import interface, sources
+from .check import MATERIAL, Value, check_values, measured
+from .linking import Wanted
+from .module import Constant, PullOff, module_text
+from .page import page_sources
+from .written import test_text
+
+OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
+PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is to be composed."""
+
+    title: str
+    module: str
+    profile: Profile | None
+    own: OwnProfile | None
+    physics: str
+    quantities: Sequence[str]
+    values: Mapping[str, float] = field(default_factory=dict)
+    formats: Sequence[str] = ("python", "tex", "json")
+    scene: str = ""
+    """Text of the scene, copied into the folder."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """The files by name, and what there is to tell."""
+
+    files: dict[str, bytes]
+    lines: tuple[str, ...]
+    page: dict[str, bytes]
+    """Sources of the page, for LaTeX."""
+
+
+def composed(request: Request, answer: Answer | None = None) -> Result:
+    """The files of a request; the answer to its expression, if it is known already."""
+    with nt.extended(request.own.notation if request.own else ()):
+        return _Composition(request, answer).result()
+
+
+class _Composition:
+    def __init__(self, request: Request, answer: Answer | None) -> None:
+        self.request, self.answer = request, answer
+        if request.own is not None:
+            given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
+            exact = {p: sp.Rational(v) for p, v in given.items() if v is not None}
+            self.answer = answer or answered(request.own, exact)
+            self.profile, self.entries = self.answer.profile, self.answer.entries
+            self.normal = self.answer.module
+        else:
+            assert request.profile is not None
+            self.profile = request.profile
+            self.entries = sources.stored_entries(self.profile)
+            self.normal = sources.stored_module(self.profile.name, self.entries)
+        self.parameters = [p.name for p in self.profile.parameters]
+
+    def result(self) -> Result:
+        text = self._module()
+        stem = self.request.module.removesuffix(".py")
+        values = check_values(self.profile, self.entries, self.request, self._keywords)
+        values, errors = measured(text, values, self.request, self._free())
+        files: dict[str, bytes] = {}
+        if "python" in self.request.formats:
+            files[self.request.module] = text.encode()
+            files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
+        page = {}
+        if {"tex", "pdf"} & set(self.request.formats) and (self.answer is None or self.answer.closed):
+            page = page_sources(
+                _plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None
+            )
+        if "tex" in self.request.formats:
+            files |= page
+        if "json" in self.request.formats:
+            files["evidence.json"] = _json(self._record(values, errors))
+        if self.request.scene:
+            files["scene.toml"] = self.request.scene.encode()
+        return Result(files, tuple(self._lines(values, errors)), page)
+
+    def _free(self) -> dict[str, float]:
+        """Values for the parameters that stay free, in the order of the interface."""
+        names = self._keywords([*self.parameters, *interface.MATERIAL[self.request.physics]])
+        drawn = {p.name: float(v) for p, v in self.profile.sketch.values} | MATERIAL
+        return {name: drawn.get(name, 1.0) for name in names}
+
+    # the module
+
+    def _keywords(self, names: Sequence[str]) -> tuple[str, ...]:
+        return tuple(name for name in names if name not in self.request.values)
+
+    def _module(self) -> str:
+        request, name = self.request, self.profile.name
+        physics, wanted, pull_off = request.physics, [], None
+        modules = sources.library(self.profile, self.entries, self.normal, physics)
+        own, plain = (
+            interface.functions(physics, self.profile.contact),
+            interface.functions("normal", self.profile.contact),
+        )
+        for quantity in request.quantities:
+            if quantity == interface.PULL_OFF:
+                pull_off = self._pull_off(modules)
+                continue
+            function = own.get(quantity) or plain[quantity]
+            key = (f"{function.physics}.{name}", f"_{quantity}")
+            if key[1] not in modules[key[0]].definitions:
+                # what is the same for all profiles is a function of the runtime, the shape that of any medium
+                key = OF_RUNTIME.get(quantity, (f"normal.{name}", f"_{quantity}"))
+            module = modules[key[0]]
+            fields = interface.arguments(function, self.entries)
+            needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
+            wanted.append(Wanted(key, quantity, fields, self._keywords(needs), function.doc(name), function.signed))
+        constants = [
+            Constant(parameter, value, _comment(parameter))
+            for parameter, value in self._ordered(request.values).items()
+        ]
+        free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
+        domains = {p: _interval(p) for p in free}
+        return module_text(self._head(), modules, wanted, constants, domains, pull_off)
+
+    def _ordered(self, values: Mapping[str, float]) -> dict[str, float]:
+        order = [*self.parameters, *interface.MATERIAL[self.request.physics]]
+        return {name: values[name] for name in order if name in values}
+
+    def _pull_off(self, modules: Mapping[str, Any]) -> PullOff:
+        key = f"adhesive.{self.profile.name}"
+        defined = modules[key].definitions
+        force, depth = (
+            f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
+        )
+        keywords = self._keywords([*self.parameters, "E_star", "dgamma"])
+        return PullOff((key, "_pull_off_radius"), (key, force), (key, depth), PULL_OFF_DOC, keywords)
+
+    def _head(self) -> str:
+        kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
+                "graded": "on a half space whose modulus grows as a power of depth"}  # fmt: skip
+        title = _plain(self.request.title)
+        what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
+            self.profile.subtitle)  # fmt: skip
+        lines = [
+            f"{title}.",
+            "",
+            *_wrapped(f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians."),
+        ]
+        if self.answer is not None:
+            lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
+        lines.append(f"Written by axicontact {__version__}.")
+        return "\n".join(lines) + "\n"
+
+    # evidence
+
+    def _evidence(self) -> Mapping[str, Any]:
+        if self.answer is None:
+            record = sources.evidence(self.profile.name)
+            return record["evidence"] if record else {}
+        return {"entries": {suffix: self._found(suffix) for suffix in self.entries}}
+
+    def _found(self, suffix: str) -> dict[str, Any]:
+        """Certificate and comparisons of one entry as the handbook prints them."""
+        assert self.answer is not None
+        proof = self.answer.certificates.get(suffix)
+        rows = [c for c in self.answer.comparisons if c.suffix == suffix]
+        worst = max((c.residual for c in rows), default=0.0)
+        check = {"compared": "quadrature", "outcome": "passed", "digits": DIGITS, "count": len(rows)}
+        return {
+            "certified": bool(proof and proof.proved),
+            "certificate": {"reason": proof.reason if proof else ""},
+            "checks": [{**check, "worst": f"{worst:.1e}"}] if rows and worst < 10.0**-DIGITS else [],
+        }
+
+    def _record(self, values: Sequence[Value], errors: Mapping[str, float]) -> dict[str, Any]:
+        record: dict[str, Any] = {"format": 1, "title": self.request.title, "profile": self.profile.name}
+        record["pieces"] = [
+            {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in self.profile.pieces
+        ]
+        record["frozen"] = {name: repr(value) for name, value in self._ordered(self.request.values).items()}
+        if self.answer is not None:
+            record["validity"] = self.answer.validity.sentence
+            record["entries"] = {
+                s: {
+                    "status": self.answer.status(s),
+                    "result": [{"for": " < ".join(map(sp.sstr, c.chain)), "is": sp.sstr(c.expr)} for c in e.cases],
+                    **(
+                        {"certificate": {"proved": cert.proved, "steps": list(cert.steps), "reason": cert.reason}}
+                        if (cert := self.answer.certificates.get(s))
+                        else {}
+                    ),
+                }
+                for s, e in self.entries.items()
+            }
+            record["compared with the definition"] = [
+                {"formula": c.suffix, "at": c.at, "residual": f"{c.residual:.1e}"} for c in self.answer.comparisons
+            ]
+        else:
+            record["evidence"] = self._evidence()
+        record["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
+        record["check values"] = [v.record() for v in values]
+        return record
+
+    def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
+        worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
+        lines = []
+        if self.answer is not None and not self.answer.closed:
+            lines.append(
+                "outside the normal form: each quantity is one regular integral, evaluated by a generated rule"
+            )
+        if values:
+            lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
+        return lines
+
+
+def manifest(files: Mapping[str, bytes]) -> bytes:
+    """SHA-256 of every file."""
+    return _json({path: hashlib.sha256(files[path]).hexdigest() for path in sorted(files)})
+
+
+def _json(record: Any) -> bytes:
+    return (json.dumps(record, indent=1, ensure_ascii=False) + "\n").encode()
+
+
+def _comment(name: str) -> str:
+    record = nt.describe(name)
+    return f"{record.meaning} [{record.unit}]"
+
+
+def _interval(name: str) -> tuple[str, str]:
+    try:
+        low, high, _ = bounds(nt.describe(name).domain)
+    except ValueError:
+        low, high = "0.0", "inf"
+    return low, "np.inf" if high == "inf" else high
+
+
+def _plain(text: str) -> str:
+    """Text that is safe within a docstring."""
+    kept = "".join(c if c.isprintable() else " " for c in text).replace("\\", "/").replace('"', "'")
+    return kept.rstrip(".").strip() or "Scene"
+
+
+def _wrapped(text: str) -> list[str]:
+    import textwrap
+
+    return textwrap.wrap(text, 110)
+
+
+__all__ = ["Entry", "Request", "Result", "composed", "manifest"]

@@ -1,0 +1,197 @@
+"""The text of a scene's module: constants, the wanted functions, and what they rest on."""
+
+from __future__ import annotations
+
+import ast
+import re
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from .library import Key, Module
+from .linking import Linker, Wanted
+
+CORE = '''def _elementwise(function{option}):
+    """Numbers or arrays in, a float or an array out{nan}."""
+
+    @wraps(function)
+    def evaluate(*fields, **parameters):
+        arrays = np.broadcast_arrays(*(np.asarray(field, dtype=float) for field in fields))
+        flat = [np.atleast_1d(array).ravel() for array in arrays]
+        with np.errstate(all="ignore"):
+            result = function(*flat, **parameters) + np.zeros_like(flat[0])
+{mask}
+        return result.reshape(arrays[0].shape) if arrays[0].ndim else float(result[0])
+
+    return evaluate'''
+MASK = "        result[~np.all([field >= {least} for field in flat], axis=0)] = np.nan"
+REQUIRE = """def _require(**parameters):
+    for name, value in parameters.items():
+        low, high = _DOMAINS[name]
+        if not low < value < high:
+            raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")"""
+INTEGRAL = '''def _integral(integrand, stop, count):
+    """Integral of `integrand` from 0 to `stop`."""
+    rule = _NODES[count]
+    return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
+PULL_OFF = '''def pull_off({control}):
+    """{doc}"""
+    if control not in {xi}:
+        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
+{check}    with np.errstate(all="ignore"):
+        radius = np.ravel({radius})
+        force, depth = np.ravel({force}), np.ravel({depth})
+    return {PullOff}(float(radius[0]), float(force[0]), float(depth[0]))'''
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A frozen parameter: its value and what it is."""
+
+    name: str
+    value: float
+    comment: str
+
+
+@dataclass(frozen=True)
+class PullOff:
+    """The private functions behind `pull_off`, which has no fields and three results."""
+
+    radius: Key
+    force: Key
+    depth: Key
+    doc: str
+    keywords: tuple[str, ...]
+
+    @property
+    def keys(self) -> tuple[Key, Key, Key]:
+        return self.radius, self.force, self.depth
+
+
+def module_text(
+    head: str,
+    modules: Mapping[str, Module],
+    wanted: Sequence[Wanted],
+    constants: Sequence[Constant],
+    domains: Mapping[str, tuple[str, str]],
+    pull_off: PullOff | None = None,
+) -> str:
+    """The module.
+
+    Parameters
+    ----------
+    head : str
+        Docstring of the module.
+    modules : mapping
+        The library by name of module.
+    wanted : sequence of Wanted
+        The functions of the interface, in order.
+    constants : sequence of Constant
+        The frozen parameters; those that nothing needs are left out.
+    domains : mapping
+        Open interval of each parameter that is left free.
+    pull_off : PullOff, optional
+        If it is wanted.
+    """
+    roots = (*pull_off.keys, ("_adhesion", "PullOff"), ("_adhesion", "XI")) if pull_off else ()
+    linker = Linker(modules, wanted, frozenset(c.name for c in constants), roots)
+    public, merged = [], set()
+    for one in wanted:
+        signed = "@partial(_elementwise, least=-np.inf)" if one.signed else "@_elementwise"
+        if linker.merged(one):
+            merged.add(one.key)
+            text = linker.text(one.key, one.doc)
+        else:
+            text = _wrapper(linker, one)
+        public.append(f"{signed}\n{text}")
+    if pull_off:
+        public.append(_pull_off(linker, pull_off))
+    hidden = merged | linker.inlined
+    private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
+    classes = [linker.text(k) for k, d in linker.reached.items() if isinstance(d.node, ast.ClassDef)]
+    values = [linker.text(key) for key, d in linker.reached.items() if isinstance(d.node, ast.Assign)]
+    body = "\n\n\n".join([*classes, *public, *private])
+    if "_integral(" in body:
+        body += f"\n\n\n{INTEGRAL}"
+        values.append(_nodes(modules["_nodes"], _counts(linker)))
+    free = sorted({k for one in wanted for k in one.keywords} | set(pull_off.keywords if pull_off else ()))
+    if free:
+        rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
+        values.append("_DOMAINS = {\n" + rows + "}")
+        body = f"{REQUIRE}\n\n\n{body}"
+    used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
+    body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
+    shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
+    parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
+    return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
+
+
+def _core(wanted: Sequence[Wanted]) -> str:
+    signed = any(one.signed for one in wanted)
+    return CORE.format(
+        option=", least=0.0" if signed else "",
+        nan="" if signed else "; NaN where a field is negative",
+        mask=MASK.format(least="least" if signed else "0.0"),
+    )
+
+
+def _wrapper(linker: Linker, one: Wanted) -> str:
+    """A public function in front of a private one that takes more than the fields."""
+    passed = [p for p in linker.reached[one.key].parameters if p not in linker.dropped[one.key]]
+    signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
+    check = f"    _require({', '.join(f'{k}={k}' for k in one.keywords)})\n" if one.keywords else ""
+    call = f"{linker.names[one.key]}({', '.join(passed)})"
+    return f'def {one.name}({signature}):\n    """{one.doc}"""\n{check}    return {call}'
+
+
+def _pull_off(linker: Linker, own: PullOff) -> str:
+    def call(key: Key) -> str:
+        passed = [p for p in linker.reached[key].parameters if p not in linker.dropped[key]]
+        given = {"a": "radius"}
+        return f"{linker.names[key]}({', '.join(given.get(p, p) for p in passed)})"
+
+    check = f"    _require({', '.join(f'{k}={k}' for k in own.keywords)})\n" if own.keywords else ""
+    return PULL_OFF.format(
+        control=", ".join(['control="force"', *(["*", *own.keywords] if own.keywords else [])]),
+        doc=own.doc, xi=linker.names["_adhesion", "XI"], check=check,
+        radius=call(own.radius), force=call(own.force), depth=call(own.depth),
+        PullOff=linker.names["_adhesion", "PullOff"],
+    )  # fmt: skip
+
+
+COUNTS = (16, 32, 64, 128)
+
+
+def _counts(linker: Linker) -> list[int]:
+    """The numbers of nodes that the linked text can ask for."""
+    found = {
+        node.value
+        for definition in linker.reached.values()
+        for node in ast.walk(definition.node)
+        if isinstance(node, ast.Constant) and isinstance(node.value, int)
+    }
+    return [count for count in COUNTS if count in found]
+
+
+def _nodes(module: Module, counts: Sequence[int]) -> str:
+    """Nodes and weights of the rules that are used, as the generated package has them."""
+    node = module.definitions["_LOWER_HALVES"].node
+    assert isinstance(node, ast.Assign)
+    table = ast.literal_eval(node.value)
+    lines = ["# Gauss-Legendre rules on (0, 1): the lower half of the nodes, with their weights", "_NODES = {"]
+    for count in counts:
+        pairs = ", ".join(f"({x!r}, {w!r})" for x, w in table[count])
+        lines += [
+            f"    {count}: [",
+            *textwrap.wrap(pairs + ",", 112, initial_indent=" " * 8, subsequent_indent=" " * 8),
+        ]
+        lines.append("    ],")
+    return "\n".join([*lines, "}"])
+
+
+def _imports(text: str) -> str:
+    functools = [name for name in ("cache", "partial", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
+    lines = [f"from functools import {', '.join(functools)}"] if functools else []
+    lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
+    lines += ["from typing import NamedTuple"] if "(NamedTuple)" in text else []
+    return "\n".join([*lines, *([""] if lines else []), "import numpy as np"])

@@ -1,0 +1,88 @@
+"""Work on a text of the user's in a process of its own, with limits of time and memory."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import resource
+import signal
+import sys
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any, TypeVar
+
+from ..exits import FAILED, CommandError
+
+Result = TypeVar("Result")
+SECONDS = 60
+MEGABYTES = 2048
+
+
+class LimitError(CommandError):
+    """The work took more time or memory than it may."""
+
+    code = FAILED
+
+
+def limited(
+    function: Callable[..., Result], *arguments: object, seconds: float = SECONDS, megabytes: int = MEGABYTES
+) -> Result:
+    """`function(*arguments)` in a fresh process.
+
+    Raises
+    ------
+    LimitError
+        If it takes too long, too much memory, or dies.
+    CommandError
+        Whatever the function itself raises, with its message.
+    """
+    context: Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_work, args=(sender, function, arguments, megabytes), daemon=True)
+    process.start()
+    sender.close()
+    try:
+        if not receiver.poll(seconds):
+            message = (
+                f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
+            )
+            raise LimitError(message)
+        try:
+            kind, value = receiver.recv()
+        except EOFError:
+            message = f"the process died (more than {megabytes} MB?); use a shorter expression or fewer breaks"
+            raise LimitError(message) from None
+    finally:
+        if process.is_alive():
+            process.kill()
+        process.join()
+        receiver.close()
+    if kind == "error":
+        message, code = value
+        raise CommandError(message, code)
+    result: Result = value
+    return result
+
+
+def _work(sender: Connection, function: Callable[..., Any], arguments: tuple[object, ...], megabytes: int) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    _limit(resource.RLIMIT_AS, megabytes * 2**20)
+    try:
+        answer: tuple[str, Any] = ("value", function(*arguments))
+    except CommandError as error:
+        answer = ("error", (str(error), error.code))
+    except MemoryError:
+        answer = ("error", (f"needs more than {megabytes} MB; use a shorter expression or fewer breaks", FAILED))
+    except RecursionError:
+        answer = ("error", ("is nested too deeply to be derived; name its parts", FAILED))
+    except Exception as error:
+        reason = f"{type(error).__name__}: {str(error)[:300]}"
+        answer = ("error", (f"cannot be derived ({reason}); write it in another form or report it", FAILED))
+    sender.send(answer)
+    sender.close()
+    os._exit(0)
+
+
+def _limit(kind: int, size: int) -> None:
+    _, hard = resource.getrlimit(kind)
+    resource.setrlimit(kind, (size if hard == resource.RLIM_INFINITY else min(size, hard), hard))
