@@ -569,14 +569,14 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Arra
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
     tip = np.where(r < inner, 2 * E_star * np.tan(theta) * root / (np.pi * b), 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     tip = displacement_integral(lambda t: _slope(t, theta, b), r, inner, 32)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    beyond = displacement_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, theta, b) - _profile(r, theta, b)
     return np.where(r > a, outside, inside)

@@ -583,14 +583,14 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array)
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
     tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     tip = displacement_integral(lambda t: _slope(t, R1), r, inner, 32)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    beyond = displacement_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
     return np.where(r > a, outside, inside)

@@ -582,24 +582,24 @@ def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((R - inner) * (inner + R))
     angle = np.arcsinh(inner / root)
     tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
-    beyond = 2 * E_star * force_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), a, b, 128)
+    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), a, b)
     return tip + beyond
 
 
 def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    within = pressure_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
+    within = pressure_integral_tanh(_slope, (R,), r, inner, R)
     tip = np.where(r < inner, E_star / np.pi * within, 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    tip = displacement_integral_tanh(_slope, (R,), r, inner, R)
+    beyond = displacement_integral_beyond(_slope_beyond, (R, theta), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R, theta) - _profile(r, R, theta)
     return np.where(r > a, outside, inside)

@@ -21,12 +21,13 @@ from .compact import Compact
 from .complete import Complete
 from .imports import RUNTIME, ModuleText, imports, is_used
 from .inverses import Inverses
+from .kernels import kernels_source
 from .nodes import nodes_source
 from .private import Private, PrivateFunctions, parameter_name
 from .public import PACKAGE, check, public, shown_example
 from .symbols import symbols_source
 
-NODE_COUNTS = (16, 32, 64, 128)
+NODE_COUNTS = (16, 24, 32, 64)
 
 
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
@@ -36,6 +37,7 @@ def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]
     files[f"{PACKAGE}/__init__.py"] = _environment().get_template("package.py.j2").render()
     files[f"{PACKAGE}/py.typed"] = ""
     files[f"{PACKAGE}/_nodes.py"] = nodes_source(NODE_COUNTS)
+    files[f"{PACKAGE}/_kernels.py"] = kernels_source()
     files[f"{PACKAGE}/_symbols.py"] = symbols_source(_parameters(derived))
     files[f"{PACKAGE}/normal/__init__.py"] = _environment().get_template("physics.py.j2").render(names=names)
     for name in names:

@@ -132,11 +132,14 @@ class Draw:
 
     def _amplitude(self, n: float) -> float:
         """A of A r**n such that the height at r = a is a length."""
+        if not SMALLEST < self[nt.a] < LARGEST:
+            return 0.0
         decades = math.log10(self.length()) - n * math.log10(self[nt.a])
         return 10**decades if abs(decades) < 308 else 0.0
 
     def allowed(self) -> bool:
         numbers = [x for value in self.values.values() for x in (value if isinstance(value, tuple) else (value,))]
+        # a length of zero or infinity is drawn where a ratio leaves the range of doubles
         if not all(SMALLEST < x < LARGEST for x in numbers):
             return False
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ._elementwise import Array
 from ._integrals import integral
+from ._kernels import ARCTAN_GAP, DAWSON, TANH_GAP
 
 # Gamma(x + 1/2)/Gamma(x) = sqrt(w) (1 + c_1/w**2 + c_2/w**4 + ...), w = x - 1/4 (Tricomi and Erdelyi 1951);
 # the coefficients follow from ratio(x) ratio(x + 1/2) = x
@@ -21,16 +24,26 @@ _RATIO = (
 _STEPS = 12
 
 
+def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
+    """P(v)/Q(v) with coefficients in ascending order, for v >= 0; the terms of either do not cancel."""
+    above, below = top[-1], bottom[-1]
+    for coefficient in top[-2::-1]:
+        above = above * v + coefficient
+    for coefficient in bottom[-2::-1]:
+        below = below * v + coefficient
+    return above / below
+
+
 def arctan_gap(x: Array) -> Array:
     """x - arctan(x) for x >= 0."""
-    small = integral(lambda t: t * t / (1.0 + t * t), np.minimum(x, 1.0), 16)
-    return np.where(x < 1.0, small, x - np.arctan(x))
+    t = np.minimum(x, 1.0)
+    return np.where(x < 1.0, t * (t * t) * rational(t * t, *ARCTAN_GAP), x - np.arctan(x))
 
 
 def tanh_gap(y: Array) -> Array:
     """y - tanh(y) for y >= 0."""
-    small = integral(lambda t: np.tanh(t) ** 2, np.minimum(y, 1.0), 16)
-    return np.where(y < 1.0, small, y - np.tanh(y))
+    t = np.minimum(y, 1.0)
+    return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
 
 
 def gamma_ratio(x: Array) -> Array:
@@ -48,13 +61,8 @@ def gamma_ratio(x: Array) -> Array:
 
 
 def dawson(x: Array) -> Array:
-    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2, by its series of positive terms."""
-    square = x * x
-    term, total = np.ones_like(x), np.ones_like(x)
-    for k in range(1, 40):
-        term = term * (square / k)
-        total = total + term / (2 * k + 1)
-    return x * np.exp(-square) * total
+    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2."""
+    return x * np.exp(-x * x) * rational(x * x, *DAWSON)
 
 
 def struve_h0(x: Array) -> Array:

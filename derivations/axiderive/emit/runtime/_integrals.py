@@ -9,7 +9,8 @@ keeps the singularities of g' and of the kernel pi/2 away from the path.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, wraps
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -17,8 +18,16 @@ from ._elementwise import BLOCK, Array
 from ._nodes import gauss_legendre
 
 Slope = Callable[..., Array]
+Strip: TypeAlias = Any
+"""An integral as a function of the end of its interval, and that end; `in_groups` puts them together."""
 PANELS = 4096
-"""Waves in the contact beyond which the rule for a wavy profile is no longer refined."""
+"""Panels beyond which a rule is no longer refined: this many waves in the contact."""
+STRIPS = ((2.2, 16), (3.7, 24), (5.1, 32), (10.7, 64))
+"""Lengths of an interval and the nodes that leave 1e-16 there, for singularities at a distance pi/2.
+
+Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bernstein's ellipse);
+beyond the last length there are panels of it.
+"""
 
 
 def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Array:
@@ -34,8 +43,10 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
 
 def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: Array, count: int) -> Array:
     """The same in equal panels no wider than about `width`; their number follows the largest `stop` of the block."""
-    largest = np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0)
-    panels = int(np.ceil(min(float(largest), PANELS)))
+    largest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0))
+    panels = int(np.ceil(min(largest, PANELS)))
+    if panels == 1:
+        return integral(integrand, stop, count)
     width, total = stop / panels, np.zeros_like(stop)
     for panel in range(panels):
         start = panel * width
@@ -45,6 +56,47 @@ def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: 
 
 def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Array:
     return integrand(start + x)
+
+
+def integral_in_strip(integrand: Callable[[Array], Array], stop: Array) -> Array:
+    """The same for an integrand without singularities closer than pi/2 to the real axis; see STRIPS."""
+    longest = float(np.max(np.where(np.isfinite(stop), stop, 0.0), initial=0.0))
+    for length, count in STRIPS:
+        if longest <= length:
+            return integral(integrand, stop, count)
+    return integral_by_panels(integrand, stop, np.ones_like(stop) * length, count)
+
+
+def in_groups(rule: Callable[..., Array]) -> Callable[..., Array]:
+    """The rule for slope(..., *parameters), called once for all points that need the same number of nodes.
+
+    `rule(slope, *lengths)` gives the integral as a function of `stop`, and `stop`.
+    """
+
+    @wraps(rule)
+    def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array) -> Array:
+        stop = rule(slope, *lengths)[1]
+        if not isinstance(stop, np.ndarray) or stop.size == 1:
+            return _applied(rule, slope, parameters, lengths)
+        group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop, 0.0))
+        if (group == group[0]).all():
+            return _applied(rule, slope, parameters, lengths)
+        total = np.empty_like(stop)
+        for number in np.unique(group):
+            chosen = group == number
+            total[chosen] = _applied(rule, slope, *(tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths)))
+        return total
+
+    return grouped
+
+
+def _applied(rule: Callable[..., Any], slope: Slope, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
+    result, stop = rule(lambda *t: slope(*t, *parameters), *lengths)
+    return result(stop)
+
+
+def _part(value: Array, chosen: Array) -> Array:
+    return value[chosen] if np.ndim(value) else value
 
 
 def difference_root(x: Array, y: Array) -> Array:
@@ -72,7 +124,8 @@ def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array,
     return integral_by_panels(integrand, difference_root(a, r), wavelength, count)
 
 
-def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
     scale = np.sqrt(r * r + b * b)
 
@@ -81,10 +134,11 @@ def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count: in
         t = np.sqrt(r * r + u * u)
         return slope(t) / t * np.cosh(v)
 
-    return scale * integral(integrand, np.arcsinh(difference_root(a, r) / scale), count)
+    return lambda stop: scale * integral_in_strip(integrand, stop), np.arcsinh(difference_root(a, r) / scale)
 
 
-def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: int) -> Array:
+@in_groups
+def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
 
@@ -94,22 +148,26 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: in
         return slope(t, root) / t * (root / np.cosh(v))
 
     stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
-    return np.where(a < R, integral(integrand, stop, count), np.inf)
+    return lambda stop: np.where(a < R, integral_in_strip(integrand, stop), np.inf), stop
 
 
-def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
     r = np.where(r == b, np.nextafter(b, 0.0), r)
     within = r < b
     scale = np.sqrt(np.abs(r - b) * (r + b))
     span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
+    outside = np.where(within, 0.0, 1.0)
 
     def integrand(v: Array) -> Array:
-        root = scale * np.where(within, np.sinh(v), np.cosh(v))
+        side = np.sinh(v)
+        root = scale * np.sqrt(side * side + outside)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root / t
 
-    return np.where(a > np.maximum(r, b), integral(integrand, np.arcsinh(span), count), 0.0)
+    beyond = a > np.maximum(r, b)
+    return lambda stop: np.where(beyond, integral_in_strip(integrand, stop), 0.0), np.arcsinh(span)
 
 
 def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
@@ -130,7 +188,8 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
     return r * integral_by_panels(integrand, np.arctan2(a, difference_root(r, a)), wavelength / r, count)
 
 
-def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
     scale = b / np.sqrt(r * r + b * b)
 
@@ -139,10 +198,12 @@ def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count
         secant = np.sqrt(1.0 + tangent * tangent)
         return slope(r * tangent / secant) * np.arctan(tangent) * np.cosh(v) / secant**3
 
-    return r * scale * integral(integrand, np.arcsinh(a / difference_root(r, a) / scale), count)
+    stop = np.arcsinh(a / difference_root(r, a) / scale)
+    return lambda stop: r * scale * integral_in_strip(integrand, stop), stop
 
 
-def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = np.minimum(r, R)
 
@@ -153,10 +214,11 @@ def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count
         return slope(t, root) * np.arctan2(t, beyond) * (part / np.cosh(v))
 
     stop = np.arcsinh(a / difference_root(scale, a))
-    return np.where(a < scale, integral(integrand, stop, count), np.inf)
+    return lambda stop: np.where(a < scale, integral_in_strip(integrand, stop), np.inf), stop
 
 
-def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
     reach = difference_root(r, b)
 
@@ -168,7 +230,7 @@ def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, cou
         return slope(t, root) * root / t * np.arctan2(t, reach / secant) * np.cosh(v) / secant**3
 
     stop = np.arcsinh(r / b * difference_root(a, b) / difference_root(r, a))
-    return np.where(a > b, reach * (b / r) * integral(integrand, stop, count), 0.0)
+    return lambda stop: np.where(a > b, reach * (b / r) * integral_in_strip(integrand, stop), 0.0), stop
 
 
 def force_integral(slope: Slope, a: Array, count: int) -> Array:
@@ -176,11 +238,12 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
     return integral(lambda t: t * slope(t), a, count)
 
 
-def force_integral_beyond(slope: Slope, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
 
     def integrand(v: Array) -> Array:
         root = b * np.sinh(v)
         return slope(np.sqrt(b * b + root * root), root) * root * np.cosh(v)
 
-    return b * integral(integrand, np.arcsinh(difference_root(a, b) / b), count)
+    return lambda stop: b * integral_in_strip(integrand, stop), np.arcsinh(difference_root(a, b) / b)
