@@ -46,8 +46,9 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
                 return value
     arguments = [_real(value) for value in fields]
     names = [name for name, value in parameters.items() if np.ndim(value) > 0]
-    fixed = {name: float(value) for name, value in parameters.items() if name not in names}  # type: ignore[arg-type]
+    fixed = {name: np.float64(value) for name, value in parameters.items() if name not in names}  # type: ignore[arg-type]
     arguments += [_real(parameters[name]) for name in names]
+    # a product of two floats of Python overflows in silence, hence np.float64
     block = partial(_block, function, len(fields), names, fixed)
     if all(value.ndim == 0 for value in arguments):
         return float(block(*(value.reshape(1) for value in arguments)).flat[0])
@@ -58,7 +59,7 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
 
 
 def _block(
-    function: Callable[..., Array], count: int, names: list[str], fixed: dict[str, float], *values: Array
+    function: Callable[..., Array], count: int, names: list[str], fixed: dict[str, np.float64], *values: Array
 ) -> Array:
     fields, given = values[:count], dict(zip(names, values[count:], strict=True))
     try:

@@ -11,7 +11,9 @@ import numpy as np
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._functions import beside
+from .._kernels import OUTSIDE_2
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
 
 if TYPE_CHECKING:
@@ -608,7 +610,7 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array)
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = displacement_integral(lambda t: _slope(t, R1), r, inner, 32)
+    tip = inner**2 / R1 * beside(r, inner, OUTSIDE_2)
     beyond = displacement_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)

@@ -11,7 +11,9 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._functions import beside
+from .._kernels import OUTSIDE_2
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
 
 if TYPE_CHECKING:
@@ -575,7 +577,7 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Arra
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = displacement_integral(lambda t: _slope(t, theta, b), r, inner, 32)
+    tip = inner**2 * np.tan(theta) / b * beside(r, inner, OUTSIDE_2)
     beyond = displacement_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, theta, b) - _profile(r, theta, b)

@@ -7,6 +7,7 @@ import re
 
 import sympy as sp
 
+from .. import notation as nt
 from ..abel import masters
 from ..stable import opaque
 from ..stable.signs import squares
@@ -23,7 +24,7 @@ FUNCTIONS = {
     masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
 }  # fmt: skip
-HELPERS = ("arctan_gap", "dawson", "gamma_ratio", "struve_h0", "struve_h1", "tanh_gap")
+HELPERS = ("arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "rational", "struve_h0", "struve_h1", "tanh_gap")
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
@@ -158,9 +159,49 @@ def _power(base: sp.Expr, exponent: sp.Expr) -> tuple[str, int]:
         return f"np.sqrt({python(base)})", ATOM
     if exponent == sp.Rational(1, 3):
         return f"np.cbrt({python(base)})", ATOM
+    if exponent == sp.Rational(1, 4):
+        return f"np.sqrt(np.sqrt({python(base)}))", ATOM
+    parts = _root_parts(exponent)
+    if parts is not None:
+        return _with_root(base, *parts)
     left, right = _wrapped(base, ATOM), _wrapped(exponent, ATOM)
     simple = all(text.replace("_", "").replace(".", "").isalnum() for text in (left, right))
     return (f"{left}**{right}" if simple else f"{left} ** {right}"), POWER
+
+
+def _root_parts(exponent: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
+    """(whole, inner, degree) of an exponent whole + inner/degree or whole + inner that a double would round; else None.
+
+    n + 1 is 1 + n and n/(n + 1) is 1 - 1/(n + 1): a rounded exponent costs up to ln(x) units of the last place.
+    """
+    if exponent.is_Rational:
+        if exponent.is_Integer or exponent.q <= 3:
+            return None
+        whole = sp.Integer(sp.floor(exponent + sp.S.Half))
+        return whole, (exponent - whole) * exponent.q, sp.Integer(exponent.q)
+    if not exponent.has(nt.n):
+        return None
+    whole, rest = sp.apart(sp.together(exponent), nt.n).as_independent(nt.n, as_Add=True)
+    inner, degree = sp.fraction(sp.together(rest))
+    if not whole.is_Integer or (whole == 0 and degree == 1):
+        return None
+    return whole, inner, degree
+
+
+def _with_root(base: sp.Expr, whole: sp.Expr, inner: sp.Expr, degree: sp.Expr) -> tuple[str, int]:
+    """base**whole times the root, or over it."""
+    size = -inner if inner.could_extract_minus_sign() else inner
+    root = f"nth_root({python(base)}, {python(degree)})" if degree != 1 else ""
+    if not root:
+        root = _power(base, size)[0]
+    elif size != 1:
+        root = f"{root} ** {_wrapped(size, ATOM)}"
+    if whole == 0 and size == inner:
+        return root, POWER if " ** " in root else ATOM
+    front = {sp.S.Zero: "1", sp.S.One: _wrapped(base, PRODUCT)}.get(abs(whole)) or _power(base, abs(whole))[0]
+    if whole < 0:
+        return f"{root} / {front}" if size == inner else f"1 / ({root} * {front})", PRODUCT
+    return f"{front} {'*' if size == inner else '/'} {root}", PRODUCT
 
 
 def _radical(number: sp.Rational, factors: list[sp.Expr]) -> tuple[str, sp.Rational, list[sp.Expr]]:

@@ -16,6 +16,7 @@ from ..stable.opaque import Arctan2, Root
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, singular_at_break, slope_form
 from .code import python
+from .kernels import EXPONENTS
 from .private import Private, PrivateFunctions
 
 SMOOTH = 32
@@ -266,6 +267,15 @@ class Compact:
             return f"{name}_{kind}", str(length)
         return name, str(SMOOTH)
 
+    def _monomial_displacement(self, radius: str) -> str:
+        """The displacement of a tip whose depth is a power of its radius, through the kernel of that power."""
+        symbol = sp.Symbol(radius, positive=True)
+        depth = sp.factor_terms(self.regimes("d")["tip"].expr.subs(a, symbol))
+        power = depth.as_independent(symbol, as_Add=False)[1]
+        if power not in [symbol**exponent for exponent in EXPONENTS]:
+            return ""
+        return f"{python(depth)} * beside(r, {radius}, OUTSIDE_{power.as_base_exp()[1]})"
+
     def displacement(self) -> Private:
         lines: list[str] = []
         needs, parts = set(), []
@@ -280,11 +290,12 @@ class Compact:
             radius = "a" if self.b is None else "inner"
             if "tip" in regimes:
                 slope, (kind, length) = self.slopes["tip"][0], self.scale("tip")
+                monomial = self._monomial_displacement(radius)
                 rule, tail = self._rule("displacement_integral", kind, length)
                 growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
                 if self.b is not None:
                     lines.append(f"inner = np.minimum(a, {self.b})")
-                lines.append(f"tip = {rule}({growth}, r, {radius}, {tail})")
+                lines.append(f"tip = {monomial}" if monomial else f"tip = {rule}({growth}, r, {radius}, {tail})")
                 needs |= {*slope.needs} | ({str(length)} if length is not None else set())
                 parts.append("tip")
             if "beyond" in regimes:

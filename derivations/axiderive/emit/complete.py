@@ -170,7 +170,7 @@ class Complete:
                 self.functions.add(quantity.function, ("d",), [*lines, f"return {value}"], needs - {"d"})
             else:
                 self._add(suffix, value, lines, needs)
-        self._capped_fields(start, base, punch, inner["p"], slope, profile)
+        self._capped_fields(start, base, punch, depth, inner["p"], slope, profile)
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
         texts = [python(evaluation_form(case.expr, facts_of(())).value) for case in cases]
@@ -180,7 +180,14 @@ class Complete:
         )
 
     def _capped_fields(
-        self, start: list[str], base: set[str], punch: str, inner: sp.Expr, slope: Private, profile: Private
+        self,
+        start: list[str],
+        base: set[str],
+        punch: str,
+        depth: sp.Expr,
+        inner: sp.Expr,
+        slope: Private,
+        profile: Private,
     ) -> None:
         rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
         face = inner.subs(sp.sqrt(rho**2 - r**2), root)
@@ -195,7 +202,7 @@ class Complete:
         scale = python(HOMOGENEOUS.displacement_scale)
         lines = [
             *start,
-            f"face = displacement_integral({slope.growth('t')}, r, rho, {SMOOTH})",
+            f"face = {python(depth.subs(a, sp.Symbol('rho', positive=True)))} * beside(r, rho, OUTSIDE_2)",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]

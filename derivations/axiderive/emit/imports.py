@@ -23,6 +23,9 @@ class Public:
     body: list[str]
 
 
+RATES = ("_slope", "_slope_beyond")
+
+
 @dataclass
 class ModuleText:
     """One module as the template prints it."""
@@ -35,7 +38,9 @@ class ModuleText:
 
 
 def is_used(private: Private, module: ModuleText, functions: PrivateFunctions) -> bool:
-    """Whether a public function calls it, directly or through others."""
+    """Whether a public function calls it, directly or through others, or another physics its rate of growth."""
+    if private.name in RATES:
+        return True
     reached, pending = set(), _names("\n".join(line for function in module.public for line in function.body))
     while pending:
         name = pending.pop()
@@ -67,6 +72,9 @@ def imports(module: ModuleText) -> list[str]:
     helpers = [name for name in HELPERS if f"{name}(" in text]
     if helpers:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
+    kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
+    if kernels:
+        blocks.append(f"from .._kernels import {', '.join(kernels)}")
     rules = sorted({name for name in _rule_names() if f"{name}(" in text})
     if rules:
         line = f"from .._integrals import {', '.join(rules)}"

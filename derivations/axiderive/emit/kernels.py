@@ -3,15 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import mpmath as mp
 
 from ..stable.kernels import fit
 
+EXPONENTS = (1, 2, 4, 6)
+"""Of r**n, for which the displacement beside the contact has a kernel."""
+
+
+def outside(n: int, v: mp.mpf) -> mp.mpf:
+    """(asin(s) - int_0^s t**n/sqrt(1 - t**2) dt/s**n)/s with s = sin(sqrt(v)): pi/2 w/g(a) for f ~ r**n, over s = a/r."""
+    angle = mp.sqrt(v)
+    sine, cosine = mp.sin(angle), mp.cos(angle)
+    punches = [angle, 1 - cosine]
+    for k in range(2, n + 1):
+        punches.append(((k - 1) * punches[k - 2] - sine ** (k - 1) * cosine) / k)
+    return (angle - punches[n] / sine**n) / sine
+
+
 KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
     "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
     "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
+} | {
+    f"OUTSIDE_{n}": (f"displacement beside a contact with r**{n}, angle**2 <= (pi/2)**2", partial(outside, n), 2.4675)
+    for n in EXPONENTS
 }
 """By name: what is fitted as a function of the square v of its argument, in words and in mpmath, and up to which v."""
 

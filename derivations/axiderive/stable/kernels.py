@@ -11,7 +11,7 @@ GOAL = mp.mpf(2) ** -53
 """Relative error of a fit, with its coefficients rounded to doubles: half a unit in the last place."""
 DIGITS = 60
 HIGHEST = 14
-CONDITION = 1.05
+CONDITION = 1.2
 
 
 @dataclass(frozen=True)

@@ -59,6 +59,13 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
             yield Sample(*_call(entry, arguments), exact)
 
 
+def _value(function: Callable[..., float], point: Sample) -> float:
+    try:
+        return float(function(*point.arguments, **point.keywords))
+    except OverflowError:
+        return math.nan
+
+
 def count_for(entry: Entry, count: int) -> int:
     """Fewer where the reference itself is an integral: a tenth."""
     return count // 10 if any(case.expr.has(sp.Integral, C0) for case in entry.cases) else count
@@ -93,7 +100,7 @@ def ulps(got: float, exact: arb) -> float:
 
 def measure(function: Callable[..., float], points: list[Sample], tolerance: float = 5.0) -> Errors:
     """The errors of a function at these points."""
-    found = [ulps(float(function(*s.arguments, **s.keywords)), s.exact) for s in points]
+    found = [ulps(_value(function, s), s.exact) for s in points]
     if not found:
         return Errors(0, math.nan, math.nan, 0, 0)
     finite = [x for x in found if math.isfinite(x)]

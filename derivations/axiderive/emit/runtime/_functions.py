@@ -46,6 +46,18 @@ def tanh_gap(y: Array) -> Array:
     return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
 
 
+def nth_root(x: Array, n: Array) -> Array:
+    """x**(1/n) for x >= 0; Newton's step makes good what the rounding of 1/n did, up to ln(x)/n units."""
+    y = x ** (1.0 / n)
+    return np.where((x > 0.0) & (x < np.inf), y + y * ((x / y**n - 1.0) / n), y)
+
+
+def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
+    """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
+    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
+    return a / r * rational(angle * angle, *kernel)
+
+
 def gamma_ratio(x: Array) -> Array:
     """Gamma(x + 1/2)/Gamma(x) for x > 0: shifted to x >= 12, then the asymptotic series."""
     x = np.asarray(x, dtype=np.float64)

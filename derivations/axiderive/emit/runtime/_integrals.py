@@ -76,7 +76,7 @@ def in_groups(rule: Callable[..., Array]) -> Callable[..., Array]:
     @wraps(rule)
     def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array) -> Array:
         stop = rule(slope, *lengths)[1]
-        if not isinstance(stop, np.ndarray) or stop.size == 1:
+        if not isinstance(stop, np.ndarray) or stop.size <= 1:
             return _applied(rule, slope, parameters, lengths)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop, 0.0))
         if (group == group[0]).all():
