@@ -24,7 +24,10 @@ FUNCTIONS = {
     masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
 }  # fmt: skip
-HELPERS = ("arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "rational", "struve_h0", "struve_h1", "tanh_gap")
+HELPERS = (
+    "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "nth_root",
+    "struve_h0", "struve_h1", "tanh_gap",
+)  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 

@@ -154,7 +154,8 @@ class Complete:
             "slope", ("t",), [f"return {python(slope_form_.value)}"], self.functions.needs(slope_form_, ("t",)),
             "Rate g'(t) of the indentation depth of the uncut profile.",
         )  # fmt: skip
-        start = [f"excess = d - {python(depth)}", f"rho = np.minimum({python(rho)}, a)"]
+        self.square = tuple(str(factor) for factor in sp.Mul.make_args(sp.expand(rho**2)))
+        start = [f"excess = {self._beyond('a')} / {self.square[0]}", f"rho = np.minimum({python(rho)}, a)"]
         base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
@@ -179,6 +180,10 @@ class Complete:
             "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}
         )
 
+    def _beyond(self, radius: str) -> str:
+        """rho**2 - radius**2, where rho**2 is a product of two inputs."""
+        return f"difference_of_products({', '.join(self.square)}, {radius}, {radius})"
+
     def _capped_fields(
         self,
         start: list[str],
@@ -194,7 +199,8 @@ class Complete:
         pressure = python(HOMOGENEOUS.pressure_scale)
         lines = [
             *start,
-            "root = np.sqrt(np.maximum(rho - r, 0.0) * (rho + r))",
+            f"square = np.where(excess > 0.0, (a - r) * (a + r), {self._beyond('r')})",
+            "root = np.sqrt(np.maximum(square, 0.0))",
             f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
@@ -202,7 +208,7 @@ class Complete:
         scale = python(HOMOGENEOUS.displacement_scale)
         lines = [
             *start,
-            f"face = {python(depth.subs(a, sp.Symbol('rho', positive=True)))} * beside(r, rho, OUTSIDE_2)",
+            f"face = {python(depth.subs(a, sp.Symbol('rho', positive=True)))} * beside(r, rho, OUTSIDE_{sp.degree(depth, a)})",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]

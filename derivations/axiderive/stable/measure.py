@@ -13,9 +13,10 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
+from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
-from .reference import CURVES, Unknown, reference
+from .reference import CURVES, Unknown, enclosed, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
 GEOMETRY = {"d", "w", "ad", "dmin", "rz"}
@@ -52,6 +53,7 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
     drawn = entries[CURVES[suffix][0]] if _inverse(entry) else entries["d"] if "d" in entries and suffix == "k" else entry
     for values in floats(drawn, domain, count, seed):
         try:
+            _complete(entries, values)
             arguments, exact = reference(dict(entries), suffix, values)
         except Unknown:
             continue
@@ -66,6 +68,14 @@ def _value(function: Callable[..., float], point: Sample) -> float:
         return math.nan
 
 
+def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
+    """Raise depth and force above the threshold of complete contact, by their own size over that of the contact."""
+    for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F)):
+        if suffix in entries and symbol in values:
+            least = float(enclosed(entries[suffix], values, ()))
+            values[symbol] = least * max(1.0 + 1e-12, values[symbol] / values[nt.a] if symbol == nt.d else 2.0)
+
+
 def count_for(entry: Entry, count: int) -> int:
     """Fewer where the reference itself is an integral: a tenth."""
     return count // 10 if any(case.expr.has(sp.Integral, C0) for case in entry.cases) else count
@@ -76,11 +86,17 @@ def _inverse(entry: Entry) -> bool:
 
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
-    fields = entry.quantity.arguments
+    fields = _fields(entry)
     keywords = {str(getattr(s, "label", s)): values[s] for s in entry.profile.parameters if s not in fields}
     if entry.suffix not in GEOMETRY:
         keywords["E_star"] = next(value for symbol, value in values.items() if str(symbol) == "E_star")
     return tuple(values[symbol] for symbol in fields), keywords
+
+
+def _fields(entry: Entry) -> tuple[sp.Symbol, ...]:
+    """The arguments of the emitted function; a stiffness that depends on the depth asks for it."""
+    depth = entry.suffix == "k" and any(case.expr.has(nt.d) for case in entry.cases)
+    return (nt.d,) if depth else entry.quantity.arguments
 
 
 def function_of(entry: Entry) -> Callable[..., float]:

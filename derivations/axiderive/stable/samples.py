@@ -45,7 +45,7 @@ def floats(entry: Entry, domain: Domain, count: int, seed: int = 17) -> Iterator
         for _ in range(ATTEMPTS):
             draw = Draw(entry.profile, domain, rng)
             draw.chain(case.chain)
-            for symbol in entry.quantity.arguments:
+            for symbol in (*entry.quantity.arguments, *((nt.d,) if entry.profile.contact == "complete" else ())):
                 draw[symbol]
             if draw.allowed():
                 yield draw.values

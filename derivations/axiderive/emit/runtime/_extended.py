@@ -142,8 +142,9 @@ def _plain(function: Any) -> Callable[[Extended], Extended]:
 
 def _compared(relation: Any) -> Callable[[Extended, Extended], Any]:
     def rule(x: Extended, y: Extended) -> Any:
-        return np.where(np.isfinite(x.mantissa) & np.isfinite(y.mantissa), relation(_add(x, _negative(y)).mantissa, 0.0),
-                        relation(np.asarray(x), np.asarray(y)))  # fmt: skip
+        infinite = np.isinf(x.mantissa) & np.isinf(y.mantissa)
+        difference = np.sign(x.mantissa) - np.sign(y.mantissa)
+        return relation(np.where(infinite, difference, _add(x, _negative(y)).mantissa), 0.0)
 
     return rule
 

@@ -46,6 +46,25 @@ def tanh_gap(y: Array) -> Array:
     return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
 
 
+def difference_of_products(w: Array, x: Array, y: Array, z: Array) -> Array:
+    """w*x - y*z with the rounding of both products made good (Dekker 1971)."""
+    left, right = w * x, y * z
+    return (left - right) + (_lost(w, x, left) - _lost(y, z, right))
+
+
+def _lost(x: Array, y: Array, product: Array) -> Array:
+    """x*y - product, exactly."""
+    (x_high, x_low), (y_high, y_low) = _halves(x), _halves(y)
+    return ((x_high * y_high - product) + x_high * y_low + x_low * y_high) + x_low * y_low
+
+
+def _halves(x: Array) -> tuple[Array, Array]:
+    """Two numbers of 26 bits that add up to x."""
+    high = 134217729.0 * x
+    high = high - (high - x)
+    return high, x - high
+
+
 def nth_root(x: Array, n: Array) -> Array:
     """x**(1/n) for x >= 0; Newton's step makes good what the rounding of 1/n did, up to ln(x)/n units."""
     y = x ** (1.0 / n)

@@ -18,8 +18,8 @@ from ._elementwise import BLOCK, Array
 from ._nodes import gauss_legendre
 
 Slope = Callable[..., Array]
-Strip: TypeAlias = Any
-"""An integral as a function of the end of its interval, and that end; `in_groups` puts them together."""
+Strip: TypeAlias = tuple[Any, ...]
+"""What `in_groups` makes an integral of."""
 PANELS = 4096
 """Panels beyond which a rule is no longer refined: this many waves in the contact."""
 STRIPS = ((2.2, 16), (3.7, 24), (5.1, 32), (10.7, 64))
@@ -67,32 +67,31 @@ def integral_in_strip(integrand: Callable[[Array], Array], stop: Array) -> Array
     return integral_by_panels(integrand, stop, np.ones_like(stop) * length, count)
 
 
-def in_groups(rule: Callable[..., Array]) -> Callable[..., Array]:
-    """The rule for slope(..., *parameters), called once for all points that need the same number of nodes.
+def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
+    """The integral of a rule for slope(..., *parameters), called once for all points that need the same nodes.
 
-    `rule(slope, *lengths)` gives the integral as a function of `stop`, and `stop`.
+    `rule(slope, *lengths)` gives the integrand, the end of its interval, a factor, where it holds, and what else is.
     """
+
+    def applied(slope: Slope, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
+        integrand, stop, factor, holds, otherwise = rule(lambda *t: slope(*t, *parameters), *lengths)
+        return np.where(holds, factor * integral_in_strip(integrand, stop), otherwise)
 
     @wraps(rule)
     def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array) -> Array:
         stop = rule(slope, *lengths)[1]
         if not isinstance(stop, np.ndarray) or stop.size <= 1:
-            return _applied(rule, slope, parameters, lengths)
+            return applied(slope, parameters, lengths)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop, 0.0))
         if (group == group[0]).all():
-            return _applied(rule, slope, parameters, lengths)
+            return applied(slope, parameters, lengths)
         total = np.empty_like(stop)
         for number in np.unique(group):
             chosen = group == number
-            total[chosen] = _applied(rule, slope, *(tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths)))
+            total[chosen] = applied(slope, *(tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths)))
         return total
 
     return grouped
-
-
-def _applied(rule: Callable[..., Any], slope: Slope, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
-    result, stop = rule(lambda *t: slope(*t, *parameters), *lengths)
-    return result(stop)
 
 
 def _part(value: Array, chosen: Array) -> Array:
@@ -124,31 +123,44 @@ def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array,
     return integral_by_panels(integrand, difference_root(a, r), wavelength, count)
 
 
+def fallen(v: Array, stop: Array, even: Array | float = 0.0) -> Array:
+    """sinh(stop - v)/sinh(stop), or the same of cosh where `even` is 1.
+
+    Counted from the upper end, where the integrands are largest: an error of v in exp(v) would grow with v.
+    """
+    side = 1.0 - 2.0 * even
+    return np.exp(-v) * (2.0 * even - side * np.expm1(-2.0 * (stop - v))) / (2.0 * even - side * np.expm1(-2.0 * stop))
+
+
 @in_groups
 def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
-    scale = np.sqrt(r * r + b * b)
+    scale, reach = np.sqrt(r * r + b * b), difference_root(a, r)
+    stop = np.arcsinh(reach / scale)
 
     def integrand(v: Array) -> Array:
-        u = scale * np.sinh(v)
+        u = reach * fallen(v, stop)
         t = np.sqrt(r * r + u * u)
-        return slope(t) / t * np.cosh(v)
+        return slope(t) / t * np.sqrt(scale * scale + u * u)
 
-    return lambda stop: scale * integral_in_strip(integrand, stop), np.arcsinh(difference_root(a, r) / scale)
+    return integrand, stop, 1.0, True, 0.0
 
 
 @in_groups
 def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
+    ratio = difference_root(a, r) / difference_root(R, a)
+    stop = np.arcsinh(ratio)
 
     def integrand(v: Array) -> Array:
-        u, root = scale * np.tanh(v), scale / np.cosh(v)
+        side = ratio * fallen(v, stop)
+        secant = np.sqrt(1.0 + side * side)
+        u, root = scale * (side / secant), scale / secant
         t = np.sqrt(r * r + u * u)
-        return slope(t, root) / t * (root / np.cosh(v))
+        return slope(t, root) / t * (root / secant)
 
-    stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
-    return lambda stop: np.where(a < R, integral_in_strip(integrand, stop), np.inf), stop
+    return integrand, stop, 1.0, a < R, np.inf
 
 
 @in_groups
@@ -156,18 +168,15 @@ def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Stri
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
     r = np.where(r == b, np.nextafter(b, 0.0), r)
     within = r < b
-    scale = np.sqrt(np.abs(r - b) * (r + b))
-    span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
-    outside = np.where(within, 0.0, 1.0)
+    outside, reach = np.where(within, 0.0, 1.0), difference_root(a, b)
+    stop = np.arcsinh(np.where(within, reach, difference_root(a, r)) / np.sqrt(np.abs(r - b) * (r + b)))
 
     def integrand(v: Array) -> Array:
-        side = np.sinh(v)
-        root = scale * np.sqrt(side * side + outside)
+        root = reach * fallen(v, stop, outside)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root / t
 
-    beyond = a > np.maximum(r, b)
-    return lambda stop: np.where(beyond, integral_in_strip(integrand, stop), 0.0), np.arcsinh(span)
+    return integrand, stop, 1.0, a > np.maximum(r, b), 0.0
 
 
 def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
@@ -191,46 +200,51 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
 @in_groups
 def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
-    scale = b / np.sqrt(r * r + b * b)
+    scale, end = b / np.sqrt(r * r + b * b), a / difference_root(r, a)
+    stop = np.arcsinh(end / scale)
 
     def integrand(v: Array) -> Array:
-        tangent = scale * np.sinh(v)
+        tangent = end * fallen(v, stop)
         secant = np.sqrt(1.0 + tangent * tangent)
-        return slope(r * tangent / secant) * np.arctan(tangent) * np.cosh(v) / secant**3
+        return slope(r * tangent / secant) * np.arctan(tangent) * np.sqrt(scale * scale + tangent * tangent) / secant**3
 
-    stop = np.arcsinh(a / difference_root(r, a) / scale)
-    return lambda stop: r * scale * integral_in_strip(integrand, stop), stop
+    return integrand, stop, r, True, 0.0
 
 
 @in_groups
 def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = np.minimum(r, R)
+    end = a / difference_root(scale, a)
+    stop = np.arcsinh(end)
 
     def integrand(v: Array) -> Array:
-        t, part = scale * np.tanh(v), scale / np.cosh(v)
+        side = end * fallen(v, stop)
+        secant = np.sqrt(1.0 + side * side)
+        t, part = scale * (side / secant), scale / secant
         beyond = np.sqrt(difference_root(r, R) ** 2 + part * part)
         root = np.sqrt(difference_root(R, r) ** 2 + part * part)
-        return slope(t, root) * np.arctan2(t, beyond) * (part / np.cosh(v))
+        return slope(t, root) * np.arctan2(t, beyond) * (part / secant)
 
-    stop = np.arcsinh(a / difference_root(scale, a))
-    return lambda stop: np.where(a < scale, integral_in_strip(integrand, stop), np.inf), stop
+    return integrand, stop, 1.0, a < scale, np.inf
 
 
 @in_groups
 def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
-    reach = difference_root(r, b)
+    reach, ratio = difference_root(r, b), b / r
+    end = difference_root(a, b) / difference_root(r, a)
+    stop = np.arcsinh(end / ratio)
 
     def integrand(v: Array) -> Array:
-        tangent = b / r * np.sinh(v)
+        tangent = end * fallen(v, stop)
         secant = np.sqrt(1.0 + tangent * tangent)
         root = reach * tangent / secant
         t = np.sqrt(b * b + root * root)
-        return slope(t, root) * root / t * np.arctan2(t, reach / secant) * np.cosh(v) / secant**3
+        weight = np.sqrt(ratio * ratio + tangent * tangent) / secant**3
+        return slope(t, root) * root / t * np.arctan2(t, reach / secant) * weight
 
-    stop = np.arcsinh(r / b * difference_root(a, b) / difference_root(r, a))
-    return lambda stop: np.where(a > b, reach * (b / r) * integral_in_strip(integrand, stop), 0.0), stop
+    return integrand, stop, reach, a > b, 0.0
 
 
 def force_integral(slope: Slope, a: Array, count: int) -> Array:
@@ -241,9 +255,12 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
 @in_groups
 def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    reach = difference_root(a, b)
+    stop = np.arcsinh(reach / b)
 
     def integrand(v: Array) -> Array:
-        root = b * np.sinh(v)
-        return slope(np.sqrt(b * b + root * root), root) * root * np.cosh(v)
+        root = reach * fallen(v, stop)
+        t = np.sqrt(b * b + root * root)
+        return slope(t, root) * root * t
 
-    return lambda stop: b * integral_in_strip(integrand, stop), np.arcsinh(difference_root(a, b) / b)
+    return integrand, stop, 1.0, True, 0.0
