@@ -129,7 +129,8 @@ def fallen(v: Array, stop: Array, even: Array | float = 0.0) -> Array:
     Counted from the upper end, where the integrands are largest: an error of v in exp(v) would grow with v.
     """
     side = 1.0 - 2.0 * even
-    return np.exp(-v) * (2.0 * even - side * np.expm1(-2.0 * (stop - v))) / (2.0 * even - side * np.expm1(-2.0 * stop))
+    above, below = (2.0 * even - side * np.expm1(-2.0 * x) for x in (stop - v, stop))
+    return np.where(stop > 0.0, np.exp(-v) * above / below, 1.0)
 
 
 @in_groups

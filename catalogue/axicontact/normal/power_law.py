@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio, nth_root
+from .._functions import gamma_ratio, lower_power, nth_root, without_root
 from .._powers import power_displacement, power_pressure
 
 if TYPE_CHECKING:
@@ -540,7 +540,8 @@ def _force(a: Array, A: Array, n: Array, E_star: Array) -> Array:
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return np.where(r < a, E_star * n * A * a**n / a * power_pressure(r, a, n) * kappa / np.sqrt(np.pi), 0.0)
+    pressed = E_star * n * A * lower_power(a, n) * power_pressure(r, a, n) * kappa / np.sqrt(np.pi)
+    return np.where(r < a, pressed, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array) -> Array:
@@ -556,7 +557,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * E_star * n * A * a**n / a * kappa / (np.sqrt(np.pi) * (n + 1))
+    return 2 * E_star * n * A * lower_power(a, n) * kappa / (np.sqrt(np.pi) * (n + 1))
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
@@ -580,4 +581,4 @@ def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
 def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
-    return np.sqrt(np.pi) * A * kappa * ratio / nth_root(ratio, n + 1)
+    return np.sqrt(np.pi) * A * kappa * without_root(ratio, n + 1)

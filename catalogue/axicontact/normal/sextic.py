@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import beside, nth_root
+from .._functions import beside, nth_root, without_root
 from .._kernels import OUTSIDE_6
 
 if TYPE_CHECKING:
@@ -538,4 +538,4 @@ def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
 
 
 def _depth_from_force(F: Array, A: Array, E_star: Array) -> Array:
-    return F / E_star / nth_root(F / E_star, 7) * nth_root(117649 * A / 933120, 7)
+    return without_root(F / E_star, 7) * nth_root(117649 * A / 933120, 7)

@@ -25,8 +25,8 @@ FUNCTIONS = {
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
 }  # fmt: skip
 HELPERS = (
-    "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "nth_root",
-    "struve_h0", "struve_h1", "tanh_gap",
+    "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "lower_power",
+    "nth_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
 )  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 
@@ -192,19 +192,23 @@ def _root_parts(exponent: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
 
 
 def _with_root(base: sp.Expr, whole: sp.Expr, inner: sp.Expr, degree: sp.Expr) -> tuple[str, int]:
-    """base**whole times the root, or over it."""
-    size = -inner if inner.could_extract_minus_sign() else inner
-    root = f"nth_root({python(base)}, {python(degree)})" if degree != 1 else ""
-    if not root:
-        root = _power(base, size)[0]
-    elif size != 1:
-        root = f"{root} ** {_wrapped(size, ATOM)}"
-    if whole == 0 and size == inner:
-        return root, POWER if " ** " in root else ATOM
-    front = {sp.S.Zero: "1", sp.S.One: _wrapped(base, PRODUCT)}.get(abs(whole)) or _power(base, abs(whole))[0]
-    if whole < 0:
-        return f"{root} / {front}" if size == inner else f"1 / ({root} * {front})", PRODUCT
-    return f"{front} {'*' if size == inner else '/'} {root}", PRODUCT
+    """base**(whole + inner/degree) by the helpers that round no exponent."""
+    text = python(base)
+    if degree != 1:
+        special = {(0, 1): f"nth_root({text}, {python(degree)})", (1, -1): f"without_root({text}, {python(degree)})"}
+        name = special.get((whole, inner))
+        if name is not None:
+            return name, ATOM
+        if inner == 1:
+            return f"{_wrapped(base, PRODUCT)}{_whole_power(whole)} * nth_root({text}, {python(degree)})", PRODUCT
+        return f"nth_root({text}, {python(degree)}) ** {python(whole * degree + inner)}", POWER
+    if whole == -1:
+        return f"lower_power({text}, {python(inner)})", ATOM
+    return f"{_power(base, whole)[0]} * {_power(base, inner)[0]}", PRODUCT
+
+
+def _whole_power(whole: sp.Expr) -> str:
+    return "" if whole == 1 else f"**{whole}"
 
 
 def _radical(number: sp.Rational, factors: list[sp.Expr]) -> tuple[str, sp.Rational, list[sp.Expr]]:

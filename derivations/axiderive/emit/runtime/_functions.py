@@ -71,6 +71,16 @@ def nth_root(x: Array, n: Array) -> Array:
     return np.where((x > 0.0) & (x < np.inf), y + y * ((x / y**n - 1.0) / n), y)
 
 
+def without_root(x: Array, n: Array) -> Array:
+    """x**(1 - 1/n) for x >= 0, as x over its root."""
+    return np.where((x > 0.0) & (x < np.inf), x / nth_root(x, n), x)
+
+
+def lower_power(x: Array, n: Array) -> Array:
+    """x**(n - 1) for x >= 0; the rounding of n - 1 would cost up to ln(x) units."""
+    return np.where(x > 0.0, x**n / x, x ** (n - 1.0))
+
+
 def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
     angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
