@@ -651,8 +651,12 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, R1, R2, b), R1, R2, b, E_star)
+    a = _radius_from_depth(d, R1, R2, b)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R1, R2, b)), 0.0)
+    return _force(a, R1, R2, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, R1, R2, b, E_star), R1, R2, b)
+    a = _radius_from_force(F, R1, R2, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R1, R2, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R1, R2, b) + change

@@ -637,8 +637,12 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, R, theta), R, theta, E_star)
+    a = _radius_from_depth(d, R, theta)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, theta)), 0.0)
+    return _force(a, R, theta, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, R, theta, E_star), R, theta)
+    a = _radius_from_force(F, R, theta, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, theta, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R, theta) + change

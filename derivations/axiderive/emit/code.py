@@ -162,6 +162,8 @@ def _power(base: sp.Expr, exponent: sp.Expr) -> tuple[str, int]:
         return f"np.sqrt({python(base)})", ATOM
     if exponent == sp.Rational(1, 3):
         return f"np.cbrt({python(base)})", ATOM
+    if exponent.is_Rational and exponent.q == 3:
+        return f"np.cbrt({python(base)})**{exponent.p}", POWER
     if exponent == sp.Rational(1, 4):
         return f"np.sqrt(np.sqrt({python(base)}))", ATOM
     parts = _root_parts(exponent)
