@@ -15,22 +15,22 @@ import pytest
 import sympy as sp
 
 from axiderive import cache as cache_module
-from axiderive import pool, profiles, writing
+from axiderive import pool, writing
 from axiderive.build import differences, only_profiles
 from axiderive.cache import Cache, digest
-from axiderive.contact.normal import derive
+from axiderive.contact.systems import problem, problems
 from axiderive.notation import a, b, r
 from axiderive.records import entry_record, profile_record, read_entry
 from axiderive.srepr import ReadingError, from_text, to_text
 from axiderive.work import Settings, derivation_key, verification_key
 
 
-@pytest.mark.parametrize("name", profiles.NAMES)
-def test_every_entry_survives_storage(name):
+@pytest.mark.parametrize("key", [problem.key for problem in problems()])
+def test_every_entry_survives_storage(key):
     """What is published is what was read back, so reading back must not change a single argument."""
-    profile = profiles.load(name)
-    for entry in derive(profile).values():
-        back = read_entry(json.loads(json.dumps(entry_record(entry))), profile)
+    of = problem(key)
+    for entry in of.derive().values():
+        back = read_entry(json.loads(json.dumps(entry_record(entry))), of.profile)
         assert back == entry
         assert back.primitives == entry.primitives
         assert back.text() == entry.text()
@@ -115,7 +115,8 @@ def test_damaged_cache_files_count_as_missing(tmp_path, damage):
 
 
 def test_keys_follow_everything_a_result_depends_on(monkeypatch):
-    cone, sphere = profiles.load("cone"), profiles.load("sphere")
+    cone, sphere = problem("cone"), problem("sphere")
+    assert derivation_key(cone) != derivation_key(problem("cone.vis"))
     assert derivation_key(cone) == derivation_key(cone)
     assert derivation_key(cone) != derivation_key(sphere)
     base = verification_key(cone, {}, Settings())
@@ -129,7 +130,7 @@ def test_keys_follow_everything_a_result_depends_on(monkeypatch):
     before = derivation_key(cone)
     monkeypatch.setattr("axiderive.work.version", lambda package: "1.99")
     assert derivation_key(cone) != before
-    assert profile_record(cone) != profile_record(sphere)
+    assert profile_record(cone.profile) != profile_record(sphere.profile)
 
 
 def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):

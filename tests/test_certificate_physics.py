@@ -58,9 +58,10 @@ def entries(kind: str, name: str) -> Entries:
 
 
 def expected(entry: Entry, within: Entries) -> bool:
-    """Closed formulas, and equations that are shown to say where the force, depth or pressure is least."""
+    """Closed formulas, equations that are shown to say where a load is least, and a step force given by the radius."""
     if entry.status == "root":
-        return entry.suffix in ("ac", "am", "rz") and within[entry.suffix] is entry
+        shown = entry.suffix in ("ac", "am", "rz") or entry.suffix.startswith("step_")
+        return shown and within[entry.suffix] is entry
     return entry.status == "closed"
 
 

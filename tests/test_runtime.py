@@ -17,7 +17,7 @@ EPS = np.finfo(float).eps
 FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS
 
 
-@pytest.mark.parametrize("count", [16, 32, 64, 128])
+@pytest.mark.parametrize("count", [16, 24, 32, 64])
 def test_nodes_integrate_polynomials(count: int) -> None:
     x, w = gauss_legendre(count)
     assert len(x) == count
@@ -91,7 +91,9 @@ def test_inverse_keeps_to_the_bracket_where_newton_overshoots() -> None:
 
 
 def test_domains_are_read_off_the_notation() -> None:
-    assert bounds("0 < theta < pi/2") == ("0.0", "1.5707963267948966")
-    assert bounds("R > 0") == ("0.0", "inf")
-    with pytest.raises(ValueError, match="not an open interval"):
+    assert bounds("0 < theta < pi/2") == ("0.0", "1.5707963267948966", "")
+    assert bounds("R > 0") == ("0.0", "inf", "")
+    assert bounds("dgamma >= 0") == ("0.0", "inf", "low")
+    assert bounds("-1 < nu <= 1/2") == ("-1.0", "0.5", "high")
+    with pytest.raises(ValueError, match="not an interval"):
         bounds("0 <= c <= a")

@@ -13,7 +13,17 @@ from typing import Any
 import numpy as np
 
 PACKAGE = __name__.rpartition(".")[0]
-NEEDS_ARRAYS = frozenset({"integral", "in_groups", "pressure_integral", "integral_by_panels", "gauss_legendre", "A_j", "ring_of_zero_pressure"})
+NEEDS_ARRAYS = frozenset(
+    (
+        "integral",
+        "integral_by_panels",
+        "in_groups",
+        "pressure_integral",
+        "gauss_legendre",
+        "ring_of_zero_pressure",
+        "A_j",
+    )
+)
 """Names that a body may not refer to: rules with nodes along an axis, and sums over coefficients."""
 
 

@@ -1,9 +1,9 @@
-"""The catalogue as a pure function: names of profiles in, `{relative path: bytes}` out."""
+"""The catalogue as a pure function: profiles in, `{relative path: bytes}` out."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,18 +14,16 @@ from .work import Outcome, Settings
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from .entry import Entry
-    from .profiles.profile import Profile
+    from .contact.systems import Problem
 
 EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build")
-SHARED = "shared"
 
-Pairs = list[tuple["Profile", dict[str, "Entry"]]]
+Published = list[tuple["Problem", Outcome]]
 
 
 @dataclass(frozen=True)
 class Failure:
-    """Something that keeps a profile out of the catalogue: a formula that failed a check, or a defect."""
+    """Something that keeps a problem out of the catalogue: a formula that failed a check, or a defect."""
 
     key: str
     message: str
@@ -42,21 +40,21 @@ class Catalogue:
 
 
 def build(
-    names: Sequence[str],
+    ids: Sequence[str],
     *,
     cache: Cache,
     settings: Settings | None = None,
     jobs: int = 1,
     report: Callable[[Outcome], None] = lambda outcome: None,
 ) -> Catalogue:
-    """Derive, verify and emit the named profiles.
+    """Derive, verify and emit every problem of the named profiles.
 
     Parameters
     ----------
-    names : sequence of str
-        Names of profiles, see `profiles.NAMES`; the catalogue keeps that order.
+    ids : sequence of str
+        Profiles as `contact.systems.profile_ids` lists them; the catalogue keeps that order.
     cache : Cache
-        Where finished profiles are kept and looked for; it does not change the result.
+        Where finished problems are kept and looked for; it does not change the result.
     settings : Settings, optional
         Digits, number of points and seed of the numerical checks.
     jobs : int
@@ -69,73 +67,80 @@ def build(
     Catalogue
         The files do not depend on `jobs`, on the cache or on the hash seed.
     """
-    from . import profiles
+    from .contact.systems import problems
 
     settings = settings or Settings()
-    wanted = [name for name in profiles.NAMES if name in set(names)]
+    wanted = list(problems(ids))
     found: dict[str, Outcome] = {}
-    for name in wanted:
-        outcome = work.stored(profiles.load(name), cache, settings)
+    for problem in wanted:
+        outcome = work.stored(problem, cache, settings)
         if outcome is not None:
-            found[name] = outcome
+            found[problem.key] = outcome
             report(outcome)
-    open_names = sorted((name for name in wanted if name not in found), key=_expected_effort, reverse=True)
-    for outcome in pool.run(work.task, [(name, str(cache.folder), cache.fresh, settings) for name in open_names], jobs):
-        found[outcome.name] = outcome
+    missing = sorted((problem for problem in wanted if problem.key not in found), key=_expected_effort, reverse=True)
+    tasks = [(problem.key, str(cache.folder), cache.fresh, settings) for problem in missing]
+    for outcome in pool.run(work.task, tasks, jobs):
+        found[outcome.key] = outcome
         report(outcome)
-    outcomes = tuple(found[name] for name in wanted)
-    published, failures = _publishable(outcomes)
+    outcomes = tuple(found[problem.key] for problem in wanted)
+    published, failures = _publishable(wanted, found)
     files = _emitted(published, cache, settings)
     return Catalogue(files, outcomes, tuple(failures))
 
 
-def _expected_effort(name: str) -> tuple[int, int]:
+def _expected_effort(problem: Problem) -> tuple[int, int, int]:
     """Longest first, so that no process is left alone with a long task at the end."""
-    from . import profiles
+    profile = problem.profile
+    graded = problem.system.name.startswith("graded")
+    return int(graded), len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
 
-    profile = profiles.load(name)
-    return len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
 
-
-def _publishable(outcomes: Sequence[Outcome]) -> tuple[list[Outcome], list[Failure]]:
-    """What may be published: a profile with a failed check is left out: its formulas rest on each other."""
-    published, failures = [], []
-    for outcome in outcomes:
+def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tuple[Published, list[Failure]]:
+    """What may be published: a problem with a failed check is left out, and so is what rests on it."""
+    published: Published = []
+    failures: list[Failure] = []
+    lost: set[str] = set()
+    for problem in wanted:
+        outcome = found[problem.key]
         if outcome.error:
-            failures.append(Failure(outcome.name, outcome.error, outcome.trace))
-        elif outcome.failures:
-            failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
+            failures.append(Failure(problem.key, outcome.error, outcome.trace))
+        failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
+        if outcome.error or outcome.failures:
+            lost.add(problem.key)
+        elif problem.base_keys() & lost:
+            failures.append(Failure(problem.key, f"rests on {', '.join(sorted(problem.base_keys() & lost))}"))
+            lost.add(problem.key)
         else:
-            published.append(outcome)
+            published.append((problem, outcome))
     return published, failures
 
 
-def _emitted(outcomes: Sequence[Outcome], cache: Cache, settings: Settings) -> dict[str, bytes]:
-    results = [[outcome.name, outcome.entries, outcome.evidence] for outcome in outcomes]
+def _emitted(published: Published, cache: Cache, settings: Settings) -> dict[str, bytes]:
+    results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results])
     texts = cache.get(key)
     if texts is None:
-        texts = {path: content.decode() for path, content in _emit(outcomes).items()}
+        texts = {path: content.decode() for path, content in _emit(published).items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _emit(outcomes: Sequence[Outcome]) -> dict[str, bytes]:
-    from . import profiles
-    from .emit import handbook, index, python
+def _emit(published: Published) -> dict[str, bytes]:
+    from .emit import handbook, index, modules
 
-    pairs: Pairs = []
-    for outcome in outcomes:
-        profile = profiles.load(outcome.name)
-        pairs.append((profile, work.read_entries(profile, outcome.entries)))
-    derived = {profile.name: entries for profile, entries in pairs}
-    evidence = {outcome.name: outcome.evidence for outcome in outcomes}
-    files = {path: text.encode() for path, text in python.module_sources(derived).items()}
-    files |= {f"handbook/{path}": text.encode() for path, text in handbook.handbook_sources(pairs, evidence).items()}
-    files["axicontact/index.json"] = index.to_bytes(index.index_record(pairs, evidence))
-    for outcome, (profile, _) in zip(outcomes, pairs, strict=True):
-        record = index.evidence_record(profile, outcome.entries, outcome.evidence)
-        files[f"evidence/{outcome.name}.json"] = index.to_bytes(record)
+    derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
+    evidence = {problem.key: outcome.evidence for problem, outcome in published}
+    texts = modules.package_sources(derived)
+    published = [(problem, outcome) for problem, outcome in published if problem.module in texts]
+    derived = {problem.key: derived[problem.key] for problem, _ in published}
+    pairs = [(p.profile, derived[p.key]) for p, _ in published if p.system.name == "normal"]
+    own = {p.name: evidence[p.key] for p, _ in published if p.system.name == "normal"}
+    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(pairs, own).items()}
+    files = {path: text.encode() for path, text in texts.items()}
+    files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
+    for problem, outcome in published:
+        record = index.evidence_record(problem, outcome.entries, outcome.evidence)
+        files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
     return files
 
 
@@ -155,20 +160,20 @@ def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) 
     return lines
 
 
-def only_profiles(files: dict[str, bytes], names: Sequence[str], root: Path) -> dict[str, bytes]:
+def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> dict[str, bytes]:
     """The files a partial build may write into a full catalogue.
 
     Files that belong to one of the profiles are replaced and the index is
     merged; what the profiles share is written only where it does not exist yet.
     """
     import json
-    from pathlib import PurePosixPath
 
+    from .contact.systems import profile_ids
     from .emit.index import to_bytes
-    from .profiles import NAMES
 
+    order = profile_ids()
     index_path = "axicontact/index.json"
-    own = {path: text for path, text in files.items() if PurePosixPath(path).stem in names}
+    own = {path: text for path, text in files.items() if _owner(path) in ids}
     shared = {p: t for p, t in files.items() if p not in own and p != index_path and not (root / p).exists()}
     new = json.loads(files[index_path])
     try:
@@ -176,6 +181,19 @@ def only_profiles(files: dict[str, bytes], names: Sequence[str], root: Path) -> 
     except (OSError, ValueError):
         old = {"profiles": [], "entries": []}
     for part, name in (("profiles", "name"), ("entries", "profile")):
-        rows = [row for row in old[part] if row[name] not in names and row[name] in NAMES] + new[part]
-        new[part] = sorted(rows, key=lambda row: NAMES.index(row[name]))  # noqa: B023
+        rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
+        new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
     return own | shared | {index_path: to_bytes(new)}
+
+
+def _owner(path: str) -> str:
+    """The profile that a generated file belongs to; empty if it is shared."""
+    from .contact.systems import problems
+
+    folder, _, rest = path.partition("/")
+    for problem in problems():
+        if path in (problem.module, f"evidence/{problem.key}.json"):
+            return problem.profile_id
+        if folder == "handbook" and rest == f"profiles/{problem.profile_id}.tex":
+            return problem.profile_id
+    return ""

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from . import profiles
+from .contact import systems
 from .index import Index, NoCatalogueError, load
 from .show import table
 from .verification import details, verify
@@ -19,21 +19,21 @@ HEAD = ["key", "status", "evidence"]
 
 
 def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: bool) -> bool:
-    """Verify these keys (profiles or single formulas; all if empty); whether all of them passed."""
+    """Verify these keys (profiles, problems or single formulas; all if empty); whether all of them passed."""
     index = load()
     wanted = _wanted(keys, index)
     started, checked, failures = time.perf_counter(), 0, []
     rows: list[list[str]] = []
-    for name, selected in wanted.items():
-        profile = profiles.load(name)
-        record = _stored(folder if folder.is_dir() else index.folder.parent / "evidence", name)
-        entries = read_entries(profile, record["entries"])
-        evidence = verify(profile, entries, settings)
+    for key, selected in wanted.items():
+        problem = systems.problem(key)
+        record = _stored(folder if folder.is_dir() else index.folder.parent / "evidence", key)
+        entries = read_entries(problem, record["entries"])
+        evidence = verify(problem, entries, settings)
         checked += len(selected)
-        failures += [f for f in evidence["failures"] if not f["key"].partition(".")[2] or f["key"] in selected]
+        failures += [failure for failure in evidence["failures"] if failure["key"] in selected]
         for suffix, found in evidence["entries"].items():
-            if f"{name}.{suffix}" in selected:
-                rows.append([f"{name}.{suffix}", entries[suffix].status, found["summary"]])
+            if f"{key}.{suffix}" in selected:
+                rows.append([f"{key}.{suffix}", entries[suffix].status, found["summary"]])
                 if verbose:
                     rows += [["", "", line] for line in details(found)]
     print(table([HEAD, *rows]))
@@ -44,11 +44,13 @@ def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: boo
 
 
 def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
-    """The keys to check, by profile."""
+    """The keys to check, by problem; the name of a profile stands for all of its problems."""
+    whole = {row["name"]: list(row["problems"]) for row in index.profiles}
     wanted: dict[str, set[str]] = {}
-    for key in keys or [row["name"] for row in index.profiles]:
-        for entry in index.select(key):
-            wanted.setdefault(entry["profile"], set()).add(entry["key"])
+    for key in keys or whole:
+        for own in whole.get(key, [key]):
+            for entry in index.select(own):
+                wanted.setdefault(entry["problem"], set()).add(entry["key"])
     return wanted
 
 

@@ -9,10 +9,11 @@ import sys
 import time
 from pathlib import Path
 
-from . import pdf, profiles
+from . import pdf
 from .build import Catalogue, differences, only_profiles
 from .build import build as build_catalogue
 from .cache import Cache, digest
+from .contact import systems
 from .exits import FAILED, INCOMPLETE, CommandError
 from .index import nearest
 from .progress import Progress, failure_lines, summary
@@ -24,17 +25,18 @@ MOST_REMARKS = 5
 
 
 def build(arguments: argparse.Namespace) -> int:
+    known = systems.profile_ids()
     for name in arguments.only:
-        if name not in profiles.NAMES:
-            raise nearest(name, "profile", profiles.NAMES)
-    names = arguments.only or list(profiles.NAMES)
+        if name not in known:
+            raise nearest(name, "profile", known)
+    names = arguments.only or known
     root = arguments.out or project_root() / "catalogue"
     cache = Cache(project_root() / ".cache", arguments.fresh)
     settings = Settings(arguments.digits, arguments.points, arguments.seed)
     started = time.perf_counter()
     if not arguments.check:
         ensure_writable(root)
-    with Progress(len(names), quiet=arguments.quiet).running() as progress:
+    with Progress(len(list(systems.problems(names))), quiet=arguments.quiet).running() as progress:
         catalogue = build_catalogue(
             names, cache=cache, settings=settings, jobs=arguments.jobs, report=progress.finished
         )
@@ -106,10 +108,8 @@ def _report_written(
     catalogue: Catalogue, root: Path, counts: tuple[int, int], seconds: float, progress: Progress
 ) -> None:
     files = catalogue.files
-    modules = sum(1 for path in files if path.startswith("axicontact/normal/") and not path.endswith("__init__.py"))
-    functions = sum(
-        len(re.findall(rb"^def [a-z]", files[path], re.M)) for path in files if path.startswith("axicontact/normal/")
-    )
+    sources = [files[p.module] for p in systems.problems() if p.module in files]
+    modules, functions = len(sources), sum(len(re.findall(rb"^def [a-z]", source, re.M)) for source in sources)
     evidence = sum(1 for path in files if path.startswith("evidence/"))
     book = "handbook.pdf" if (root / "handbook" / "handbook.pdf").exists() else "LaTeX only, no PDF"
     shown = root.relative_to(Path.cwd()) if root.is_relative_to(Path.cwd()) else root
@@ -121,5 +121,5 @@ def _report_written(
     changed, removed = counts
     progress.say("\nwrote  " + "\n       ".join(rows))
     progress.say(f"       {changed} files changed, {removed} removed, {seconds:.1f} s in all")
-    example = "rounded_punch" if "axicontact/normal/rounded_punch.py" in files else catalogue.outcomes[0].name
+    example = "rounded_punch" if "axicontact/normal/rounded_punch.py" in files else catalogue.outcomes[0].key
     progress.say(f"next   axicontact show {example}    |    axicontact show {example}.F --as python")

@@ -56,23 +56,29 @@ class Index:
         raise nearest(name, "profile", [row["name"] for row in self.profiles])
 
     def select(self, key: str) -> list[Row]:
-        """The entry of that key, or all entries of the profile of that name."""
-        found = [row for row in self.entries if key in (row["key"], row["profile"])]
+        """The entry of that key, or all entries of the problem of that key: cone, cone.adh, plane.wedge."""
+        found = [row for row in self.entries if key in (row["key"], row["problem"])]
         if found:
             return found
-        name, dot, suffix = key.partition(".")
-        if dot and any(row["name"] == name for row in self.profiles):
-            raise nearest(key, "key", self.profile(name)["keys"])
+        raise nearest(key, "key" if "." in key else "profile or key", self._candidates(key))
+
+    def _candidates(self, key: str) -> list[str]:
+        """Known keys that an unknown one may stand for, the profile mended before the quantity."""
+        known = {row[name] for row in self.entries for name in ("key", "problem")}
         profiles = [row["name"] for row in self.profiles]
-        if dot:
-            near = difflib.get_close_matches(name, profiles, n=1, cutoff=0.5)
-            candidates = [f"{near[0]}.{suffix}", near[0]] if near else []
-            raise nearest(key, "key", [c for c in candidates if c in profiles or c in (r["key"] for r in self.entries)])
-        raise nearest(key, "profile or key", profiles)
+        own = [name for name in profiles if key.startswith(f"{name}.")]
+        if own:
+            return sorted(name for name in known if name.startswith(f"{max(own, key=len)}."))
+        name, dot, rest = key.partition(".")
+        near = difflib.get_close_matches(name, profiles, n=1, cutoff=0.5)
+        if dot and near:
+            return [candidate for candidate in (f"{near[0]}.{rest}", near[0]) if candidate in known]
+        return profiles
 
     def source(self, entry: Row) -> str:
         """Text of the generated function behind an entry."""
-        path = self.folder / "normal" / f"{entry['profile']}.py"
+        name = entry["profile"].rpartition(".")[2]
+        path = self.folder.joinpath(*entry["physics"].split("."), f"{name}.py")
         text = path.read_text()
         for node in ast.parse(text).body:
             if isinstance(node, ast.FunctionDef) and node.name == entry["function"]:

@@ -181,6 +181,18 @@ relaxation = _define("relaxation", r"\tau", NUMBER, "s", "tau > 0", "relaxation 
 alpha = _define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of power-law creep")
 t_0 = _define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
 
+# elastic constants of the bodies in contact
+young_1 = _define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body")
+young_2 = _define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body")
+E_0 = _define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
+c_0 = _define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half space")
+nu, nu_1, nu_2 = (sp.Symbol(name, real=True) for name in ("nu", "nu_1", "nu_2"))
+_RECORDS["nu"] = Notation(nu, r"\nu", NUMBER, "1", "-1 < nu <= 1/2", "Poisson ratio")
+_RECORDS["nu_1"] = Notation(nu_1, r"\nu_1", NUMBER, "1", "-1 < nu_1 <= 1/2", "Poisson ratio of the first body")
+_RECORDS["nu_2"] = Notation(nu_2, r"\nu_2", NUMBER, "1", "-1 < nu_2 <= 1/2", "Poisson ratio of the second body")
+beta = _define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half space")
+h_N = _define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half space, 1 for k = 0")
+
 # prescribed pressure
 p_0 = _define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")
 sigma = _define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed pressure")

@@ -1,4 +1,4 @@
-"""What a build says while it runs and at its end: a bar on a terminal, one line per profile elsewhere."""
+"""What a build says while it runs and at its end: a bar on a terminal, one line per problem elsewhere."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from .contact import systems
 from .show import table
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ HEAD = ["profile", "formulas", "closed", "integral", "root", "certified", "worst
 
 
 class Progress:
-    """Counts finished profiles; `--quiet` says nothing but failures."""
+    """Counts finished problems; `--quiet` says nothing but failures."""
 
     def __init__(self, total: int, *, quiet: bool) -> None:
         self.total, self.quiet, self.done = total, quiet, 0
@@ -43,11 +44,11 @@ class Progress:
     def finished(self, outcome: Outcome) -> None:
         self.done += 1
         if self._bar is not None:
-            self._bar.update(self._task, advance=1, description=outcome.name)
+            self._bar.update(self._task, advance=1, description=outcome.key)
         elif not outcome.cached:
             count = f"{self.done:>{len(str(self.total))}}/{self.total}"
             state = f"{len(outcome.entries):3} formulas" if not outcome.error else "failed"
-            self.say(f"{count}  {outcome.name:22} {state}  {outcome.seconds:6.1f} s")
+            self.say(f"{count}  {outcome.key:28} {state}  {outcome.seconds:6.1f} s")
 
     def say(self, text: str) -> None:
         if not self.quiet:
@@ -55,13 +56,15 @@ class Progress:
 
 
 def summary(catalogue: Catalogue) -> str:
-    """The table of profiles, with a line of totals."""
-    rows = [_row(outcome) for outcome in catalogue.outcomes if not outcome.error]
+    """The table of profiles, all physics together, with a line of totals."""
+    rows: dict[str, list[Any]] = {}
+    for outcome in catalogue.outcomes:
+        if not outcome.error:
+            name = systems.problem(outcome.key).profile_id
+            rows[name] = _sum(name, [rows[name], _row(outcome)]) if name in rows else _row(outcome)
     if not rows:
         return ""
-    total = [f"{len(rows)} profiles", *(sum(row[i] for row in rows) for i in range(1, 6))]
-    total += [max((row[6] for row in rows if row[6]), key=float, default=""), sum(row[7] for row in rows)]
-    cells = [[*map(str, row[:7]), f"{row[7]:.1f} s"] for row in [*rows, total]]
+    cells = [[*map(str, row[:-1]), f"{row[-1]:.1f} s"] for row in [*rows.values(), _sum("all", list(rows.values()))]]
     widths = [max(len(row[i]) for row in [HEAD, *cells]) for i in range(len(HEAD))]
     aligned = [
         [row[0], *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True))]
@@ -76,19 +79,33 @@ def _row(outcome: Outcome) -> list[Any]:
     certified = sum(1 for found in evidence.values() if found.get("certified"))
     worst = max((found["residual"] for found in evidence.values() if found.get("residual")), key=float, default="")
     counts = [statuses.count(status) for status in ("closed", "integral", "root")]
-    return [outcome.name, len(statuses), *counts, certified, worst, outcome.seconds]
+    name = systems.problem(outcome.key).profile_id
+    return [name, len(statuses), *counts, certified, worst, outcome.seconds]
+
+
+def _sum(name: str, rows: Sequence[list[Any]]) -> list[Any]:
+    totals = [sum(row[i] for row in rows) for i in range(1, 6)]
+    worst = max((row[6] for row in rows if row[6]), key=float, default="")
+    return [name, *totals, worst, sum(row[7] for row in rows)]
 
 
 def failure_lines(failures: Sequence[Failure], *, seed: int, verbose: bool) -> list[str]:
     """Short: what failed, and how to see it again."""
     lines = []
     for failure in failures:
-        again = "axicontact check" if "." in failure.key else "axicontact build --fresh --jobs 1 --only"
-        option = f" --seed {seed}" if "." in failure.key else ""
-        lines.append(f"{failure.key}: {failure.message}\n    again: {again} {failure.key}{option} -v")
+        again = f"axicontact check {failure.key} --seed {seed}"
+        if failure.trace:
+            name = systems.problem(failure.key).profile_id
+            again = f"axicontact build --fresh --jobs 1 --only {name}"
+        lines.append(f"{failure.key}: {failure.message}\n    again: {again} -v")
         if verbose and failure.trace:
             lines.append(failure.trace.rstrip())
     if lines:
-        names = sorted({failure.key.partition(".")[0] for failure in failures})
-        lines.append(f"left out of the catalogue: {', '.join(names)}")
+        lines.append(f"left out of the catalogue: {', '.join(dict.fromkeys(map(_problem, failures)))}")
     return lines
+
+
+def _problem(failure: Failure) -> str:
+    """Key of the problem that a failure keeps out: its own, or that of the formula that failed."""
+    known = {problem.key for problem in systems.problems()}
+    return failure.key if failure.key in known else failure.key.rpartition(".")[0]

@@ -12,17 +12,30 @@ from typing import Any
 
 import sympy as sp
 
+from .contact import adhesive, detachment, loads, materials, plane_quantities, tangential, viscoelastic
 from .entry import COMPACT, COMPLETE, Case, Entry, Primitive, Quantity
+from .profiles.loads import Load
 from .profiles.profile import Limit, Piece, Profile, Rule, Sketch
 from .srepr import from_text, to_text
 
 Record = Any
 _CLASSES: dict[str, type] = {
-    cls.__name__: cls for cls in (Case, Entry, Limit, Piece, Primitive, Profile, Quantity, Rule, Sketch)
+    cls.__name__: cls for cls in (Case, Entry, Limit, Load, Piece, Primitive, Profile, Quantity, Rule, Sketch)
 }
-_QUANTITIES = {
-    f"{name}.{q.suffix}": q for name, kind in (("compact", COMPACT), ("complete", COMPLETE)) for q in kind.values()
+_KINDS = {
+    "compact": COMPACT,
+    "complete": COMPLETE,
+    "adhesive": adhesive.QUANTITIES,
+    "detachment": detachment.QUANTITIES,
+    "tangential": tangential.QUANTITIES,
+    "viscoelastic": viscoelastic.QUANTITIES,
+    "plane": plane_quantities.PLANE,
+    "plane complete": plane_quantities.PLANE_COMPLETE,
+    "plane eccentric": plane_quantities.PLANE_ECCENTRIC,
+    "loads": loads.QUANTITIES,
+    "materials": materials.QUANTITIES,
 }
+_QUANTITIES = {f"{name}.{q.suffix}": q for name, kind in _KINDS.items() for q in kind.values()}
 
 
 class RecordError(ValueError):

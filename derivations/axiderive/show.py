@@ -24,7 +24,7 @@ def _rows(index: Index, topic: str) -> list[Row]:
     if topic == "units":
         return [{k: row[k] for k in ("name", "unit", "domain", "meaning")} for row in index.data["units"]]
     if topic == "physics":
-        return [{**row, "formulas": len(index.entries)} for row in index.data["physics"]]
+        return index.data["physics"]
     if topic == "quantities":
         first = {(row["quantity"], row["function"]): row for row in index.entries}
         names = {"quantity": "suffix", "function": "function", "label": "label", "symbol": "symbol", "unit": "unit"}
@@ -37,36 +37,39 @@ def _rows(index: Index, topic: str) -> list[Row]:
             else row["shape"][0]["text"],
             "parameters": row["parameters"],
             "contact": row["contact"],
-            "formulas": len(row["keys"]),
+            "formulas": sum(problem["formulas"] for problem in row["problems"].values()),
         }
         for row in index.profiles
     ]
 
 
 def shown(index: Index, key: str, form: str) -> str:
-    """The entry, or all entries of a profile, in one of `FORMS`."""
+    """The entry, or all entries of a problem, in one of `FORMS`."""
     entries = index.select(key)
-    whole = key == entries[0]["profile"]
+    whole = key == entries[0]["problem"]
+    profile = index.profile(entries[0]["profile"])
     if form == "json":
-        profile = index.profile(entries[0]["profile"])
-        return json.dumps(
-            {"profile": profile, "entries": entries} if whole else entries[0], indent=1, ensure_ascii=False
-        )
+        record = {"profile": profile, "entries": entries} if whole else entries[0]
+        return json.dumps(record, indent=1, ensure_ascii=False)
     if form == "python":
-        return "\n\n".join(index.source(entry) for entry in entries)
+        first = {entry["function"]: entry for entry in entries}
+        return "\n\n".join(index.source(entry) for entry in first.values())
     if form == "latex":
         return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
-    head = [_profile_text(index.profile(key))] if whole else []
+    head = [_profile_text(profile, key)] if whole else []
     return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
 
 
-def _profile_text(profile: Row) -> str:
+def _profile_text(profile: Row, key: str) -> str:
     shape = "\n".join(f"  f(r) = {piece['text']}{_when(piece['conditions'])}" for piece in profile["shape"])
     rows = [f"{profile['title']} ({profile['name']}): {profile['subtitle']}", shape]
     rows += [f"  with     {text}" for text in profile["abbreviations"]]
     rows += [f"  rule     {rule}" for rule in profile["rules"]]
     rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
     rows.append(f"  sources  {', '.join(profile['sources'])}")
+    others = [f"{other} ({found['formulas']})" for other, found in profile["problems"].items() if other != key]
+    if others:
+        rows.append(f"  further  {', '.join(others)}")
     return "\n".join(rows)
 
 
@@ -74,7 +77,7 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
     unit = f" [{entry['unit']}]" if entry["unit"] else ""
     rows = [f"{entry['key']}  {entry['label']}{unit}"]
     if entry["composed"]:
-        outer, inner = (f"{entry['profile']}.{suffix}" for suffix in entry["composed"])
+        outer, inner = (f"{entry['problem']}.{suffix}" for suffix in entry["composed"])
         rows.append(f"  {entry['symbol']} = {outer} with a from {inner}")
     else:
         head = f"{entry['symbol']} from" if entry["status"] == "root" else f"{entry['symbol']} ="

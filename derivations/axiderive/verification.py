@@ -1,4 +1,4 @@
-"""All evidence about one profile in one record: certificates, and the checks that do not trust them."""
+"""All evidence about one problem in one record: certificates, and the checks that do not trust them."""
 
 from __future__ import annotations
 
@@ -6,21 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from .proof import certificate, enclosure, identities, quadrature, units
+from .proof import certificate, checks, plane
 
 if TYPE_CHECKING:
+    from .contact.systems import Problem
     from .entry import Entry
-    from .profiles.profile import Profile
     from .proof.certificate import Certificate
     from .proof.evidence import Evidence
     from .work import Settings
 
-BALL_DIGITS = 10
-"""Digits by which enclosures may be wider than the quadrature is exact."""
 
-
-def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -> dict[str, Any]:
-    """Certify and check the entries of a profile.
+def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -> dict[str, Any]:
+    """Certify and check the entries of a problem.
 
     Returns
     -------
@@ -29,26 +26,17 @@ def verify(profile: Profile, entries: Mapping[str, Entry], settings: Settings) -
         residual, a summary, the certificate and the checks) and `failures`, a
         list of key and message.
     """
-    certificates = certificate.certify_profile(profile, dict(entries))
-    checks = _checks(profile, dict(entries), settings)
+    prover = plane if problem.system.name == "plane" else certificate
+    certificates = prover.certify_profile(problem.profile, dict(entries))
+    found = checks.check_problem(problem, entries, **settings.record())
     by_key: dict[str, list[Evidence]] = {entry.key: [] for entry in entries.values()}
-    for check in checks:
+    for check in found:
         by_key[check.key].append(check)
     return {
         "settings": settings.record(),
         "entries": {suffix: _entry(certificates[suffix], by_key[entry.key]) for suffix, entry in entries.items()},
-        "failures": [{"key": c.key, "message": _failure(c)} for c in checks if c.outcome == "failed"],
+        "failures": [{"key": c.key, "message": _failure(c)} for c in found if c.outcome == "failed"],
     }
-
-
-def _checks(profile: Profile, entries: dict[str, Entry], settings: Settings) -> list[Evidence]:
-    numerical = settings.record()
-    return [
-        *quadrature.check_profile(profile, entries, **numerical).values(),
-        *enclosure.check_profile(profile, entries, digits=settings.digits - BALL_DIGITS, seed=settings.seed).values(),
-        *identities.check_profile(profile, entries, **numerical),
-        *units.check_profile(profile, entries).values(),
-    ]
 
 
 def _entry(proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""One profile, derived and verified: the unit of work that is cached and handed to a process."""
+"""One problem, derived and verified: the unit of work that is cached and handed to a process."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 from .cache import Cache, digest, source_digest
 
 if TYPE_CHECKING:
+    from .contact.systems import Problem
     from .entry import Entry
-    from .profiles.profile import Profile
 
-FORMAT = 1
+FORMAT = 2
 DERIVING = (
     "axiderive.notation",
     "axiderive.entry",
@@ -43,7 +43,8 @@ class Settings:
 class Outcome:
     """What a task brings back, in plain data so that it crosses processes as it is stored."""
 
-    name: str
+    key: str
+    """Key of the problem."""
     entries: dict[str, Any]
     evidence: dict[str, Any]
     seconds: float
@@ -63,80 +64,81 @@ def project_root() -> Path:
     return checkout if (checkout / "pyproject.toml").is_file() else Path.cwd()
 
 
-def derivation_key(profile: Profile) -> str:
+def derivation_key(problem: Problem) -> str:
     from .records import profile_record
 
-    return digest([FORMAT, "derivation", _version("sympy"), source_digest(*DERIVING), profile_record(profile)])
+    record = profile_record(problem.profile)
+    return digest([FORMAT, "derivation", _version("sympy"), source_digest(*DERIVING), problem.key, record])
 
 
-def verification_key(profile: Profile, entries: dict[str, Any], settings: Settings) -> str:
+def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
     versions = [_version(name) for name in ("sympy", "mpmath", "python-flint")]
     return digest(
-        [FORMAT, "verification", versions, source_digest(*VERIFYING), settings.record(), profile.name, entries]
+        [FORMAT, "verification", versions, source_digest(*VERIFYING), settings.record(), problem.key, entries]
     )
 
 
-def stored(profile: Profile, cache: Cache, settings: Settings) -> Outcome | None:
+def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None:
     """The outcome if both its halves are in the cache."""
-    derivation = cache.get(derivation_key(profile))
+    derivation = cache.get(derivation_key(problem))
     if derivation is None:
         return None
-    verification = cache.get(verification_key(profile, derivation["entries"], settings))
+    verification = cache.get(verification_key(problem, derivation["entries"], settings))
     if verification is None:
         return None
     seconds = derivation["seconds"] + verification["seconds"]
-    return Outcome(profile.name, derivation["entries"], verification["evidence"], seconds, cached=True)
+    return Outcome(problem.key, derivation["entries"], verification["evidence"], seconds, cached=True)
 
 
-def task(name: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
-    """Derive and verify one profile; what is finished is in the cache before the next step begins."""
-    from .profiles import load
+def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
+    """Derive and verify one problem; what is finished is in the cache before the next step begins."""
+    from .contact import systems
 
     start = time.perf_counter()
     entries: dict[str, Any] = {}
     try:
-        profile, cache = load(name), Cache(Path(folder), fresh)
-        entries = _derived(profile, cache)
-        evidence = _verified(profile, entries, cache, settings)
+        problem, cache = systems.problem(key), Cache(Path(folder), fresh)
+        entries = _derived(problem, cache)
+        evidence = _verified(problem, entries, cache, settings)
     except OSError:
         raise
-    except Exception as error:  # a defect in one profile must not take the others with it
+    except Exception as error:  # a defect in one problem must not take the others with it
         kind = type(error).__name__
         return Outcome(
-            name, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
+            key, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
         )
-    return Outcome(name, entries, evidence, time.perf_counter() - start)
+    return Outcome(key, entries, evidence, time.perf_counter() - start)
 
 
-def read_entries(profile: Profile, records: dict[str, Any]) -> dict[str, Entry]:
+def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
     from .records import read_entry
 
+    profile = problem.profile
     return {suffix: read_entry(record, profile) for suffix, record in records.items()}
 
 
-def _derived(profile: Profile, cache: Cache) -> dict[str, Any]:
-    from .contact.normal import derive
+def _derived(problem: Problem, cache: Cache) -> dict[str, Any]:
     from .records import entry_record
 
-    key = derivation_key(profile)
+    key = derivation_key(problem)
     found = cache.get(key)
     if found is None:
         start = time.perf_counter()
-        entries = {suffix: entry_record(entry) for suffix, entry in derive(profile).items()}
+        entries = {suffix: entry_record(entry) for suffix, entry in problem.derive().items()}
         found = {"entries": entries, "seconds": round(time.perf_counter() - start, 3)}
         cache.put(key, found)
     return dict(found["entries"])
 
 
-def _verified(profile: Profile, entries: dict[str, Any], cache: Cache, settings: Settings) -> dict[str, Any]:
+def _verified(problem: Problem, entries: dict[str, Any], cache: Cache, settings: Settings) -> dict[str, Any]:
     from .verification import verify
 
-    key = verification_key(profile, entries, settings)
+    key = verification_key(problem, entries, settings)
     found = cache.get(key)
     if found is None:
         start = time.perf_counter()
         # what is verified is what was stored, not what was in memory
-        evidence = verify(profile, read_entries(profile, entries), settings)
+        evidence = verify(problem, read_entries(problem, entries), settings)
         found = {"evidence": evidence, "seconds": round(time.perf_counter() - start, 3)}
         cache.put(key, found)
     return dict(found["evidence"])

@@ -318,7 +318,6 @@ def _stiffness(d: Array, a: Array, R: Array, E_star: Array) -> Array:
 
 def _pressure(r: Array, d: Array, a: Array, R: Array, E_star: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
-    rho = np.minimum(np.sqrt(d * R), a)
     square = np.where(excess > 0.0, (a - r) * (a + r), difference_of_products(R, d, r, r))
     root = np.sqrt(np.maximum(square, 0.0))
     face = 2 * E_star * root / (np.pi * R)

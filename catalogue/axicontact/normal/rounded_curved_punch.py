@@ -12,9 +12,9 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap, beside
-from .._kernels import OUTSIDE_2
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -582,7 +582,7 @@ def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((R - inner) * (inner + R))
     angle = np.arcsinh(inner / root)
     tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
-    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), a, b)
+    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), a, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
 
 
@@ -591,7 +591,7 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Arra
     inner = np.minimum(a, b)
     within = pressure_integral_tanh(_slope, (R,), r, inner, R)
     tip = np.where(r < inner, E_star / np.pi * within, 0.0)
-    growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b)
+    growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
@@ -599,7 +599,7 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
     tip = displacement_integral_tanh(_slope, (R,), r, inner, R)
-    beyond = displacement_integral_beyond(_slope_beyond, (R, theta), r, a, b)
+    beyond = displacement_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R, theta) - _profile(r, R, theta)
     return np.where(r > a, outside, inside)

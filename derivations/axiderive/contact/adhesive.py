@@ -13,7 +13,7 @@ import sympy as sp
 
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
-from ..profiles.profile import Profile
+from ..profiles.profile import Profile, Rule
 from . import normal
 from .medium import HOMOGENEOUS, Medium
 
@@ -52,6 +52,31 @@ def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
     return {"force": 3 + medium.k, "depth": 1 - medium.k}
 
 
+def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> Rule | None:
+    """What the exponent of a power law must be for a stable contact to exist; None where none is a parameter.
+
+    At n = (1 - k)/2 the depth is one power of the radius, and below it both loads grow on unloading.
+    """
+    if n not in profile.parameters:
+        return None
+    reason = (
+        "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; "
+        f"use n > {_least_exponent(medium)}, or force(a) and depth(a) for the states of equilibrium"
+    )
+    return Rule((1 - medium.k) / 2, n, True, reason)
+
+
+def _least_exponent(medium: Medium) -> str:
+    return sp.sstr(sp.together((1 - medium.k) / 2))
+
+
+def refusal(profile: Profile) -> str:
+    """Why a profile has no adhesive entries; empty if it has."""
+    if profile.contact == "compact":
+        return ""
+    return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
+
+
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All adhesive entries of a profile with a compact contact, keyed by suffix.
 
@@ -60,8 +85,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     ValueError
         If the contact is complete: its edge is fixed, and only the pull-off depth is a question.
     """
-    if profile.contact != "compact":
-        message = f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
+    if message := refusal(profile):
         raise ValueError(message)
     plain = normal.derive(profile, medium)
     punch = {
@@ -103,7 +127,14 @@ class _Builder:
             definition=definition,
             parameters=(*geometry, self.medium.modulus, *exponent, dgamma),
             references=("(11.31)",) if self.medium.k == 0 else ("(11.64)", "(11.66)"),
+            note=self._note(suffix),
         )
+
+    def _note(self, suffix: str) -> str:
+        needs_pull_off = suffix in ("ad", "aF") or any(suffix in names for names in CONTROLS.values())
+        if not needs_pull_off or pull_off_rule(self.profile, self.medium) is None:
+            return ""
+        return f"exists only for n > {_least_exponent(self.medium)}"
 
     def branches(self, entries: dict[str, Entry]) -> dict[str, Entry]:
         """Inverses on the branch that is stable under control of the given quantity, a >= its pull-off radius."""

@@ -47,6 +47,13 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     return entries
 
 
+def edge_depth(profile: Profile, medium: Medium = HOMOGENEOUS) -> sp.Expr:
+    """g(a), the depth at which the pressure has no singularity at the edge."""
+    face, coefficient = _fixed_face(profile)
+    depth = parse(face, medium.k).depth(Order((a,))).expr()
+    return _merged(depth.subs(C, coefficient))
+
+
 def _entry(
     profile: Profile,
     medium: Medium,

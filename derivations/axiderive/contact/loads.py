@@ -15,7 +15,7 @@ from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
 
 HALF = sp.S.Half
-DISPLACEMENT = Quantity("w", "displacement", "Surface displacement", w, (r,))
+QUANTITIES = {"w": Quantity("w", "displacement", "Surface displacement", w, (r,))}
 
 
 def derive(load: Load) -> dict[str, Entry]:
@@ -27,7 +27,7 @@ def derive(load: Load) -> dict[str, Entry]:
     entry = Entry(
         key=f"loads.{load.name}.w",
         profile=load,
-        quantity=DISPLACEMENT,
+        quantity=QUANTITIES["w"],
         status="closed",
         cases=cases,
         definition=2 / sp.pi * sp.Integral(w1D(x) / sp.sqrt(r**2 - x**2), (x, 0, sp.Min(r, a))),

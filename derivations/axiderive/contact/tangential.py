@@ -31,6 +31,13 @@ QUANTITIES = {
 REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("(11.78)",), "us": ("(11.80)",)}
 
 
+def refusal(profile: Profile) -> str:
+    """Why a profile has no tangential entries; empty if it has."""
+    if profile.contact == "compact":
+        return ""
+    return f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
+
+
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All tangential entries of a profile with a compact contact, keyed by suffix.
 
@@ -39,8 +46,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     ValueError
         If the contact is complete: the stick zone then covers it until it slips as a whole.
     """
-    if profile.contact != "compact":
-        message = f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
+    if message := refusal(profile):
         raise ValueError(message)
     plain = normal.derive(profile, medium)
     ratio = mu * medium.modulus / (G_star if medium.k == 0 else H_x)

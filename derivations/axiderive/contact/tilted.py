@@ -61,7 +61,7 @@ def derive(profile: Profile) -> dict[str, Entry]:
 def definitions() -> dict[str, sp.Expr]:
     """Equilibrium of moments, the slope under the strip, and the extent of positive pressure."""
     pressure = sp.Function(p.name)
-    s = sp.Dummy("s")
+    s = sp.Symbol("s", real=True)
     return {
         "p": sp.Eq(sp.Integral(x * pressure(x), (x, -a, a)), P * e),
         "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(pressure(s) / (s - x), (s, -a, a)), tilt),

@@ -63,34 +63,40 @@ LAWS = (
 )  # fmt: skip
 
 
+QUANTITIES = {
+    q.suffix: q
+    for law in LAWS
+    for q in (
+        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)),
+        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)),
+        Quantity(
+            f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}", a, (time, F)
+        ),
+    )
+}
+
+
 def derive(profile: Profile) -> dict[str, Entry]:
     """Force after a ramp (power laws and the flat punch), force after a step of depth, radius after a step of load."""
     plain = normal.derive(profile)
     out: dict[str, Entry] = {}
     depth_route = plain["Fd"] if "Fd" in plain else plain["F"]
-    exponent = _exponent(depth_route)
+    exponent = elastic_exponent(depth_route)
     for law in LAWS:
         if exponent is not None:
             elastic = depth_route.cases[0].expr.subs(E_star, law.ramp.subs(_m, exponent)).subs(d, v * time)
-            quantity = Quantity(
-                f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)
-            )
+            quantity = QUANTITIES[f"ramp_{law.suffix}"]
             out[quantity.suffix] = _entry(profile, quantity, "closed", (Case((), elastic),), (v, *law.parameters))
+        quantity, note = QUANTITIES[f"step_{law.suffix}"], ""
         step = tuple(Case(case.chain, _scaled(case.expr, law.relaxation)) for case in depth_route.cases)
-        quantity = Quantity(
-            f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)
-        )
-        out[quantity.suffix] = _entry(profile, quantity, depth_route.status, step, law.parameters)
+        if depth_route.status == "root":
+            relaxing = (Case(case.chain, sp.Eq(F, _scaled(case.expr, law.relaxation))) for case in plain["F"].cases)
+            step, note = tuple(relaxing), "a is the contact radius of the elastic contact at the depth d"
+        out[quantity.suffix] = _entry(profile, quantity, depth_route.status, step, law.parameters, note)
         if "aF" in plain:
             radius = plain["aF"]
             load = tuple(Case(case.chain, _scaled(case.expr, 1 / law.creep)) for case in radius.cases)
-            quantity = Quantity(
-                f"load_{law.suffix}",
-                f"step_load_radius_{law.name}",
-                f"Contact radius, load step, {law.name}",
-                a,
-                (time, F),
-            )
+            quantity = QUANTITIES[f"load_{law.suffix}"]
             out[quantity.suffix] = _entry(profile, quantity, radius.status, load, law.parameters)
     return out
 
@@ -99,7 +105,7 @@ def _scaled(expr: sp.Expr, modulus: sp.Expr) -> sp.Expr:
     return expr.subs(E_star, modulus)
 
 
-def _exponent(entry: Entry) -> sp.Expr | None:
+def elastic_exponent(entry: Entry) -> sp.Expr | None:
     """The power m of F_el ~ d**m, or None."""
     if entry.status != "closed" or len(entry.cases) != 1:
         return None
@@ -111,7 +117,12 @@ def _exponent(entry: Entry) -> sp.Expr | None:
 
 
 def _entry(
-    profile: Profile, quantity: Quantity, status: Status, cases: tuple[Case, ...], extra: tuple[sp.Symbol, ...]
+    profile: Profile,
+    quantity: Quantity,
+    status: Status,
+    cases: tuple[Case, ...],
+    extra: tuple[sp.Symbol, ...],
+    note: str = "",
 ) -> Entry:
     kernel = sp.Function("E")(time - _s) * sp.Derivative(sp.Function("F")(_s), _s) / E_star
     return Entry(
@@ -123,4 +134,5 @@ def _entry(
         definition=sp.Integral(kernel, (_s, 0, time)),
         parameters=(*profile.parameters, *extra),
         references=REFERENCES,
+        note=note,
     )

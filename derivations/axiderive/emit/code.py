@@ -14,15 +14,18 @@ from ..stable.signs import squares
 
 # material and load first, then lengths from the contact to the profile, intermediates and functions last
 ORDER = (
-    "E_star", "F", "d", "n", "A", "h", "a", "r", "t", "u", "b", "R", "R1", "R2", "s", "wavelength", "theta", "r_zero",
+    "E_star", "F", "P", "d", "n", "A", "h", "a", "r", "x", "L", "t", "u", "b", "R", "R1", "R2", "s", "wavelength",
+    "theta", "r_zero",
 )  # fmt: skip
 FUNCTIONS = {
+    sp.Abs: "np.abs",
     sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
     sp.cosh: "np.cosh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
     opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
     opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
     masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
+    opaque.PowerStrips: "power_strips",
 }  # fmt: skip
 HELPERS = (
     "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "lower_power",

@@ -176,7 +176,7 @@ class Compact:
             return self._limited("force", lines, needs)
         slope = self.slopes["beyond"][0]
         growth = slope.with_parameters()
-        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, a, {self.b})")
+        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, a, {self.b}{self._width()})")
         lines.append("return tip + beyond")
         return self.functions.add("force", ("a",), lines, {*needs, *slope.needs, str(self.b)})
 
@@ -196,7 +196,7 @@ class Compact:
         if "beyond" in regimes:
             slope = self.slopes["beyond"][0]
             growth = slope.with_parameters()
-            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b})")
+            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}{self._width()})")
             needs |= {*slope.needs, str(self.b)}
             parts.append(f"{scale} * growth")
         value = " + ".join(parts)
@@ -259,6 +259,12 @@ class Compact:
     def _plain(form: EvaluationForm) -> bool:
         return not any(expr.has(*masters.MASTERS) for expr in (form.value, *(e for _, e in form.steps)))
 
+    def _width(self) -> str:
+        """Where b = R sin(theta), g' has a singularity at root = i R cos(theta), that is at pi/2 - theta."""
+        sines = [expr.atoms(sp.sin) for symbol, expr in self.profile.abbreviations if symbol == self.b]
+        angles = [python(sine.args[0]) for found in sines for sine in found]
+        return f", width=1.0 - 2.0 * {angles[0]} / np.pi" if angles else ""
+
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
         """The rule and its last arguments."""
         if kind == "waves":
@@ -301,7 +307,7 @@ class Compact:
             if "beyond" in regimes:
                 slope = self.slopes["beyond"][0]
                 growth = slope.with_parameters()
-                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b})")
+                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self._width()})")
                 needs |= {*slope.needs, str(self.b)}
                 parts.append("beyond")
             total = " + ".join(parts)

@@ -14,7 +14,6 @@ from ..stable.forms import evaluation_form
 from ..stable.signs import cancels, facts_of
 from ..stable.slopes import slope_form
 from .code import python
-from .compact import SMOOTH
 from .private import Private, PrivateFunctions
 
 COMPLETE_FROM = "complete = {least} * (1.0 - 1e-15) <= {field}"
@@ -198,17 +197,17 @@ class Complete:
         face = inner.subs(sp.sqrt(rho**2 - r**2), root)
         pressure = python(HOMOGENEOUS.pressure_scale)
         lines = [
-            *start,
+            start[0],
             f"square = np.where(excess > 0.0, (a - r) * (a + r), {self._beyond('r')})",
             "root = np.sqrt(np.maximum(square, 0.0))",
             f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
         self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
-        scale = python(HOMOGENEOUS.displacement_scale)
+        scale, sunk = python(HOMOGENEOUS.displacement_scale), python(depth.subs(a, rho))
         lines = [
             *start,
-            f"face = {python(depth.subs(a, sp.Symbol('rho', positive=True)))} * beside(r, rho, OUTSIDE_{sp.degree(depth, a)})",
+            f"face = {sunk} * beside(r, rho, OUTSIDE_{sp.degree(depth, a)})",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]

@@ -30,9 +30,9 @@ def field_values(profile: Profile, entries: Mapping[str, Entry]) -> dict[sp.Symb
     else:
         radius = sp.Rational(str(profile.sketch.a))
         values = {a: radius, r: radius * sp.Rational(3, 10)}
-        values[d] = _rounded(value(profile, entries["d"], known | {a: radius}))
+        values[d] = rounded(value(profile, entries["d"], known | {a: radius}))
         depth = known | {a: radius}
-    values[F] = _rounded(value(profile, entries["F"], depth))
+    values[F] = rounded(value(profile, entries["F"], depth))
     return values
 
 
@@ -116,7 +116,7 @@ def _root(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) ->
     return y
 
 
-def _rounded(number: sp.Float) -> sp.Rational:
+def rounded(number: sp.Float) -> sp.Rational:
     return sp.Rational(str(sp.Float(str(number), 4)))
 
 

@@ -72,9 +72,6 @@ def imports(module: ModuleText) -> list[str]:
     helpers = [name for name in HELPERS if f"{name}(" in text]
     if helpers:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
-    kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
-    if kernels:
-        blocks.append(f"from .._kernels import {', '.join(kernels)}")
     rules = sorted({name for name in _rule_names() if f"{name}(" in text})
     if rules:
         line = f"from .._integrals import {', '.join(rules)}"
@@ -82,6 +79,9 @@ def imports(module: ModuleText) -> list[str]:
         blocks += [line] if len(line) <= 120 else split
     if "inverse(" in text:
         blocks.append("from .._inverse import inverse")
+    kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
+    if kernels:
+        blocks.append(f"from .._kernels import {', '.join(kernels)}")
     powers = [
         n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
     ]

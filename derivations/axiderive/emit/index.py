@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -9,14 +10,15 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
+from ..contact import systems
 from .ranges import regions
 from .rows import row
 
 if TYPE_CHECKING:
+    from ..contact.systems import Problem, System
     from ..entry import Entry
-    from ..profiles.profile import Profile
 
-FORMAT = 1
+FORMAT = 2
 
 
 def to_bytes(record: Any) -> bytes:
@@ -24,34 +26,51 @@ def to_bytes(record: Any) -> bytes:
 
 
 def index_record(
-    catalogue: Sequence[tuple[Profile, Mapping[str, Entry]]],
+    derived: Mapping[str, Mapping[str, Entry]],
     evidence: Mapping[str, Mapping[str, Any]],
+    modules: Mapping[str, str],
 ) -> dict[str, Any]:
-    """What `list` and `show` need of every entry, as text; `evidence` by profile name."""
+    """What `list` and `show` need of every entry, as text.
+
+    Parameters
+    ----------
+    derived, evidence : mapping
+        Entries by suffix, and what was found about them, by key of the problem.
+    modules : mapping
+        The generated modules by path, from which the signatures are read.
+    """
+    problems = [systems.problem(key) for key in derived]
+    profiles: dict[str, list[Problem]] = {}
+    for problem in problems:
+        profiles.setdefault(problem.profile_id, []).append(problem)
     return {
         "format": FORMAT,
-        "physics": [{"name": "normal", "title": "Normal contact without adhesion", "module": "axicontact.normal"}],
+        "physics": [
+            {"name": s.name, "title": s.title, "module": s.package, "formulas": _count(problems, derived, s)}
+            for s in systems.SYSTEMS
+        ],
         "units": [
             {"name": n.name, "latex": n.latex, "unit": n.unit, "domain": n.domain, "meaning": n.meaning}
             for n in nt.all_notation()
         ],
-        "profiles": [_profile(profile, entries) for profile, entries in catalogue],
-        "entries": [
-            _entry(profile, entry, evidence[profile.name]["entries"].get(suffix, {}))
-            for profile, entries in catalogue
-            for suffix, entry in entries.items()
-        ],
+        "profiles": [_profile(own, derived) for own in profiles.values()],
+        "entries": [row for problem in problems for row in _rows(problem, derived, evidence, modules)],
     }
 
 
-def evidence_record(profile: Profile, records: Mapping[str, Any], evidence: Mapping[str, Any]) -> dict[str, Any]:
-    """Everything stored about one profile: the entries as `check` reads them, and what was found about them."""
-    return {"format": FORMAT, "profile": profile.name, "evidence": evidence, "entries": records}
+def evidence_record(problem: Problem, records: Mapping[str, Any], evidence: Mapping[str, Any]) -> dict[str, Any]:
+    """Everything stored about one problem: the entries as `check` reads them, and what was found about them."""
+    return {"format": FORMAT, "problem": problem.key, "evidence": evidence, "entries": records}
 
 
-def _profile(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:
+def _count(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Entry]], system: System) -> int:
+    return sum(len(derived[problem.key]) for problem in problems if problem.system == system)
+
+
+def _profile(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, Any]:
+    profile = problems[0].profile
     return {
-        "name": profile.name,
+        "name": problems[0].profile_id,
         "title": profile.title,
         "subtitle": profile.subtitle,
         "contact": profile.contact,
@@ -63,7 +82,7 @@ def _profile(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:
         "sources": list(profile.sources),
         "synonyms": list(profile.synonyms),
         "note": profile.note,
-        "keys": [entry.key for entry in entries.values()],
+        "problems": {p.key: {"physics": p.system.name, "formulas": len(derived[p.key])} for p in problems},
     }
 
 
@@ -72,15 +91,43 @@ def _piece(upper: sp.Expr | None, expr: sp.Expr) -> dict[str, str]:
     return {"conditions": condition, "text": _text(expr)}
 
 
-def _entry(profile: Profile, entry: Entry, evidence: Mapping[str, Any]) -> dict[str, Any]:
+def _rows(
+    problem: Problem,
+    derived: Mapping[str, Mapping[str, Entry]],
+    evidence: Mapping[str, Mapping[str, Any]],
+    modules: Mapping[str, str],
+) -> list[dict[str, Any]]:
+    signatures = _signatures(modules[problem.module])
+    found = evidence[problem.key]["entries"]
+    return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
+
+
+def _signatures(source: str) -> dict[str, str]:
+    """The arguments of every public function of a module: `r, a, *, theta, E_star`."""
+    found = {}
+    for node in ast.parse(source).body:
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            found[node.name] = ast.unparse(_without_annotations(node.args))
+    return found
+
+
+def _without_annotations(arguments: ast.arguments) -> ast.arguments:
+    for argument in (*arguments.args, *arguments.kwonlyargs):
+        argument.annotation = None
+    return arguments
+
+
+def _entry(
+    problem: Problem, entry: Entry, evidence: Mapping[str, Any], signatures: Mapping[str, str]
+) -> dict[str, Any]:
     quantity = entry.quantity
-    fields = [str(argument) for argument in quantity.arguments]
-    parameters = [str(getattr(p, "label", p)) for p in entry.parameters]
-    keywords = [name for name in parameters if name not in fields]
-    signature = ", ".join([*fields, *(["*", *keywords] if keywords else [])])
+    arguments = signatures[quantity.function]
+    domains = [nt.describe(symbol).domain for symbol in (*quantity.arguments, *entry.parameters)]
     return {
         "key": entry.key,
-        "profile": profile.name,
+        "problem": problem.key,
+        "profile": problem.profile_id,
+        "physics": problem.system.name,
         "quantity": entry.suffix,
         "label": quantity.label,
         "function": quantity.function,
@@ -90,10 +137,10 @@ def _entry(profile: Profile, entry: Entry, evidence: Mapping[str, Any]) -> dict[
         "latex": [{"conditions": region.condition, "text": region.tex} for region in row(entry).regions],
         "composed": list(entry.composed) if entry.composed else [],
         "definition": _text(entry.definition),
-        "python": f"axicontact.normal.{profile.name}.{quantity.function}({signature})",
+        "python": f"{problem.system.package}.{problem.name}.{quantity.function}({arguments})",
         "unit": nt.describe(quantity.symbol).unit,
-        "domain": [nt.describe(name).domain for name in [*fields, *keywords] if nt.describe(name).domain],
-        "sources": [*entry.references, *profile.sources],
+        "domain": list(dict.fromkeys(domain for domain in domains if domain)),
+        "sources": [*entry.references, *problem.profile.sources],
         "evidence": evidence.get("summary", "none"),
         "note": entry.note,
     }

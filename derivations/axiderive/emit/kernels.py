@@ -14,7 +14,7 @@ EXPONENTS = (1, 2, 4, 6)
 
 
 def outside(n: int, v: mp.mpf) -> mp.mpf:
-    """(asin(s) - int_0^s t**n/sqrt(1 - t**2) dt/s**n)/s with s = sin(sqrt(v)): pi/2 w/g(a) for f ~ r**n, over s = a/r."""
+    """pi/2 w/g(a) over s = a/r for f ~ r**n: (asin(s) - int_0^s t**n/sqrt(1 - t**2) dt/s**n)/s, s = sin(sqrt(v))."""
     angle = mp.sqrt(v)
     sine, cosine = mp.sin(angle), mp.cos(angle)
     punches = [angle, 1 - cosine]
@@ -54,5 +54,3 @@ def _column(numbers: tuple[float, ...]) -> list[str]:
     if len(numbers) == 1:
         return [f"    ({numbers[0]!r},),"]
     return ["    (", *(f"        {number!r}," for number in numbers), "    ),"]
-
-

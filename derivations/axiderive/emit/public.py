@@ -125,7 +125,7 @@ def check(profile: Profile) -> dict[str, object]:
             "require_order(",
             f"    {python(left)} {sign} {python(right)},",
             f'    "{relation}",',
-            *_literal(rule.reason),
+            *literal(rule.reason),
             *(f"    {part}," for part in given.split(", ")),
             ")",
         ]
@@ -133,7 +133,7 @@ def check(profile: Profile) -> dict[str, object]:
     return {"name": "_check", "signature": signature, "lines": lines, "returns": " -> None", "doc": ""}
 
 
-def _literal(text: str) -> list[str]:
+def literal(text: str) -> list[str]:
     """A message as adjacent string literals that fit on their lines."""
     parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
     return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']

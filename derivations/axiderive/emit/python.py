@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -23,26 +23,28 @@ from .imports import RUNTIME, ModuleText, imports, is_used
 from .inverses import Inverses
 from .kernels import kernels_source
 from .nodes import nodes_source
-from .private import Private, PrivateFunctions, parameter_name
+from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
-from .symbols import symbols_source
 
 NODE_COUNTS = (16, 24, 32, 64)
 
 
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
-    """The package as `{path below catalogue/: text}`, for entries by profile name and suffix."""
+    """What all packages share and `axicontact.normal`, as `{path: text}` for entries by profile name and suffix."""
     names = sorted(derived)
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
-    files[f"{PACKAGE}/__init__.py"] = _environment().get_template("package.py.j2").render()
     files[f"{PACKAGE}/py.typed"] = ""
     files[f"{PACKAGE}/_nodes.py"] = nodes_source(NODE_COUNTS)
     files[f"{PACKAGE}/_kernels.py"] = kernels_source()
-    files[f"{PACKAGE}/_symbols.py"] = symbols_source(_parameters(derived))
     files[f"{PACKAGE}/normal/__init__.py"] = _environment().get_template("physics.py.j2").render(names=names)
     for name in names:
         files[f"{PACKAGE}/normal/{name}.py"] = module_source(derived[name])
     return files
+
+
+def package_source(names: Sequence[str]) -> str:
+    """The text of `axicontact/__init__.py` for its packages and modules."""
+    return _environment().get_template("package.py.j2").render(names=names)
 
 
 def module_source(entries: Mapping[str, Entry]) -> str:
@@ -68,16 +70,6 @@ def source_of(entry: Entry, entries: Mapping[str, Entry] | None = None) -> str:
     part = ModuleText(module.title, module.text, [], public, private)
     whole = _environment().get_template("module.py.j2").render(module=part)
     return whole[whole.index("def ") :]
-
-
-def _parameters(derived: Mapping[str, Mapping[str, Entry]]) -> set[str]:
-    return {
-        parameter_name(symbol)
-        for entries in derived.values()
-        for entry in entries.values()
-        for symbol in entry.parameters
-        if symbol != coefficients
-    }
 
 
 def _module(entries: Mapping[str, Entry]) -> ModuleText:

@@ -8,17 +8,60 @@ from collections.abc import Iterable
 import sympy as sp
 
 from .. import notation as nt
+from . import layout
+
+LETTERS = {
+    nt.time: "t", nt.relaxation: "tau", nt.sigma: "s", nt.young_1: "E_1", nt.young_2: "E_2",
+}  # fmt: skip
+"""Symbols whose letter in the interface is also that of another one."""
+INSTEAD = {
+    nt.dgamma: "use dgamma = 0 for a contact without adhesion",
+    nt.mu: "give the coefficient as a positive number, or mu = 0 for a contact without friction",
+    nt.sigma: "a steeper edge carries an infinite force, use s > -1",
+    nt.v: "a shrinking contact does not obey the rule of Lee and Radok, use v > 0",
+    nt.alpha: "use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
+    nt.k: "use a modulus that grows less than linearly with depth, or k = 0 for a homogeneous half space",
+}
+"""What an error message offers in place of a value outside the domain."""
+LOADED = {nt.d: "d >= 0", nt.F: "F >= 0"}
+"""A field elsewhere, and where it is a parameter it may be zero."""
+
+HEAD = '''"""Domains and meanings of the keyword parameters."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import NamedTuple
 
 
-def bounds(domain: str) -> tuple[str, str]:
-    """The open interval a domain such as `0 < theta < pi/2` or `R > 0` stands for, as Python text."""
-    two_sided = re.fullmatch(r"(\S+) < \w+ < (\S+)", domain)
+class Domain(NamedTuple):
+    """Where a parameter may lie, in numbers and in words, and what the parameter is."""
+
+    low: float
+    high: float
+    rule: str
+    meaning: str
+    closed: str = ""
+    """The end that belongs to the domain, "low" or "high"."""
+    instead: str = ""
+    """What to use for a value outside."""
+    letter: str = ""
+    """How the interface writes the parameter, where it shares its letter with another one."""
+
+
+SYMBOLS = {
+'''
+
+
+def bounds(domain: str) -> tuple[str, str, str]:
+    """The interval a domain such as `0 < theta < pi/2` or `dgamma >= 0` stands for: its ends, and which is closed."""
+    two_sided = re.fullmatch(r"(\S+) < \w+ (<=?) (\S+)", domain)
     if two_sided:
-        return _number(two_sided[1]), _number(two_sided[2])
-    above = re.fullmatch(r"\w+ > (\S+)", domain)
+        return _number(two_sided[1]), _number(two_sided[3]), "high" if two_sided[2] == "<=" else ""
+    above = re.fullmatch(r"\w+ (>=?) (\S+)", domain)
     if above:
-        return _number(above[1]), "inf"
-    message = f"the domain {domain!r} is not an open interval; write it as 'low < x < high' or 'x > low'"
+        return _number(above[2]), "inf", "low" if above[1] == ">=" else ""
+    message = f"the domain {domain!r} is not an interval; write it as 'low < x < high', 'x > low' or 'x >= low'"
     raise ValueError(message)
 
 
@@ -26,20 +69,25 @@ def _number(text: str) -> str:
     return repr(float(sp.sympify(text, locals={"pi": sp.pi})))
 
 
+def key_of(symbol: sp.Symbol, name: str) -> str:
+    """The keyword of `require` for a parameter `name`: the symbol itself where its letter is taken."""
+    return f"{symbol}={name}" if symbol in LETTERS else f"{name}={name}"
+
+
 def symbols_source(names: Iterable[str]) -> str:
-    """The text of `_symbols.py` for the parameters of these names."""
-    lines = [
-        '"""Domains and meanings of the keyword parameters."""',
-        "",
-        "from __future__ import annotations",
-        "",
-        "from math import inf",
-        "",
-        "SYMBOLS = {",
-    ]
-    for record in nt.all_notation():
-        if record.name in set(names):
-            low, high = bounds(record.domain)
-            unit = "" if record.unit == "1" else f", in {record.unit}"
-            lines.append(f'    "{record.name}": ({low}, {high}, "{record.domain}", "{record.meaning}{unit}"),')
-    return "\n".join([*lines, "}", ""])
+    """The text of `_symbols.py` for the parameters of these names in the notation."""
+    wanted = set(names)
+    rows = [line for record in nt.all_notation() if record.name in wanted for line in _row(record)]
+    return HEAD + "\n".join([*rows, "}", ""])
+
+
+def _row(record: nt.Notation) -> list[str]:
+    domain = LOADED.get(record.symbol, record.domain)
+    low, high, closed = bounds(domain)
+    unit = "" if record.unit == "1" else f", in {record.unit}"
+    parts = [low, high, f'"{domain}"', f'"{record.meaning}{unit}"']
+    instead, letter = INSTEAD.get(record.symbol, ""), LETTERS.get(record.symbol, "")
+    named = {"closed": closed, "instead": instead, "letter": letter}
+    parts += [f'{name}="{text}"' for name, text in named.items() if text]
+    lines = layout.call(f'"{record.name}": Domain', parts, "),")
+    return ["    " + line for line in lines]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from dataclasses import dataclass
 
 import sympy as sp
@@ -38,3 +39,13 @@ LOADS = (
     _load("punch", "Pressure of the flat punch", "The pressure that moves its circle as a whole.", -sp.S.Half),
     _load("power", "Power of the distance to the edge", "Any exponent s > -1 of 1 - r^2/a^2.", sigma),
 )
+
+
+def load(name: str) -> Load:
+    """The prescribed pressure of that name; `KeyError` with the nearest name if there is none."""
+    for own in LOADS:
+        if own.name == name:
+            return own
+    near = difflib.get_close_matches(name, [own.name for own in LOADS], n=1)
+    message = f"unknown pressure {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
+    raise KeyError(message)

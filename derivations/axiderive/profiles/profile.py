@@ -58,7 +58,7 @@ class Profile:
     name: str
     title: str
     subtitle: str
-    contact: Literal["compact", "complete", "prescribed"]
+    contact: Literal["compact", "complete", "prescribed", "none"]
     parameters: tuple[sp.Symbol, ...]
     pieces: tuple[Piece, ...]
     validity: str
@@ -81,4 +81,4 @@ class Profile:
     @property
     def truncated(self) -> bool:
         """The tip is flat up to the first break: the contact radius never is smaller."""
-        return self.pieces[0].expr == 0 and bool(self.breaks)
+        return bool(self.breaks) and self.pieces[0].expr == 0

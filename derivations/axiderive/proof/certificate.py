@@ -18,7 +18,7 @@ from ..entry import Entry
 from ..notation import F, d
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import adhesive, graded, loads, tangential, viscoelastic
+from . import adhesive, detachment, graded, loads, materials, tangential, viscoelastic
 from .compact import Compact
 from .complete import Complete
 from .domain import NotProvedError
@@ -130,10 +130,12 @@ def _derived(profile: Profile, medium: Medium) -> Prover:
 
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
-    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
+    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w, materials.H."""
     first, *groups = next(iter(entries.values())).key.split(".")[:-1]
     if isinstance(profile, Load):
         return Prover(entries, loads.RULES, lambda: loads.Loads(profile, entries))
+    if first == materials.PROFILE.name:
+        return Prover(entries, materials.RULES, lambda: materials.Materials(entries))
     if first == "plane":
         message = "entries of a plane contact are certified by proof.plane"
         raise ValueError(message)
@@ -147,7 +149,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     if kind == viscoelastic.GROUP:
         rules = viscoelastic.rules(entries, plain.entries)
         return Prover(entries, rules, lambda: viscoelastic.Viscoelastic(plain.built(), entries), plain)
-    statements, rules = ABOVE[kind]
+    statements, rules = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES)
     return Prover(entries, rules, lambda: statements(plain.built(), entries), plain)
 
 

@@ -116,11 +116,11 @@ class Viscoelastic:
 
     def step(self, suffix: str) -> list[str]:
         law, entry = self._law(suffix), self.entries[suffix]
-        steps = [duality(law)]
-        for case, elastic in self._paired(entry, self._closed(self.force)):
+        steps, source = [duality(law)], self.normal.entries["F"] if entry.status == "root" else self.force
+        for case, elastic in self._paired(entry, self._closed(source)):
             wanted = elastic.expr / E_star * law.relaxation
             steps.append(self._linear(elastic))
-            gap = case.expr - wanted
+            gap = (case.expr.rhs if entry.status == "root" else case.expr) - wanted
             steps.append(require_zero(gap, self.domain(case), "F = F_el/E* E(t) after a step of depth, t > 0"))
         return steps
 
@@ -158,9 +158,10 @@ def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[s
     """One rule per kind of loading, for every law."""
     force = "plain.Fd" if "Fd" in normal_entries else "plain.F"
     out: dict[str, Rule] = {}
-    for suffix in entries:
+    for suffix, entry in entries.items():
         kind = suffix.split("_")[0]
-        out[suffix] = (("plain.aF" if kind == "load" else force,), _shown(KINDS[kind], suffix))
+        own = "plain.F" if kind == "step" and entry.status == "root" else force
+        out[suffix] = (("plain.aF" if kind == "load" else own,), _shown(KINDS[kind], suffix))
     return out
 
 

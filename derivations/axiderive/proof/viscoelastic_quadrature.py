@@ -143,12 +143,11 @@ def _step(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, 
         if free_depth is None and profile.contact == "compact":
             known.pop(nt.a)
         return residual(evaluate(case_at(entry, known).expr, known, digits), wanted)
-    radius = root(case_at(entry, known), nt.a, known, digits, _beyond(profile))
-    force = plain["F"]
-    got = evaluate(
-        case_at(force, {**known, nt.a: radius}).expr, {**known, nt.a: radius, nt.E_star: own.relaxation(t)}, digits
-    )
-    return residual(got, wanted)
+    # the equation F = F_el(a) E(t)/E* at the root of g(a) = d
+    known[nt.a] = root(case_at(plain["ad"], known), nt.a, known, digits, _beyond(profile))
+    equation = case_at(entry, known).expr
+    left, right = (evaluate(side, {**known, nt.F: wanted}, digits) for side in (equation.lhs, equation.rhs))
+    return residual(right, left)
 
 
 def _beyond(profile: Profile) -> tuple[sp.Expr, ...]:

@@ -16,7 +16,7 @@ from flint import arb, ctx
 from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
-from .reference import CURVES, Unknown, enclosed, reference
+from .reference import CURVES, UnknownError, enclosed, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
 GEOMETRY = {"d", "w", "ad", "dmin", "rz"}
@@ -50,12 +50,12 @@ class Errors:
 def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: int, seed: int = 17) -> Iterator[Sample]:
     """Calls whose exact value is a normal number."""
     entry = entries[suffix]
-    drawn = entries[CURVES[suffix][0]] if _inverse(entry) else entries["d"] if "d" in entries and suffix == "k" else entry
-    for values in floats(drawn, domain, count, seed):
+    like = CURVES[suffix][0] if _inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
+    for values in floats(entries[like], domain, count, seed):
         try:
             _complete(entries, values)
             arguments, exact = reference(dict(entries), suffix, values)
-        except Unknown:
+        except UnknownError:
             continue
         if SMALLEST < abs(float(exact)) < LARGEST:
             yield Sample(*_call(entry, arguments), exact)
@@ -100,7 +100,7 @@ def _fields(entry: Entry) -> tuple[sp.Symbol, ...]:
 
 
 def function_of(entry: Entry) -> Callable[..., float]:
-    return getattr(import_module(f"axicontact.normal.{entry.profile.name}"), entry.quantity.function)  # type: ignore[no-any-return]
+    return getattr(import_module(f"axicontact.normal.{entry.profile.name}"), entry.quantity.function)
 
 
 def ulps(got: float, exact: arb) -> float:

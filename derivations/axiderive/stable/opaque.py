@@ -71,3 +71,9 @@ class PowerPunches(sp.Function):
     """int_0^a t**n/sqrt(r^2 - t^2) dt / a**n, of (r, a, n)."""
 
     nargs = 3
+
+
+class PowerStrips(sp.Function):
+    """int_0^a n t**(n-1)/sqrt(x^2 - t^2) dt / a**n, of (x, a, n)."""
+
+    nargs = 3

@@ -19,7 +19,7 @@ CURVES = {"ad": ("d", None), "aF": ("F", None), "Fd": ("d", "F"), "dF": ("F", "d
 """Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
 
 
-class Unknown(ArithmeticError):
+class UnknownError(ArithmeticError):
     """No enclosure, or no region of the entry that surely holds the point."""
 
 
@@ -37,7 +37,7 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
     target = float(enclosed(entries[given], values, ()))
     if not 2.3e-308 < target < 1.7e308:
         message = f"{entry.key}: the argument {target} is no normal number"
-        raise Unknown(message)
+        raise UnknownError(message)
     radius = _root(entries[given], values, target)
     result = radius if asked is None else enclosed(entries[asked], values, ((nt.a, radius),))
     return {**values, symbol: target}, result
@@ -69,11 +69,11 @@ def enclosed(entry: Entry, values: Floats, exact: tuple[tuple[sp.Symbol, arb], .
                 return value.real
             bits *= 2
     except NotAvailableError as error:
-        raise Unknown(str(error)) from error
+        raise UnknownError(str(error)) from error
     finally:
         ctx.prec = before
     message = f"{entry.key}: no enclosure below {HIGHEST} bits at {values}"
-    raise Unknown(message)
+    raise UnknownError(message)
 
 
 def _balls(entry: Entry, values: Floats) -> dict[Any, acb]:
@@ -94,7 +94,7 @@ def _case(entry: Entry, point: dict[Any, acb]) -> Case:
         if all(low < high for low, high in zip(sizes, sizes[1:], strict=False)):
             return case
     message = f"{entry.key}: no region surely holds the point"
-    raise Unknown(message)
+    raise UnknownError(message)
 
 
 @lru_cache(maxsize=4096)

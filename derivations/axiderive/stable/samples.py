@@ -1,4 +1,4 @@
-"""Points in double precision at which evaluation forms are measured: the bench domain and the ends of the float range."""
+"""Points in double precision at which emitted functions are measured: a bench domain, and the ends of the range."""
 
 from __future__ import annotations
 
@@ -141,5 +141,7 @@ class Draw:
         numbers = [x for value in self.values.values() for x in (value if isinstance(value, tuple) else (value,))]
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles
         if not all(SMALLEST < x < LARGEST for x in numbers):
+            return False
+        if self.profile.largest is not None and not self[nt.a] <= self.number(self.profile.largest):
             return False
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)

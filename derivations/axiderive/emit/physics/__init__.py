@@ -2,51 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from ...profiles import COMPLETE_NAMES, NAMES, load
-from ...profiles.loads import LOADS
-from . import adhesive, loads, tangential, viscoelastic
-from .bounds import bounds_source
-from .refusals import package_source, punch_source, refusal_source
-from .text import NormalModule
+from ...entry import Entry
+from ...profiles.loads import Load
+from ...profiles.profile import Profile
+from . import adhesive, detachment, loads, materials, refusals, tangential, viscoelastic
+from .text import PACKAGE, NormalModule
 
 RUNTIME = Path(__file__).with_name("runtime")
-PACKAGE = "axicontact"
+TITLES = {
+    "adhesive": "Adhesive contact of a rigid indenter with an elastic half space",
+    "tangential": "Tangential contact with friction, with a zone of stick",
+    "viscoelastic": "Contact with a viscoelastic half space, while it grows",
+    "loads": "Displacement under a prescribed pressure",
+}
+WRITERS = {
+    "adhesive": lambda module, entries: _adhesive(module.profile)(module, entries),
+    "tangential": tangential.module_source,
+    "viscoelastic": viscoelastic.module_source,
+}
+Derived = Mapping[str, Mapping[str, Mapping[str, Entry]]]
 
 
-def module_sources(names: Iterable[str] = NAMES) -> dict[str, str]:
-    """The files of all physics as `{path below catalogue/: text}`."""
-    names = sorted(names)
+def module_sources(derived: Derived, normal_texts: Mapping[str, str]) -> dict[str, str]:
+    """The files of these packages as `{path below catalogue/: text}`.
+
+    `derived` holds the entries by system, profile and suffix; `normal_texts` the
+    module of the normal contact of each profile, on which the others rest.
+    """
+    modules = {name: NormalModule.read(derived["normal"][name], text) for name, text in normal_texts.items()}
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
-    files[f"{PACKAGE}/_bounds.py"] = bounds_source()
-    for name in names:
-        module = NormalModule.of(name)
-        complete = name in COMPLETE_NAMES
-        files[f"{PACKAGE}/viscoelastic/{name}.py"] = viscoelastic.module_source(module)
-        files[f"{PACKAGE}/adhesive/{name}.py"] = (
-            _complete_adhesive(name) if complete else adhesive.module_source(module)
-        )
-        files[f"{PACKAGE}/tangential/{name}.py"] = (
-            refusal_source(load(name), "tangential") if complete else tangential.module_source(module)
-        )
-    for load_ in LOADS:
-        files[f"{PACKAGE}/loads/{load_.name}.py"] = loads.module_source(load_)
-    return files | _packages(names)
-
-
-def _complete_adhesive(name: str) -> str:
-    return punch_source(load(name)) if name == "flat_punch" else refusal_source(load(name), "adhesive")
-
-
-def _packages(names: Sequence[str]) -> dict[str, str]:
-    titles = {
-        "adhesive": "Adhesive contact of a rigid indenter with an elastic half space",
-        "tangential": "Tangential contact with friction, with a zone of stick",
-        "viscoelastic": "Contact with a viscoelastic half space, while it grows",
-    }
-    files = {f"{PACKAGE}/{group}/__init__.py": package_source(title, names) for group, title in titles.items()}
-    own = sorted(load.name for load in LOADS)
-    files[f"{PACKAGE}/loads/__init__.py"] = package_source("Displacement under a prescribed pressure", own)
+    if constants := derived["materials"].get("materials"):
+        files[f"{PACKAGE}/materials.py"] = materials.module_source(constants)
+    for group, write in WRITERS.items():
+        for name, module in sorted(modules.items()):
+            own = derived[group].get(name)
+            files[f"{PACKAGE}/{group}/{name}.py"] = (
+                write(module, own) if own is not None else refusals.module_source(module.profile, group)
+            )
+        files[f"{PACKAGE}/{group}/__init__.py"] = refusals.package_source(TITLES[group], sorted(modules))
+    for name, entries in sorted(derived["loads"].items()):
+        own_load = entries["w"].profile
+        assert isinstance(own_load, Load)
+        files[f"{PACKAGE}/loads/{name}.py"] = loads.module_source(own_load, entries["w"])
+    files[f"{PACKAGE}/loads/__init__.py"] = refusals.package_source(TITLES["loads"], sorted(derived["loads"]))
     return files
+
+
+def _adhesive(profile: Profile) -> Callable[[NormalModule, Mapping[str, Entry]], str]:
+    return adhesive.module_source if profile.contact == "compact" else detachment.module_source

@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
-from ...contact import adhesive
+from ...contact.adhesive import pull_off_rule
 from ...entry import Entry
-from ...notation import n
+from ...notation import E_star, a, a_c, dgamma, n, r
 from ...profiles.profile import Profile
-from ...stable.forms import evaluation_form
-from ...stable.signs import facts_of
-from ..code import HELPERS, python
+from ..code import HELPERS
+from ..public import literal
 from . import text
+from .branches import branch_functions
+from .examples import Example
+from .power_laws import power_law_functions
 from .text import Function, NormalModule, evaluate, private
 
 IMPORTS = (
-    "collections.abc: Callable",
-    ".._adhesion: PullOff, XI, lift, power_law_radius, pull, require_control, hess_retraction, tension",
-    ".._bounds: require_physics",
-    ".._branches: branches, decades, lowest, radii_around, radii_below, radii_beyond, radii_of_waves, radii_to,"
-    " stable_radius, Branches",
-    ".._domain: numbers, require, require_coefficients, require_order",
+    ".._adhesion: PullOff, XI, hess_retraction, lift, power_law_radius, pull, require_control, tension",
+    ".._branches: Branches, branches, decades, lowest, radii_around, radii_below, radii_beyond, radii_of_waves,"
+    " radii_to, stable_radius",
+    ".._domain: numbers, require, require_coefficients, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
     f".._functions: {', '.join(HELPERS)}",
 )
@@ -35,47 +37,57 @@ SUMMARY = {
 }
 
 
-def module_source(module: NormalModule) -> str:
+def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
     """The module of one profile with a compact contact."""
-    entries = adhesive.derive(module.profile)
     return _Adhesive(module, entries).source()
 
 
+def exponent(profile: Profile) -> sp.Expr | None:
+    """n of a profile that is one power of r, else None."""
+    if len(profile.pieces) != 1 or profile.pieces[0].expr.is_Add:
+        return None
+    power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1]
+    base, own = power.as_base_exp()
+    return own if base == r else None
+
+
 class _Adhesive:
-    def __init__(self, module: NormalModule, entries: dict[str, Entry]) -> None:
+    def __init__(self, module: NormalModule, entries: Mapping[str, Entry]) -> None:
         self.module, self.entries, self.profile = module, entries, module.profile
-        self.keywords = [*module.geometry, "E_star", "dgamma"]
-        self.power = _exponent(self.profile)
+        self.symbols = [*module.profile.parameters, E_star, dgamma]
+        self.keywords = [text.name_of(symbol) for symbol in self.symbols]
+        self.power = exponent(self.profile)
+        self.example = Example(self.profile, entries, "adhesive")
 
     def source(self) -> str:
-        private_functions = self.rules() + (self.power_law() if self.power is not None else self.general())
-        public = [self.public(suffix) for suffix in SUMMARY] + [self.pull_off()]
-        body = text.module(
-            f"{self.profile.title} with adhesion", self.profile.subtitle, IMPORTS, public, private_functions
+        inverse = (
+            branch_functions(self.module)
+            if self.power is None
+            else power_law_functions(self.module, self.entries, self.power)
         )
+        public = [self.public(suffix) for suffix in SUMMARY] + [self.pull_off()]
+        title = f"{self.profile.title} with adhesion"
+        body = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules() + inverse)
         return body.replace(text.NORMAL, self.profile.name)
-
-    # what every profile shares
 
     def public(self, suffix: str) -> Function:
         entry = self.entries[suffix]
         fields = [str(argument) for argument in entry.quantity.arguments]
-        keywords = ["E_star", "dgamma"] if suffix == "Dl" else self.keywords
-        body = self.check(keywords)
+        symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
+        keywords = [text.name_of(symbol) for symbol in symbols]
+        body = self.module.check(symbols)
         summed = self.module.summed and suffix != "Dl"
-        name = f"_{entry.quantity.function}"
-        if suffix in ("ad", "aF"):
-            own = fields[0]
-            body += PULLS if self.power == n else []
-            value = f'numbers("{own}", {own})'
-            body.append(f"return {evaluate(name, [], keywords, summed, **{own: value})}")
-        else:
-            body.append(f"return {evaluate('hess_retraction' if suffix == 'Dl' else name, fields, keywords, summed)}")
+        name = "hess_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if suffix in ("ad", "aF"):
-            notes = f"Valid for {self.profile.validity}. NaN below pull-off."
-            if self.power is None:
-                notes += " Where several radii are stable, the largest, which is reached on unloading."
+            body += self.order()
+            signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
+            body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
+            notes = self.notes_of_inverse()
+        else:
+            if self.profile.truncated and suffix != "Dl":
+                body.append(f"require_reach(a, {self.profile.breaks[0]})")
+            body.append(f"return {evaluate(name, fields, keywords, summed)}")
         return Function(
             entry.quantity.function,
             fields,
@@ -83,195 +95,86 @@ class _Adhesive:
             SUMMARY[suffix],
             text.document(entry, fields, keywords, notes),
             body,
+            example=self.example.lines(suffix),
         )
 
-    def check(self, keywords: list[str]) -> list[str]:
-        return self.module.check(keywords)
+    def order(self) -> list[str]:
+        """The check of the exponent, without which there is no stable contact."""
+        rule = pull_off_rule(self.profile)
+        if rule is None:
+            return []
+        return [
+            "require_order(",
+            f"    np.asarray({rule.right}) > {float(rule.left)!r},",
+            f'    "{rule.right} > {sp.sstr(rule.left)}",',
+            *literal(rule.reason),
+            f"    {rule.right}={rule.right},",
+            ")",
+        ]
+
+    def notes_of_inverse(self) -> str:
+        notes = f"Valid for {self.profile.validity}. NaN below pull-off."
+        if self.power == n:
+            notes += f" {text.capital(self.entries['ad'].note)}."
+        if self.power is None:
+            notes += " Where several radii are stable, the largest, which is reached on unloading."
+        return notes
 
     def rules(self) -> list[str]:
-        module, geometry = self.module, self.module.geometry
-        needs = [*geometry, "E_star", "dgamma"]
+        """The rule of Hess for each quantity."""
+        call, needs = self.module.call, self.keywords
+        normal = {
+            "_depth": (["a"], "hess_retraction(a, E_star, dgamma)"),
+            "_force": (["a"], "pull(a, E_star, dgamma)"),
+            "_pressure": (["r", "a"], "tension(r, a, E_star, dgamma)"),
+            "_displacement": (["r", "a"], "lift(r, a, E_star, dgamma)"),
+        }
         return [
-            private(
-                "_depth", ["a"], needs,
-                [f"return {module.call('_depth', 'a')} - hess_retraction(a, E_star, dgamma)"],
-            ),
-            private("_force", ["a"], needs, [f"return {module.call('_force', 'a')} - pull(a, E_star, dgamma)"]),
-            private(
-                "_pressure", ["r", "a"], needs,
-                [f"return {module.call('_pressure', 'r', 'a')} - tension(r, a, E_star, dgamma)"],
-            ),
-            private(
-                "_displacement", ["r", "a"], needs,
-                [f"return {module.call('_displacement', 'r', 'a')} - lift(r, a, E_star, dgamma)"],
-            ),
-        ]  # fmt: skip
+            private(name, fields, needs, [f"return {call(name, *fields)} - {loss}"])
+            for name, (fields, loss) in normal.items()
+        ]
 
     def pull_off(self) -> Function:
-        names = ", ".join(f"{name}={name}" for name in self.keywords if not (self.module.summed and name == "A"))
-        tail = "partial({}, A=A)" if self.module.summed else "{}"
-        body = self.check(self.keywords)
-        if self.power == n:
-            body += PULLS
-        inner = (
-            "partial(_pull_off_radius, A=A, control=require_control(control))"
-            if self.module.summed
-            else ("partial(_pull_off_radius, control=require_control(control))")
-        )
-        body += [f"radius = elementwise({inner}, {names})"]
+        named = ", ".join(f"{name}={name}" for name in self.keywords if not (self.module.summed and name == "A"))
+        fixed = "A=A, " if self.module.summed else ""
+        body = [*self.module.check(self.symbols), "require_control(control)"]
+        body += self.order()
+        body.append(f"radius = elementwise(partial(_pull_off_radius, {fixed}control=control), {named})")
         for name in ("force", "depth"):
-            own = f"partial(_pull_off_{name}, control=control)" if self.power is not None else tail.format(f"_{name}")
-            body.append(f"{name} = elementwise({own}, radius, {names})")
+            function = f"partial(_{name}, A=A)" if self.module.summed else f"_{name}"
+            if self.power is not None:
+                function = f"partial(_pull_off_{name}, control=control)"
+            body.append(f"{name} = elementwise({function}, radius, {named})")
         body.append("return PullOff(radius, force, depth)")
         return Function(
             "pull_off", [], self.keywords, "State at which the contact breaks on unloading.",
-            self.pull_off_document(), body, returns="PullOff", leading='control: str = "force"',
+            self.pull_off_document(), body, "PullOff", 'control: str = "force"', self.example.pull_off(self.keywords),
         )  # fmt: skip
 
     def pull_off_document(self) -> list[str]:
         symbols = {text.name_of(symbol): symbol for symbol in self.entries["ac"].parameters}
-        lines = ["Under control of the force:", ""]
-        lines += [f"    {line}" for suffix in ("ac", "Fc", "dc") for line in text.formula(self.entries[suffix])]
-        lines += ["", "Under control of the depth:", ""]
-        lines += [f"    {line}" for suffix in ("am", "Fm", "dm") for line in text.formula(self.entries[suffix])]
+        lines = ["Under control of the force:", "", *self.pull_off_formulas(("ac", "Fc", "dc"))]
+        lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(("am", "Fm", "dm"))]
         lines += ["", "Parameters", "----------", 'control : {"force", "depth"}']
         lines += ["    What is held while the contact is unloaded."]
         lines += text.parameters(self.keywords, symbols, False)
         lines += ["", "Returns", "-------", "PullOff"]
         lines += ["    Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact."]
-        lines += ["", "Raises", "------", "ValueError", "    If a parameter is outside its domain."]
+        lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
         note = "The least force, or depth, of a stable contact."
+        if self.power == n:
+            note += f" {text.capital(self.entries['ac'].note)}."
         if self.power is None:
             note += " Where it has several minima, or one at a corner of the profile, the lowest."
-        return [*lines, "", "Notes", "-----", *text.wrapped(f"{note} Handbook: {self.entries['ac'].key}.")]
+        keys = f"Handbook: {self.entries['ac'].key}, {self.entries['am'].key}."
+        lines += ["", "Notes", "-----", *text.wrapped(f"{note} {keys}")]
+        sources = [*(f"chapter 11, equation {own}" for own in self.entries["ac"].references), *self.profile.sources]
+        return [*lines, "", "References", "----------", *text.wrapped("; ".join(sources) + ".")]
 
-    # power laws: one universal curve
-
-    def power_law(self) -> list[str]:
-        geometry = self.module.geometry
-        needs = [*geometry, "E_star", "dgamma"]
-        out = []
-        for suffix, control in (("ac", "force"), ("am", "depth")):
-            form = evaluation_form(self.entries[suffix].cases[0].expr, facts_of(()))
-            lines = [f"{name} = {python(expr)}" for name, expr in form.steps]
-            out.append(private(f"_{control}_pull_off_radius", [], needs, [*lines, f"return {python(form.value)}"]))
-        passed = ", ".join(needs)
-        lines = [
-            f'own = _force_pull_off_radius({passed}) if control == "force" else _depth_pull_off_radius({passed})',
-            "return np.where(dgamma > 0.0, own, 0.0)",
-        ]
-        if self.power == n:
-            lines = lines[:1] + ["return np.where(n > 0.5, np.where(dgamma > 0.0, own, 0.0), np.nan)"]
-        out.append(private("_pull_off_radius", [], [*needs, "control"], lines))
-        exponent = sp.sstr(self.power)
-        for quantity, field, p, q in (("depth", "d", exponent, "0.5"), ("force", "F", f"{exponent} + 1", "1.5")):
-            plain = self.module.call(f"_radius_from_{quantity}", f"np.maximum({field}, 0.0)")
-            order = p if p.isalnum() else f"({p})"
-            unloaded = f"{self.module.call(f'_{quantity}', 'a')} * (1.0 - 2.0 * {order} / XI[control])"
-            doc = "With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."
-            out.append(private(f"_pull_off_{quantity}", ["a"], [*needs, "control"], [f"return {unloaded}"], doc))
-            passed_control = ", ".join(f"{name}={name}" for name in needs)
-            out.append(
-                private(
-                    f"_radius_from_{quantity}", [field], needs,
-                    [
-                        f"a_c = _pull_off_radius({passed_control}, control=\"{quantity}\")",
-                        f"least = _pull_off_{quantity}(a_c, {passed_control}, control=\"{quantity}\")",
-                        f"plain = {plain}",
-                        f"return power_law_radius({field}, a_c, least, {p}, {q}, plain)",
-                    ],
-                )
-            )  # fmt: skip
-        return out
-
-    # other profiles: branches between refined changes of sign
-
-    def general(self) -> list[str]:
-        geometry = self.module.geometry
-        needs = [*geometry, "E_star", "dgamma"]
-        passed = ", ".join(f"{name}={name}" for name in needs)
-        grid, high = self.radii()
-        out = [
-            private("_rate", ["a"], geometry, self.rate(), "Derivative g'(a) of the depth without adhesion."),
-        ]
-        rate = f"lambda a: _rate({', '.join(['a', *geometry])})"
-        lines = [f"return branches({rate}, {grid}, {high}, control, E_star, dgamma)"]
-        out.append(private("_branches", [], [*needs, "control"], lines).replace("-> Array", "-> Branches"))
-        arguments = ", ".join(["a", *needs])
-        lines = [
-            f"found = _branches({passed}, control=control)",
-            'load = _force if control == "force" else _depth',
-            f"return lowest(found, lambda a: load({arguments}))",
-        ]
-        out.append(private("_pull_off_radius", [], [*needs, "control"], lines))
-        for quantity, field in (("depth", "d"), ("force", "F")):
-            lines = [
-                f'found = _branches({passed}, control="{quantity}")',
-                "return stable_radius(",
-                f"    {field},",
-                "    found,",
-                f"    lambda a: _{quantity}({arguments}),",
-                f"    {rate},",
-                f'    XI["{quantity}"],',
-                "    E_star,",
-                "    dgamma,",
-                ")",
-            ]
-            out.append(private(f"_radius_from_{quantity}", [field], needs, lines))
-        return out
-
-    def rate(self) -> list[str]:
-        functions, profile = self.module.functions, self.profile
-        if "_slope_at" in functions:
-            return [f"return {self.module.call('_slope_at', 'a')}"]
-        if "_slope_beyond" in functions:
-            root = "np.sqrt(np.maximum(a - b, 0.0) * (a + b))"
-            return [f"root = {root}", f"return {self.module.call('_slope_beyond', 'a', 'root')}"]
-        if functions["_slope"][1:2] == ["root"]:
-            end = profile.chain[-1]
-            return [
-                f"root = np.sqrt(np.maximum({end} - a, 0.0) * ({end} + a))",
-                f"return {self.module.call('_slope', 'a', 'root')}",
-            ]
-        return [f"return {self.module.call('_slope', 'a')}"]
-
-    def radii(self) -> tuple[str, str]:
-        """The grid that separates the minima of the load, and the largest radius."""
-        profile = self.profile
-        if profile.largest is not None:
-            return f"radii_to({python(profile.largest)})", f"np.atleast_1d({python(profile.largest)})"
-        if profile.breaks:
-            own = dict(profile.abbreviations)
-            end = python(own.get(profile.breaks[0], profile.breaks[0]))
-            return f"radii_{'beyond' if profile.truncated else 'around'}({end})", "np.inf"
-        if profile.chain:
-            end = python(profile.chain[-1])
-            return f"radii_below({end})", f"np.atleast_1d({end})"
-        if "wavelength" in self.module.geometry:
-            reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
-            return f"radii_of_waves(wavelength, {reach})", "np.inf"
-        return "decades()", "np.inf"
-
-
-PULLS = [
-    "require_order(",
-    "    np.asarray(n) > 0.5,",
-    '    "n > 1/2",',
-    '    "a sharper profile has no pull-off, its adhesive contact is unstable at every radius;"',
-    '    " use n > 1/2, or force(a) and depth(a) for the states of equilibrium",',
-    "    n=n,",
-    ")",
-]
-
-
-def _exponent(profile: Profile) -> sp.Expr | None:
-    """n of a profile that is one power of r, else None."""
-    if len(profile.pieces) != 1:
-        return None
-    from ...notation import r
-
-    power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1] if not profile.pieces[0].expr.is_Add else None
-    if power is None:
-        return None
-    base, exponent = power.as_base_exp()
-    return exponent if base == r else None
+    def pull_off_formulas(self, names: tuple[str, str, str]) -> list[str]:
+        radius = self.entries[names[0]]
+        if radius.status == "closed":
+            return [f"    {line}" for suffix in names for line in text.formula(self.entries[suffix])]
+        level = sp.sstr(radius.definition.rhs.subs(a, a_c))
+        lines = (f"g'(a_c) = {level}", "F = F(a_c)", "d = d(a_c)", "with the depth g(a) without adhesion")
+        return [f"    {line}" for line in lines]

@@ -10,23 +10,28 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ... import notation as nt
-from ...contact import normal
 from ...entry import Entry
 from ...notation import coefficients
-from ...profiles import load
 from ...profiles.profile import Profile
 from .. import docstring
+from ..layout import fit, from_import
 from ..private import parameter_name
-from ..python import module_source
+from ..symbols import LETTERS, LOADED
 
-RENAMED = {nt.relaxation: "tau", nt.sigma: "s"}
-MATERIAL = {"E_star", "dgamma", "mu", "G_star", "E", "E_inf", "E_1", "tau", "eta", "alpha", "t_0", "v", "p_0"}
-SIGNATURE = re.compile(r"^def (_\w+)\((.*?)\) ->", re.MULTILINE)
+PACKAGE = "axicontact"
+NORMAL = "{profile}"
+SIGNATURE = re.compile(r"^def (_\w+)\((.*?)\) ->", re.MULTILINE | re.DOTALL)
+MASTERS = {"Hypergeometric": "2F1", "Kummer": "1F1"}
 
 
 def name_of(symbol: sp.Symbol | sp.IndexedBase) -> str:
     """The name of a parameter in the interface."""
-    return RENAMED.get(symbol, parameter_name(symbol))
+    return LETTERS.get(symbol, parameter_name(symbol))
+
+
+def required(symbols: Sequence[sp.Symbol | sp.IndexedBase]) -> str:
+    """The check of these parameters."""
+    return f"require({', '.join(f'{parameter_name(symbol)}={name_of(symbol)}' for symbol in symbols)})"
 
 
 @dataclass
@@ -38,12 +43,11 @@ class NormalModule:
     functions: dict[str, list[str]] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, name: str) -> NormalModule:
-        profile = load(name)
-        entries = normal.derive(profile)
-        found = SIGNATURE.findall(module_source(entries))
-        functions = {own: [part.split(":")[0] for part in re.split(r", (?=\w+:)", args)] for own, args in found}
-        return cls(profile, entries, functions)
+    def read(cls, entries: Mapping[str, Entry], text: str) -> NormalModule:
+        """The module behind these entries, from its text."""
+        found = SIGNATURE.findall(text)
+        functions = {own: [part.strip().split(":")[0] for part in re.split(r",(?=\s*\w+:)", a)] for own, a in found}
+        return cls(next(iter(entries.values())).profile, entries, functions)
 
     @property
     def geometry(self) -> list[str]:
@@ -59,19 +63,13 @@ class NormalModule:
         rest = self.functions[function][len(fields) :]
         return f"normal.{function}({', '.join([*fields, *(given.get(name, name) for name in rest)])})"
 
-    def check(self, keywords: Sequence[str]) -> list[str]:
-        """The lines that check the geometry and then the material."""
-        plain = [name for name in keywords if name in self.geometry or name == "E_star"]
-        physics = [name for name in keywords if name not in plain]
-        lines = []
-        if self.summed and "A" in keywords:
-            lines.append("A = require_coefficients(A)")
-            plain = [name for name in plain if name != "A"]
+    def check(self, symbols: Sequence[sp.Symbol | sp.IndexedBase]) -> list[str]:
+        """The lines that check parameters, those of the geometry with the rules between them."""
+        lines = ["A = require_coefficients(A)"] if coefficients in symbols else []
+        plain = [symbol for symbol in symbols if symbol != coefficients]
+        ruled = bool(self.profile.rules) and set(self.profile.parameters) <= set(symbols)
         if plain:
-            owner = "normal._check" if self.profile.rules and set(self.geometry) & set(plain) else "require"
-            lines.append(f"{owner}({', '.join(f'{name}={name}' for name in plain)})")
-        if physics:
-            lines.append(f"require_physics({', '.join(f'{name}={name}' for name in physics)})")
+            lines.append(("normal._check" if ruled else "require") + required(plain).removeprefix("require"))
         return lines
 
 
@@ -88,16 +86,15 @@ class Function:
     returns: str = "Result"
     leading: str = ""
     """A first parameter that is neither field nor number, with its annotation and default."""
+    example: list[str] = field(default_factory=list)
 
     def text(self) -> str:
         typed = [*([self.leading] if self.leading else []), *(f"{name}: ArrayLike" for name in self.fields)]
-        typed += ["*", *(f"{name}: ArrayLike" for name in self.keywords)]
-        line = f"def {self.name}({', '.join(typed)}) -> {self.returns}:"
-        if len(line) > 120:
-            line = f"def {self.name}(\n    {', '.join(typed)}\n) -> {self.returns}:"
-        doc = "\n".join(("    " + text).rstrip() for text in self.doc)
-        body = "\n".join("    " + text for text in self.body)
-        return f'{line}\n    """{self.summary}\n\n{doc}\n    """\n{body}\n'
+        typed += ["*", *(f"{name}: ArrayLike" for name in self.keywords)] if self.keywords else []
+        head = fit(f"def {self.name}({', '.join(typed)}) -> {self.returns}:", 0)
+        shown = ["", "Examples", "--------", *self.example] if self.example else []
+        doc = [f'    """{self.summary}', "", *(f"    {line}".rstrip() for line in (*self.doc, *shown)), '    """']
+        return "\n".join([*head, *doc, *(f"    {line}" for own in self.body for line in fit(own))]) + "\n"
 
 
 def parameters(names: Sequence[str], symbols: Mapping[str, sp.Symbol], fields: bool) -> list[str]:
@@ -107,29 +104,41 @@ def parameters(names: Sequence[str], symbols: Mapping[str, sp.Symbol], fields: b
         symbol = symbols.get(name, name)
         record = nt.describe(symbol)
         kind = "sequence of float" if isinstance(symbol, sp.IndexedBase) else "array_like"
-        domain = "" if fields or not record.domain else f", {record.domain}"
-        lines += [f"{name} : {kind}", *wrapped(f"{capital(record.meaning)} [{record.unit}]{domain}.", 4)]
+        own = LOADED.get(record.symbol, record.domain)
+        domain = "" if fields or not own else f", {own}"
+        text = f"{capital(record.meaning)} [{record.unit}]{domain}."
+        if isinstance(symbol, sp.IndexedBase):
+            text = "Coefficients of r, r^2, ..., none negative and not all zero."
+        lines += [f"{name} : {kind}", *wrapped(text, 4)]
     return lines
 
 
 def formula(entry: Entry) -> list[str]:
     """The formula of an entry in plain text, in the names of the interface."""
-    lines = docstring.formula(entry.profile, entry.quantity, entry)
+    return renamed(docstring.formula(entry.profile, entry.quantity, entry))
+
+
+def renamed(lines: Sequence[str]) -> list[str]:
+    """Symbols in the letters of the interface, functions by their usual names."""
     text = "\n".join(lines)
-    for symbol, name in RENAMED.items():
-        text = re.sub(rf"\b{symbol.name}\b", name, text)
+    names = {symbol.name: name for symbol, name in LETTERS.items()} | MASTERS
+    for old, new in names.items():
+        text = re.sub(rf"\b{old}\b", new, text)
     return text.split("\n")
 
 
-def document(entry: Entry, fields: Sequence[str], keywords: Sequence[str], notes: str) -> list[str]:
-    """Everything below the summary of a function that one entry backs."""
+def document(
+    entry: Entry, fields: Sequence[str], keywords: Sequence[str], notes: str, where: Sequence[str] = ()
+) -> list[str]:
+    """Everything below the summary of a function that one entry backs; `where` follows its formula."""
     symbols = {name_of(symbol): symbol for symbol in (*entry.parameters, *entry.quantity.arguments)}
     record = nt.describe(entry.quantity.symbol)
-    lines = [*formula(entry), "", "Parameters", "----------"]
+    shape = "The shape to which the arguments broadcast."
+    lines = [*formula(entry), *where, "", "Parameters", "----------"]
     lines += [*parameters(fields, symbols, True), *parameters(keywords, symbols, False)]
     lines += ["", "Returns", "-------", "float or ndarray"]
-    lines += wrapped(f"{capital(record.meaning)} [{record.unit}]. The shape to which the arguments broadcast.", 4)
-    lines += ["", "Raises", "------", "ValueError", "    If a parameter is outside its domain."]
+    lines += wrapped(f"{capital(record.meaning)} [{record.unit}]. {shape}", 4)
+    lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
     lines += ["", "Notes", "-----", *wrapped(f"{notes} Handbook: {entry.key}.")]
     sources = [*(f"chapter 11, equation {reference}" for reference in entry.references), *entry.profile.sources]
     return [*lines, "", "References", "----------", *wrapped("; ".join(sources) + ".")]
@@ -145,33 +154,28 @@ def module(title: str, text: str, imports: Sequence[str], public: Sequence[Funct
 
 
 def _needed(imports: Sequence[str], body: str) -> list[str]:
-    """The imports whose names the body holds; `module: a, b` stands for a from-import."""
-    lines = ["from functools import partial"] if "partial(" in body else []
+    """The imports whose names the code holds; `module: a, b` stands for a from-import."""
+    code = re.sub(r'""".*?"""', "", body, flags=re.DOTALL)
+    lines = ["from functools import partial"] if "partial(" in code else []
     lines += ["from typing import TYPE_CHECKING", ""]
-    if "np." in body:
+    if "np." in code:
         lines += ["import numpy as np", ""]
-    for line in imports:
+    for line in sorted(imports):
         source, _, names = line.partition(": ")
-        used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", body)]
+        used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", code)]
         if used:
-            text = f"from {source} import {', '.join(used)}"
-            lines += [text] if len(text) <= 120 else [f"from {source} import (", *(f"    {u}," for u in used), ")"]
-    if "normal." in body:
+            lines += from_import(source, used)
+    if "normal." in code:
         lines.append(f"from ..normal import {NORMAL} as normal")
     return lines
-
-
-NORMAL = "{profile}"
 
 
 def private(name: str, fields: Sequence[str], needs: Sequence[str], lines: Sequence[str], doc: str = "") -> str:
     """The text of a private function."""
     typed = [f"{own}: {'str' if own == 'control' else 'Array'}" for own in (*fields, *needs)]
-    line = f"def {name}({', '.join(typed)}) -> Array:"
-    if len(line) > 120:
-        line = f"def {name}(\n    {', '.join(typed)}\n) -> Array:"
-    text = f'    """{doc}"""\n' if doc else ""
-    return f"{line}\n{text}" + "\n".join("    " + own for own in lines) + "\n"
+    head = fit(f"def {name}({', '.join(typed)}) -> Array:", 0)
+    shown = [f'    """{doc}"""'] if doc else []
+    return "\n".join([*head, *shown, *(f"    {line}" for own in lines for line in fit(own))]) + "\n"
 
 
 def evaluate(function: str, fields: Sequence[str], keywords: Sequence[str], summed: bool, **signed: str) -> str:

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from ...contact import viscoelastic
-from ...contact.viscoelastic import LAWS
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...contact.viscoelastic import LAWS, Law, elastic_exponent
 from ...entry import Entry
 from ..code import python
 from . import text
+from .examples import Example
 from .text import Function, NormalModule, evaluate, private
 
 _NAMES = ", ".join(f"{kind}_{law.name}" for kind in ("creep", "ramp", "relaxation") for law in LAWS)
 IMPORTS = (
-    ".._bounds: require_physics",
     ".._domain: require, require_coefficients, require_order",
     ".._elementwise: Array, Result, elementwise",
     f".._relaxation: {_NAMES}",
 )
-LAW = {
+MATERIAL = {
     "maxwell": "a Maxwell fluid", "kelvin_voigt": "a Kelvin-Voigt solid", "standard_solid": "a standard solid",
     "power_creep": "a material of power-law creep",
 }  # fmt: skip
@@ -27,50 +30,57 @@ SUMMARY = {
 }
 
 
-def module_source(module: NormalModule) -> str:
+def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
     """The module of one profile; a ramp only where the force is a power of the depth."""
-    entries = viscoelastic.derive(module.profile)
-    public, formulas = [], []
-    for suffix, entry in entries.items():
-        kind, law = suffix.split("_")[0], next(law for law in LAWS if suffix.endswith(f"_{law.suffix}"))
-        loads = [str(argument) for argument in entry.quantity.arguments[1:]]
-        keywords = [*loads, *(text.name_of(symbol) for symbol in entry.parameters)]
-        name = entry.quantity.function
-        body = module.check(keywords)
-        body.append(f"return {evaluate(f'_{name}', ['t'], keywords, module.summed)}")
-        notes = f"Valid for {module.profile.validity}; growing contact only. Negative or NaN times give NaN."
-        document = _document(entry, keywords, notes)
-        public.append(Function(name, ["t"], keywords, SUMMARY[kind].format(LAW[law.name]), document, body))
-        material = [text.name_of(symbol) for symbol in law.parameters]
-        formulas.append(_formula(module, entry, kind, law.name, material))
+    example = Example(module.profile, entries, "viscoelastic", module.entries)
+    public = [_public(module, entry, example) for entry in entries.values()]
+    formulas = [_formula(module, entry) for entry in entries.values()]
     title = f"{module.profile.title} on a viscoelastic half space"
     source = text.module(title, module.profile.subtitle, IMPORTS, public, formulas)
     return source.replace(text.NORMAL, module.profile.name)
 
 
-def _document(entry: Entry, keywords: list[str], notes: str) -> list[str]:
-    return [
-        line if line != "time : array_like" else "t : array_like"
-        for line in text.document(entry, ["t"], keywords, notes)
-    ]
+def kind_and_law(entry: Entry) -> tuple[str, Law]:
+    """The loading and the material of an entry."""
+    kind, suffix = entry.suffix.split("_")
+    return kind, next(law for law in LAWS if law.suffix == suffix)
 
 
-def _formula(module: NormalModule, entry: Entry, kind: str, law: str, material: list[str]) -> str:
-    name, geometry, passed = f"_{entry.quantity.function}", module.geometry, ", ".join(material)
+def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
+    kind, law = kind_and_law(entry)
+    symbols = [*entry.quantity.arguments[1:], *entry.parameters]
+    keywords, name = [text.name_of(symbol) for symbol in symbols], entry.quantity.function
+    body = [*module.check(symbols), f"return {evaluate(f'_{name}', ['t'], keywords, module.summed)}"]
+    notes = f"Valid for {module.profile.validity}, and while the contact grows. Negative or NaN times give NaN."
+    if entry.note:
+        notes += f" Here {entry.note}: {'; '.join(text.formula(module.entries['ad']))}."
+    document = text.document(entry, ["t"], keywords, notes)
+    summary = SUMMARY[kind].format(MATERIAL[law.name])
+    return Function(name, ["t"], keywords, summary, document, body, example=example.lines(entry.suffix))
+
+
+def _formula(module: NormalModule, entry: Entry) -> str:
+    kind, law = kind_and_law(entry)
+    material = [text.name_of(symbol) for symbol in law.parameters]
+    name, needs, passed = f"_{entry.quantity.function}", [*module.geometry, *material], ", ".join(material)
     elastic = "_force_from_depth" if "_force_from_depth" in module.functions else "_force"
     if kind == "step":
-        lines = [f"return relaxation_{law}(t, {passed}) * {module.call(elastic, 'd', E_star='1.0')}"]
-        return private(name, ["t"], ["d", *geometry, *material], lines)
+        lines = [f"return relaxation_{law.name}(t, {passed}) * {module.call(elastic, 'd', E_star='1.0')}"]
+        return private(name, ["t"], ["d", *needs], lines)
     if kind == "load":
-        lines = [f"return {module.call('_radius_from_force', f'F * creep_{law}(t, {passed})', E_star='1.0')}"]
-        return private(name, ["t"], ["F", *geometry, *material], lines)
-    plain = module.entries["Fd"] if "Fd" in module.entries else module.entries["F"]
-    exponent = viscoelastic._exponent(plain)
-    m = f"({python(exponent)} + 0.0 * t)"
-    lines = [f"m = {m}", f"force = {module.call(elastic, 'v * t', E_star='1.0')} * ramp_{law}(t, m, {passed})"]
+        creeping = f"F * creep_{law.name}(t, {passed})"
+        lines = [f"return {module.call('_radius_from_force', creeping, E_star='1.0')}"]
+        return private(name, ["t"], ["F", *needs], lines)
+    return private(name, ["t"], ["v", *needs], _ramp(module, law, elastic, passed))
+
+
+def _ramp(module: NormalModule, law: Law, elastic: str, passed: str) -> list[str]:
+    m = elastic_exponent(module.entries["Fd"] if "Fd" in module.entries else module.entries["F"])
+    assert m is not None
+    lines, power = ([], repr(float(m))) if m.is_number else ([f"m = {python(m)}"], "m")
+    lines.append(f"force = {module.call(elastic, 'v * t', E_star='1.0')} * ramp_{law.name}(t, {power}, {passed})")
     start = "0.0"
-    if law == "kelvin_voigt":
-        # the viscous part of a force that grows in proportion to the depth does not start from zero
-        start = f"np.where(m == 1.0, {module.call(elastic, 'v', E_star='1.0')} * eta, 0.0)"
-    lines.append(f"return np.where(t == 0.0, {start}, force)")
-    return private(name, ["t"], ["v", *geometry, *material], lines)
+    if law.impulse != 0 and m == 1:
+        lines.append("# the viscous part of a force that grows in proportion to the depth does not start from zero")
+        start = f"{module.call(elastic, 'v', E_star='1.0')} * {sp.sstr(law.impulse)}"
+    return [*lines, f"return np.where(t == 0.0, {start}, force)"]

@@ -19,20 +19,23 @@ def require(**parameters: ArrayLike) -> None:
     Raises
     ------
     ValueError
-        With the parameter, its value and the rule, if a value is outside its domain or not finite.
+        With the parameter, its value, the rule and what to use instead, if a value is outside its domain or not finite.
     TypeError
         If a value is not a real number or an array of real numbers.
     """
     for name, value in parameters.items():
-        low, high, rule, meaning = SYMBOLS[name]
-        if type(value) is float and low < value < high:
+        domain = SYMBOLS[name]
+        if type(value) is float and domain.low < value < domain.high:
             continue
-        array = numbers(name, value)
-        inside = np.isfinite(array) & (low < array) & (array < high)
+        letter = domain.letter or name
+        array = numbers(letter, value)
+        above = (domain.low <= array) if domain.closed == "low" else (domain.low < array)
+        below = (array <= domain.high) if domain.closed == "high" else (array < domain.high)
+        inside = np.isfinite(array) & above & below
         if not inside.all():
             wrong = float(array[~inside].flat[0])
-            message = f"{name} = {wrong!r} is outside {rule}; {name} is the {meaning}"
-            raise ValueError(message)
+            message = f"{letter} = {wrong!r} is outside {domain.rule}; {letter} is the {domain.meaning}"
+            raise ValueError(f"{message}; {domain.instead}" if domain.instead else message)
 
 
 def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayLike) -> None:
@@ -43,7 +46,7 @@ def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayL
         raise ValueError(message)
 
 
-def require_reach(a: ArrayLike, b: ArrayLike) -> None:
+def require_reach(a: ArrayLike, b: ArrayLike, instead: str = "normal.flat_punch") -> None:
     """Raise ValueError if not one contact radius reaches beyond the flat face of radius b, where the contact starts.
 
     Where some do, the others give NaN like every field value outside its range.
@@ -54,7 +57,7 @@ def require_reach(a: ArrayLike, b: ArrayLike) -> None:
     if radius.size and np.all((radius >= 0.0) & (radius < face)):
         message = (
             f"a = {float(radius.flat[0])!r} is below b = {float(face.flat[0])!r}: the contact starts at a = b, "
-            "the edge of the flat face; use normal.flat_punch for a smaller face"
+            f"the edge of the flat face; use {instead} for a smaller face"
         )
         raise ValueError(message)
 

@@ -66,11 +66,8 @@ def _block(
         with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
             result = function(*fields, **fixed, **given)
     except FloatingPointError:
-        from ._extended import extended
-
         with np.errstate(all="ignore"):
-            everything = {name: extended(value) for name, value in (fixed | given).items()}
-            result = np.asarray(function(*(extended(value) for value in fields), **everything))
+            result = _unbounded(function, fields, fixed | given)
     if values and np.shape(result) != values[0].shape:
         result = np.broadcast_to(result, values[0].shape)
     for value in fields:
@@ -78,6 +75,17 @@ def _block(
         if not value.size or not value.min() >= 0.0:
             result = np.where(value >= 0.0, result, np.nan)
     return np.asarray(result, dtype=np.float64)
+
+
+def _unbounded(function: Callable[..., Array], fields: tuple[Array, ...], parameters: dict[str, Any]) -> Array:
+    from ._extended import extended
+
+    try:
+        everything = {name: extended(value) for name, value in parameters.items()}
+        return np.asarray(function(*(extended(value) for value in fields), **everything))
+    except (TypeError, AttributeError):
+        # a body that needs more of NumPy than such numbers know
+        return function(*fields, **parameters)
 
 
 def _by_blocks(block: Callable[..., Array], arguments: list[Array]) -> Array:

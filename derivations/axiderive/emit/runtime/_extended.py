@@ -149,6 +149,9 @@ def _compared(relation: Any) -> Callable[[Extended, Extended], Any]:
     return rule
 
 
+_less = _compared(np.less)
+
+
 def _where(condition: Any, x: Any, y: Any) -> Extended:
     x, y = extended(x), extended(y)
     return Extended(np.where(condition, x.mantissa, y.mantissa), np.where(condition, x.exponent, y.exponent))
@@ -195,7 +198,7 @@ RULES: dict[Any, Callable[..., Any]] = {
     np.minimum: _least,
     np.maximum: _greatest,
     np.isfinite: lambda x: np.isfinite(x.mantissa),
-    np.nextafter: lambda x, y: Extended(np.nextafter(x.mantissa, 0.0), x.exponent),
+    np.nextafter: lambda x, y: Extended(np.nextafter(x.mantissa, np.where(_less(x, y), np.inf, -np.inf)), x.exponent),
     np.less: _compared(np.less),
     np.less_equal: _compared(np.less_equal),
     np.greater: _compared(np.greater),

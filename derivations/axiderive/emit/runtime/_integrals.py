@@ -58,13 +58,13 @@ def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Arr
     return integrand(start + x)
 
 
-def integral_in_strip(integrand: Callable[[Array], Array], stop: Array) -> Array:
-    """The same for an integrand without singularities closer than pi/2 to the real axis; see STRIPS."""
-    longest = float(np.max(np.where(np.isfinite(stop), stop, 0.0), initial=0.0))
+def integral_in_strip(integrand: Callable[[Array], Array], stop: Array, width: Array | float = 1.0) -> Array:
+    """The same for an integrand without singularities closer than width*pi/2 to the real axis; see STRIPS."""
+    longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
     for length, count in STRIPS:
         if longest <= length:
             return integral(integrand, stop, count)
-    return integral_by_panels(integrand, stop, np.ones_like(stop) * length, count)
+    return integral_by_panels(integrand, stop, np.ones_like(stop) * (length * width), count)
 
 
 def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
@@ -73,22 +73,23 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
     `rule(slope, *lengths)` gives the integrand, the end of its interval, a factor, where it holds, and what else is.
     """
 
-    def applied(slope: Slope, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
+    def applied(slope: Slope, width: Array, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
         integrand, stop, factor, holds, otherwise = rule(lambda *t: slope(*t, *parameters), *lengths)
-        return np.where(holds, factor * integral_in_strip(integrand, stop), otherwise)
+        return np.where(holds, factor * integral_in_strip(integrand, stop, width), otherwise)
 
     @wraps(rule)
-    def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array) -> Array:
+    def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array, width: Array | float = 1.0) -> Array:
         stop = rule(slope, *lengths)[1]
         if not isinstance(stop, np.ndarray) or stop.size <= 1:
-            return applied(slope, parameters, lengths)
-        group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop, 0.0))
+            return applied(slope, width, parameters, lengths)
+        group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
         if (group == group[0]).all():
-            return applied(slope, parameters, lengths)
+            return applied(slope, width, parameters, lengths)
         total = np.empty_like(stop)
         for number in np.unique(group):
             chosen = group == number
-            total[chosen] = applied(slope, *(tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths)))
+            some = (tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths))
+            total[chosen] = applied(slope, _part(width, chosen), *some)
         return total
 
     return grouped
@@ -167,7 +168,8 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
 @in_groups
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
-    r = np.where(r == b, np.nextafter(b, 0.0), r)
+    # on the outer side of the break, where the part below it adds nothing
+    r = np.where(r == b, np.nextafter(b, np.inf), r)
     within = r < b
     outside, reach = np.where(within, 0.0, 1.0), difference_root(a, b)
     stop = np.arcsinh(np.where(within, reach, difference_root(a, r)) / np.sqrt(np.abs(r - b) * (r + b)))

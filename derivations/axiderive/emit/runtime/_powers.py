@@ -58,6 +58,20 @@ def power_punches(r: Array, a: Array, n: Array) -> Array:
     return a / r * integral(integrand, reach, NODES)
 
 
+def power_strips(x: Array, a: Array, n: Array) -> Array:
+    """Integral of n t**(n - 1)/sqrt(x**2 - t**2) dt from 0 to a < x, over a**n; 1/x is taken out for small n."""
+    start = np.sqrt(_log_ratio(x, a))
+    fall = _DECAY / (n + 2.0)
+
+    def integrand(step: Array) -> Array:
+        s = start + step
+        root = np.sqrt(-np.expm1(-2.0 * s * s))
+        return np.exp(-(n + 2.0) * step * (2.0 * start + step)) * _weight(s) / (1.0 + root)
+
+    reach = fall / (np.sqrt(start * start + fall) + start)
+    return np.where(a > 0.0, 1.0 + n * (a / x) ** 2 * integral(integrand, reach, NODES), 1.0) / x
+
+
 def _weight(s: Array) -> Array:
     """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
     return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))

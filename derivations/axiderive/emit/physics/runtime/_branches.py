@@ -16,6 +16,7 @@ from ._adhesion import XI, hess_retraction
 from ._elementwise import Array
 
 Load = Callable[[Array], Array]
+EPS = np.finfo(float).eps
 
 
 class Branches(NamedTuple):
@@ -76,7 +77,7 @@ def stable_radius(
     """The largest radius of a stable contact under this load; NaN below pull-off."""
     value = np.atleast_1d(value)
     low = high = np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan)
-    slack = 4.0 * np.finfo(float).eps
+    slack = 4.0 * EPS
     for first, last in zip(found.first, found.last, strict=True):
         least = load(first)
         top = np.where(np.isfinite(last), load(last), np.inf)
@@ -85,16 +86,21 @@ def stable_radius(
     start = low
     a = np.where(np.isfinite(high), halfway(low, np.where(np.isnan(high), low, high)), 2.0 * low)
     a = np.where(low == 0.0, halfway(low, high), a)
-    for iteration in range(200):
+    moved, done = np.full(a.shape, np.inf), np.isnan(start)
+    for _ in range(200):
         gap = load(a) - value
         low, high = np.where(gap < 0.0, a, low), np.where(gap > 0.0, a, high)
         step = gap / growth(rate, a, xi, E_star, dgamma)
         newton = a - step
-        use = (newton > low) & (newton < high) & (iteration % 4 < 3)
-        a_next = np.where(gap == 0.0, a, np.where(use, newton, halfway(low, high)))
-        settled = ~(np.abs(a_next - a) > 4e-16 * a) | ~(high - low > 4e-16 * a)
+        use = (newton > low) & (newton < high) & (np.abs(step) < 0.75 * moved)
+        # the load is a difference, known to the rounding of its parts
+        rounding = EPS * (np.abs(value) + _scale(a, xi, E_star) * hess_retraction(a, E_star, dgamma))
+        done = done | (np.abs(gap) <= rounding) | ~(high - low > 4e-16 * a)
+        a_next = np.where(done, a, np.where(use, newton, halfway(low, high)))
+        moved = np.where(done, moved, np.abs(a_next - a))
         a = a_next
-        if settled.all():
+        done = done | (use & (moved <= 4e-16 * a))
+        if done.all():
             break
     a = np.where((value == np.inf) & (high == np.inf), np.inf, a)
     return np.where(np.isnan(start), np.nan, a)
@@ -103,7 +109,12 @@ def stable_radius(
 def growth(rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:
     """Derivative of the load: that of the depth, or 2 E_star a times it with the retraction weighed by xi."""
     slope = rate(a) - xi * hess_retraction(a, E_star, dgamma) / (2.0 * a)
-    return slope * np.where(xi == 1.0, 1.0, 2.0 * E_star * a)
+    return slope * _scale(a, xi, E_star)
+
+
+def _scale(a: Array, xi: float, E_star: Array) -> Array:
+    """The load of a contact moved by a unit length: a depth, or the force of the flat punch."""
+    return np.where(xi == 1.0, 1.0, 2.0 * E_star * a)
 
 
 def decades() -> Array:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from ._elementwise import Array
+from ._gamma import gamma_quotient
 from ._integrals import difference_root, integral
 
 
@@ -50,7 +49,9 @@ PSI, WEIGHTS = np.pi / 2.0 * _x, STEP * np.pi**2 / 2.0 * np.cosh(_t) * _x * _res
 
 def power(r: Array, a: Array, s: Array) -> Array:
     """w E_star/p_0 for any s > -1, as the integral over the circle of (11.105) in the angle from the edge."""
-    scale = 2.0 / np.pi * a * _beta(s)
+    # B(1/2, s + 1)
+    beta = np.sqrt(np.pi) * gamma_quotient(s + 1.0, s + 1.5)
+    scale = 2.0 / np.pi * a * beta
     power = np.asarray(s) + 0.5
     inside, outside = np.zeros_like(r), np.zeros_like(r)
     gap = difference_root(a, np.minimum(r, a)) / a
@@ -60,17 +61,6 @@ def power(r: Array, a: Array, s: Array) -> Array:
         inside = inside + weight * (np.hypot(sine, gap * np.cos(psi))) ** (2.0 * power)
         outside = outside + weight * sine ** (2.0 * power + 1.0) / np.hypot(beyond, sine)
     return scale * np.where(r <= a, inside, outside)
-
-
-def _beta(s: Array) -> Array:
-    """B(1/2, s + 1)."""
-
-    def beta(s: float) -> float:
-        if s < 100.0:
-            return math.sqrt(math.pi) * math.gamma(s + 1.0) / math.gamma(s + 1.5)
-        return math.sqrt(math.pi) * math.exp(math.lgamma(s + 1.0) - math.lgamma(s + 1.5))
-
-    return np.vectorize(beta, otypes=[float])(s)
 
 
 def hertzian(r: Array, a: Array) -> Array:

@@ -5,11 +5,10 @@ A ramp d = v t into a force F ~ d**m gives F_el(v t) times int_0^1 m x**(m - 1) 
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from ._elementwise import Array
+from ._gamma import gamma, gamma_quotient
 from ._integrals import integral
 
 SWITCH, TERMS = 40.0, 170
@@ -41,7 +40,7 @@ def ramp_kelvin_voigt(t: Array, m: Array, E: Array, eta: Array) -> Array:
 
 
 def ramp_power_creep(t: Array, m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return E * (t_0 / t) ** alpha * _ratio(1.0 + m, 1.0 + m - alpha) / _gamma(1.0 + alpha)
+    return E * (t_0 / t) ** alpha * gamma_quotient(1.0 + m, 1.0 + m - alpha) / gamma(1.0 + alpha)
 
 
 def relaxation_maxwell(t: Array, E: Array, tau: Array) -> Array:
@@ -77,14 +76,3 @@ def creep_kelvin_voigt(t: Array, E: Array, eta: Array) -> Array:
 
 def creep_power_creep(t: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return (t / t_0) ** alpha / E
-
-
-def _gamma(x: Array) -> Array:
-    return np.vectorize(math.gamma, otypes=[float])(x)
-
-
-def _ratio(x: Array, y: Array) -> Array:
-    def ratio(x: float, y: float) -> float:
-        return math.gamma(x) / math.gamma(y) if x < 100.0 else math.exp(math.lgamma(x) - math.lgamma(y))
-
-    return np.vectorize(ratio, otypes=[float])(x, y)

@@ -35,12 +35,15 @@ def pressure_gain(slope: Slope, r: Array, c: Array, a: Array) -> Array:
         t = np.sqrt(r * r + (inner + x) ** 2)
         return slope(t) / t
 
-    return integral(integrand, reach, NODES)
+    # on the axis t = c exp(x), since the integrand is steep where c is small
+    centre = integral(lambda x: slope(c * np.exp(x)), np.log(a / c), NODES)
+    return np.where(r == 0.0, centre, integral(integrand, reach, NODES))
 
 
 def difference(outer: Array, inner: Array, gain: Array, c: Array, a: Array) -> Array:
-    """outer - inner, or the integral over the growth where c is close to a."""
-    return np.where(c > CLOSE * a, np.where(np.isnan(outer - inner), outer - inner, gain), outer - inner)
+    """outer - inner, or the integral over the growth where c is close to a or both are infinite."""
+    valid = ~(np.isnan(outer) | np.isnan(inner))
+    return np.where(valid & ((c > CLOSE * a) | np.isinf(inner)), gain, outer - inner)
 
 
 def stick_force(F: Array, F_x: Array, mu: Array) -> Array:

@@ -1,0 +1,81 @@
+"""Adhesion under a face with a fixed edge: the contact holds until its edge peels off.
+
+With the edge in contact the solution is that of the contact without adhesion,
+in tension too.  The edge term of the pressure, modulus * w1D(a) * (a^2 -
+r^2)^((k-1)/2)/pi, is that of a flat punch moved by w1D(a) = d - g(a); the edge
+peels where it reaches the retraction of Hess, w1D(a) = -Dl(a) (Kendall 1971
+for the flat punch).  Under a flat or concave face g and -Dl fall with the
+radius, so that a smaller contact needs a greater depth and a greater force:
+what begins at the edge runs through, under force control and depth control alike.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..entry import Case, Entry, Quantity
+from ..notation import F, a, d, dgamma, retraction
+from ..profiles.profile import Profile
+from . import complete
+from .adhesive import GROUP, hess_rule
+from .medium import HOMOGENEOUS, Medium
+
+QUANTITIES = {
+    q.suffix: q
+    for q in (
+        Quantity("Dl", "retraction", "Retraction", retraction, ()),
+        Quantity("Fc", "pull_off", "Pull-off force", F, ()),
+        Quantity("dc", "pull_off", "Pull-off depth", d, ()),
+    )
+}
+
+
+def refusal(profile: Profile) -> str:
+    """Why a profile has no adhesive entries; empty if it has."""
+    (*_, face) = profile.pieces
+    if profile.contact == "compact" or face.expr == 0 or face.expr.has(a):
+        return ""
+    return (
+        f"{profile.name} keeps its edge until it peels off and is then the unbounded profile with a smaller contact"
+        " radius: use axicontact.adhesive.paraboloid"
+    )
+
+
+def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
+    """Retraction at the edge, force and depth at which it peels off, keyed by suffix."""
+    shift = hess_rule(medium)
+    level = complete.edge_depth(profile, medium) - shift
+    (force,) = complete.derive(profile, medium)["F"].cases
+    w1D = sp.Function("w1D")
+    balance = sp.Eq(2 * sp.pi * a * dgamma, medium.modulus * a**medium.k * retraction**2)
+    return {
+        "Dl": _entry(profile, medium, "Dl", shift, balance),
+        "Fc": _entry(profile, medium, "Fc", _tidy(force.expr, level), sp.Eq(sp.Function("F")(w1D(a)), F)),
+        "dc": _entry(profile, medium, "dc", level, sp.Eq(w1D(a), -retraction)),
+    }
+
+
+def _tidy(force: sp.Expr, level: sp.Expr) -> sp.Expr:
+    """The force is linear in the depth: its constant part and its slope put together again."""
+    slope = sp.diff(force, d)
+    constant = sp.powsimp(sp.factor(sp.expand(force - slope * d) + sp.expand(slope * _without_root(level))))
+    return constant + sp.powsimp(slope * (level - _without_root(level)))
+
+
+def _without_root(level: sp.Expr) -> sp.Expr:
+    return level.subs(dgamma, 0)
+
+
+def _entry(profile: Profile, medium: Medium, suffix: str, expr: sp.Expr, definition: sp.Expr) -> Entry:
+    exponent = (medium.k,) if medium.k != 0 else ()
+    geometry = (a,) if suffix == "Dl" else profile.parameters
+    return Entry(
+        key=medium.key(profile.name, medium.group, GROUP, suffix),
+        profile=profile,
+        quantity=QUANTITIES[suffix],
+        status="closed",
+        cases=(Case((a,), expr),),
+        definition=definition,
+        parameters=(*geometry, medium.modulus, *exponent, dgamma),
+        references=("(11.31)",) if medium.k == 0 else ("(11.64)", "(11.66)"),
+    )

@@ -1,0 +1,161 @@
+"""Modules `axicontact.graded.normal.<profile>` of complete contacts, whose edge is fixed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from ...entry import COMPLETE, Entry
+from ...notation import a, d, n, r
+from ..code import python
+from ..docstring import SUMMARY
+from ..physics.text import name_of
+from .module import Writer
+
+ORDER = [
+    "require_order(",
+    "    np.asarray(n) > 1.0 - np.asarray(k),",
+    '    "n > 1 - k",',
+    '    "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",',
+    "    n=n,",
+    "    k=k,",
+    ")",
+]
+"""The rule between the exponents of a concave face, which is n > 1 without grading."""
+
+
+def module_source(entries: Mapping[str, Entry]) -> str:
+    """The module of one profile."""
+    return _Complete(entries).source()
+
+
+class _Complete:
+    def __init__(self, entries: Mapping[str, Entry]) -> None:
+        self.entries = {suffix: _with_depth(entry) for suffix, entry in entries.items()}
+        self.profile = entries["F"].profile
+        self.writer = Writer(self.profile, self.entries, "normal", self.entries)
+        self.geometry = [*self.writer.geometry, "k"]
+        self.material = [*self.writer.geometry, "H", "k"]
+        piece = self.profile.pieces[0].expr
+        self.concave = piece.has(a)
+        self.order = python(
+            piece.as_independent(r, as_Add=False)[1].as_base_exp()[1] if not self.concave else _order(piece)
+        )
+        self.order = f"{self.order}.0" if self.order.isdigit() else self.order
+
+    def source(self) -> str:
+        self.writer.profile_function()
+        for suffix in COMPLETE:
+            if suffix in self.entries:
+                self.public(suffix)
+        if self.concave:
+            self.concave_rules()
+        elif self.profile.pieces[0].expr == 0:
+            self.flat_rules()
+        else:
+            self.capped_rules()
+        return self.writer.source(f"{self.profile.title} on a power-law graded half space")
+
+    def public(self, suffix: str) -> None:
+        entry, writer = self.entries[suffix], self.writer
+        names = [name_of(symbol) for symbol in entry.parameters]
+        body = [f"require({', '.join(f'{name}={name}' for name in names)})", *(ORDER if "n" in names else [])]
+        fields = [str(argument) for argument in entry.quantity.arguments]
+        used = ["a", "H", "k"] if suffix == "k" and not fields else names
+        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used)}")
+        notes = f"Valid for {self.profile.validity}."
+        if fields:
+            notes += " Negative or NaN field values give NaN."
+        writer.add(entry, SUMMARY[suffix], notes, body)
+
+    def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
+        self.writer.rule(name, fields, needs, lines)
+
+    def flat_rules(self) -> None:
+        self.rule("_force", ["d"], ["a", "H", "k"], "return punch_stiffness(a, H, k) * d")
+        pressure = "return np.where(d > 0.0, d * punch_pressure(r, a, H, k), 0.0)"
+        self.rule("_pressure", ["r", "d"], ["a", "H", "k"], pressure)
+        self.rule("_displacement", ["r", "d"], ["a", "k"], "return d * punch_displacement(r, a, k)")
+        self.rule("_stiffness", [], ["a", "H", "k"], "return punch_stiffness(a, H, k)")
+        self.rule("_depth_from_force", ["F"], ["a", "H", "k"], "return F / punch_stiffness(a, H, k)")
+
+    def capped_rules(self) -> None:
+        """The cap alone up to the depth that brings the edge into contact, then the cap and a punch."""
+        own, order = self.writer, self.order
+        shape = f"/ ({python(1 / self.profile.pieces[0].expr.coeff(r, int(float(order))))})"
+        state = f"rho, rest = _contact({', '.join(['d', *self.geometry])})"
+        own.private.append(
+            f"def _contact(d: Array, {', '.join(f'{name}: Array' for name in self.geometry)}) -> tuple[Array, Array]:\n"
+            '    """Contact radius, and the depth that the edge adds."""\n'
+            f"    free = power_depth(a, {order}, k) {shape}\n"
+            f"    rho = a * np.minimum(d / free, 1.0) ** (1.0 / {order})\n"
+            "    return rho, np.maximum(d - free, 0.0)\n"
+        )
+        self.rule(
+            "_force", ["d"], self.material, state,
+            f"cap = 2.0 * H / (1.0 + k) * power_force(rho, {order}, k) {shape}",
+            "return cap + rest * punch_stiffness(rho, H, k)",
+        )  # fmt: skip
+        self.rule(
+            "_pressure", ["r", "d"], self.material, state,
+            "edge = np.where(rest > 0.0, rest * punch_pressure(r, rho, H, k), 0.0)",
+            f"cap = H / np.pi * power_pressure(np.minimum(r, rho), rho, {order}, k) {shape}",
+            "return np.where(r <= rho, edge + np.where(r < rho, cap, 0.0), 0.0)",
+        )  # fmt: skip
+        self.rule(
+            "_displacement", ["r", "d"], self.geometry, state,
+            f"outside = d * punch_share(r, rho, k) - power_sag(r, rho, {order}, k) {shape}",
+            f"return np.where(r > rho, outside, d - {own.shape_of('r')})",
+        )  # fmt: skip
+        self.rule("_stiffness", ["d"], self.material, state, "return punch_stiffness(rho, H, k)")
+        self.rule(
+            "_depth_from_force", ["F"], self.material,
+            f"full = 2.0 * H / (1.0 + k) * power_force(a, {order}, k) {shape}",
+            f"free = power_depth(a, {order}, k) {shape}",
+            f"before = free * (F / full) ** ({order} / ({order} + 1.0 + k))",
+            "return np.where(full > F, before, free + (F - full) / punch_stiffness(a, H, k))",
+        )  # fmt: skip
+
+    def concave_rules(self) -> None:
+        """Everything as the punch and the hollow h (r/a)**n, whose depth at the edge is h power_factor(n, k)."""
+        order = self.order
+        offset = f"h * power_factor({order}, k) * (1.0 + k) / ({order} + 1.0 + k)"
+        self.rule("_force", ["d"], self.material, f"return punch_stiffness(a, H, k) * (d + {offset})")
+        self.rule(
+            "_pressure", ["r", "d"], self.material,
+            f"edge = (d + h * power_factor({order}, k)) * punch_pressure(r, a, H, k)",
+            f"hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, {order}, k) / a**{order}",
+            "return np.where(r < a, edge - hollow, edge)",
+        )  # fmt: skip
+        self.rule(
+            "_displacement", ["r", "d"], self.geometry,
+            f"outside = d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
+            f"return np.where(r > a, outside, d - {self.writer.shape_of('r')})",
+        )  # fmt: skip
+        self.rule("_stiffness", [], ["a", "H", "k"], "return punch_stiffness(a, H, k)")
+        self.rule("_depth_from_force", ["F"], self.material, f"return F / punch_stiffness(a, H, k) - {offset}")
+        ring = f"ring_of_zero_pressure({order}, k)"
+        self.rule("_zero_radius", [], self.geometry, f"return a * np.sqrt(1.0 - {ring}) + 0.0 * h")
+        least = f"_minimum_depth({', '.join(self.geometry)})"
+        self.rule(
+            "_minimum_depth", [], self.geometry,
+            f"lifted = {order} * {ring} - 1.0 + k",
+            f"return h * power_factor({order}, k) * (1.0 - k) / lifted + 0.0 * a",
+        )  # fmt: skip
+        self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
+
+
+def _order(piece: sp.Expr) -> sp.Expr:
+    (power,) = (own for own in sp.expand_power_base(piece).args if own.as_base_exp()[0] == r)
+    exponent = power.as_base_exp()[1]
+    assert exponent == n or exponent.is_Integer
+    return exponent
+
+
+def _with_depth(entry: Entry) -> Entry:
+    """A stiffness of two branches, told apart by the depth."""
+    if entry.suffix == "k" and any(case.expr.has(d) for case in entry.cases):
+        return replace(entry, quantity=replace(entry.quantity, arguments=(d,)))
+    return entry

@@ -1,0 +1,131 @@
+"""What the modules of all graded packages share: signatures, checks, documents and examples."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from pathlib import Path
+
+import sympy as sp
+
+from ... import notation as nt
+from ...entry import COMPACT, Entry
+from ...notation import coefficients
+from ...profiles.profile import Profile
+from .. import docstring, example
+from ..code import python
+from ..physics import text
+from ..physics.text import Function, evaluate, name_of, private
+from .examples import Example
+
+RUNTIME = Path(__file__).with_name("runtime")
+SHARED = (
+    "..._adhesion: PullOff, power_law_radius, require_control",
+    "..._branches: Branches, branches, decades, lowest, radii_around, radii_below, radii_beyond, radii_of_waves,"
+    " radii_to, stable_radius",
+    "..._domain: numbers, require, require_coefficients, require_order, require_reach",
+    "..._elementwise: Array, Result, elementwise",
+    "..._integrals: difference_root",
+    "..._slip: stick_force",
+)
+
+
+@dataclass
+class Writer:
+    """The functions of one module, public and private."""
+
+    profile: Profile
+    entries: Mapping[str, Entry]
+    group: str
+    plain: Mapping[str, Entry]
+    public: list[Function] = field(default_factory=list)
+    private: list[str] = field(default_factory=list)
+
+    @property
+    def geometry(self) -> list[str]:
+        return [name_of(symbol) for symbol in self.profile.parameters]
+
+    @property
+    def summed(self) -> bool:
+        return coefficients in self.profile.parameters
+
+    @property
+    def own_check(self) -> str:
+        return "_check" if self.group == "normal" else "normal._check"
+
+    @cached_property
+    def example(self) -> Example:
+        return Example(self.profile, self.entries, self.group, self.plain)
+
+    def checks(self, symbols: Sequence[sp.Symbol], reach: bool = False) -> list[str]:
+        """The lines that check the parameters, those of the geometry with the rules between them."""
+        lines = ["A = require_coefficients(A)"] if coefficients in symbols else []
+        plain = [name_of(symbol) for symbol in symbols if symbol != coefficients]
+        if plain:
+            ruled = bool(self.profile.rules) and set(self.profile.parameters) <= set(symbols)
+            named = ", ".join(f"{name}={name}" for name in plain)
+            lines.append(f"{self.own_check if ruled else 'require'}({named})")
+        if reach:
+            lines.append(f'require_reach(a, {self.profile.breaks[0]}, "graded.normal.flat_punch")')
+        return lines
+
+    def add(self, entry: Entry, summary: str, notes: str, body: Sequence[str], keywords: Sequence[str] = ()) -> None:
+        """A public function that one entry backs."""
+        fields = [str(argument) for argument in entry.quantity.arguments]
+        names = list(keywords) or [name_of(symbol) for symbol in entry.parameters]
+        document = text.document(entry, fields, names, notes)
+        shown = ["", "Examples", "--------", *self.example.lines(entry.suffix)]
+        self.public.append(Function(entry.quantity.function, fields, names, summary, [*document, *shown], list(body)))
+
+    def profile_function(self) -> None:
+        """The shape of the indenter, which no medium changes."""
+        own, quantity = self.profile, COMPACT["f"]
+        place = {nt.r: self.example.known[nt.a] * sp.Rational(3, 10)}
+        passed = [example.literal(place[nt.r]), *(self.example.keyword(s, self.example.known) for s in own.parameters)]
+        number = example.shape_value(own, self.example.known | place)
+        shown = [*self.example.head(), f">>> value = {own.name}.profile({', '.join(passed)})", ">>> round(value, 6)"]
+        notes = [f"Valid for {own.validity}. Negative or NaN field values give NaN."]
+        doc = docstring.docstring(own, quantity, None, notes, [*shown, example.result(number)])
+        body = [f"return normal.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
+        self.public.append(Function("profile", ["r"], self.geometry, docstring.SUMMARY["f"], doc, body))
+
+    def shape_of(self, place: str) -> str:
+        """The call of f(r) in the module of the homogeneous half space."""
+        used: set[str] = set()
+        for piece in self.profile.pieces:
+            for expr in (piece.expr, piece.upper or sp.S.Zero):
+                used |= {name_of(symbol) for symbol in expr.free_symbols if symbol not in (nt.r, nt.j, nt.N)}
+        for symbol, expr in self.profile.abbreviations:
+            if str(symbol) in used:
+                used = used - {str(symbol)} | {str(s) for s in expr.free_symbols}
+        if self.profile.contact == "complete":
+            used.add("a")
+        return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
+
+    def rule(self, name: str, fields: Sequence[str], needs: Sequence[str], lines: Sequence[str], doc: str = "") -> None:
+        """A private function; lengths that are no parameters are defined first."""
+        body = "\n".join(lines)
+        own = [
+            f"{symbol} = {python(expr)}"
+            for symbol, expr in self.profile.abbreviations
+            if re.search(rf"\b{symbol}\b", body)
+        ]
+        source = private(name, fields, needs, [*own, *lines], doc)
+        self.private.append(source.replace(" A: Array", " A: tuple[float, ...]") if self.summed else source)
+
+    def evaluated(self, function: str, fields: Sequence[str], names: Sequence[str], **signed: str) -> str:
+        return evaluate(function, fields, names, self.summed and "A" in names, **signed)
+
+    def source(self, title: str) -> str:
+        body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)
+        body = body.replace(text.NORMAL, self.profile.name)
+        return body.replace("from ..normal import", "from ...normal import") if self.group == "normal" else body
+
+
+@cache
+def imports() -> tuple[str, ...]:
+    """The public functions of the runtime by module."""
+    found = {path.stem: re.findall(r"^def ([a-z]\w+)\(", path.read_text(), re.M) for path in RUNTIME.glob("_*.py")}
+    return tuple(f"...{stem}: {', '.join(names)}" for stem, names in sorted(found.items()))

@@ -1,0 +1,182 @@
+"""Modules `axicontact.graded.normal.<profile>` of profiles with a compact contact."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...entry import COMPACT, Entry
+from ...notation import a
+from ..docstring import SUMMARY
+from ..layout import fit
+from ..physics.text import name_of
+from .families import Family, family
+from .module import Writer
+
+INVERSES = ("ad", "aF", "Fd", "dF")
+METHOD = {
+    "p": "Evaluated as an integral over the growing contact, by a rule that carries the weight of the grading.",
+    "w": "Evaluated as an integral over the displacement inside the contact.",
+}
+
+
+def module_source(entries: Mapping[str, Entry]) -> str:
+    """The module of one profile."""
+    return _Normal(entries).source()
+
+
+class _Normal:
+    def __init__(self, entries: Mapping[str, Entry]) -> None:
+        self.entries, self.profile = entries, entries["d"].profile
+        self.family: Family = family(self.profile)
+        self.writer = Writer(self.profile, entries, "normal", entries)
+        self.geometry = [*self.writer.geometry, "k"]
+        self.material = [*self.writer.geometry, "H", "k"]
+
+    def source(self) -> str:
+        self.writer.profile_function()
+        for suffix in COMPACT:
+            if suffix != "f":
+                self.public(suffix)
+        self.growth()
+        self.fields()
+        self.inverses()
+        if self.profile.rules:
+            self.check()
+        return self.writer.source(f"{self.profile.title} on a power-law graded half space")
+
+    def public(self, suffix: str) -> None:
+        entry, writer, profile = self.entries[suffix], self.writer, self.profile
+        at_radius = a in entry.quantity.arguments
+        body = writer.checks(entry.parameters, reach=profile.truncated and at_radius)
+        fields = [str(argument) for argument in entry.quantity.arguments]
+        used = ["H", "k"] if suffix == "k" else [name_of(symbol) for symbol in entry.parameters]
+        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used)}")
+        outside = "Negative or NaN field values"
+        if profile.truncated and at_radius:
+            outside += f", and radii below {profile.breaks[0]} among larger ones,"
+        notes = [f"Valid for {profile.validity}. {outside} give NaN."]
+        if suffix in METHOD:
+            notes.append(METHOD[suffix])
+        if suffix in INVERSES and self.family.power is None:
+            notes.append("Evaluated by a safeguarded Newton iteration.")
+        writer.add(entry, SUMMARY[suffix], " ".join(notes), body)
+
+    def check(self) -> None:
+        """The rules between the parameters; that of the waves depends on the grading."""
+        names = self.writer.geometry
+        typed, passed = (", ".join(part.format(name) for name in names) for part in ("{}: ArrayLike", "{0}={0}"))
+        head = fit(f"def _check({typed}, *, k: ArrayLike, **material: ArrayLike) -> None:", 0)
+        if not self.family.has("waves"):
+            body = [f"normal._check({passed}, k=k, **material)"]
+        else:
+            (rule,) = self.profile.rules
+            body = [
+                f"require({passed}, k=k, **material)",
+                "R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)",
+                "require_order(",
+                "    elementwise(steepest_waves, k=k) * R * h <= wavelength**2,",
+                '    "steepest_waves(k)*R*h <= wavelength**2",',
+                f'    "{rule.reason}",',
+                "    R=R,",
+                "    h=h,",
+                "    wavelength=wavelength,",
+                "    k=k,",
+                ")",
+            ]
+        self.writer.private.append("\n".join([*head, *(f"    {line}" for line in body)]) + "\n")
+
+    def domain(self) -> str:
+        """The condition on the contact radius, "" where there is none."""
+        if self.profile.truncated:
+            return f"a >= {self.profile.breaks[0]}"
+        if self.family.has("sphere"):
+            return f"a <= {self.profile.chain[-1]}"
+        if self.family.has("gaussian"):
+            return f"_rate({', '.join(['a', *self.geometry])}) >= 0.0"
+        return ""
+
+    def limited(self, value: str) -> str:
+        return f"np.where({self.domain()}, {value}, np.nan)" if self.domain() else value
+
+    @property
+    def rooted(self) -> bool:
+        """Whether the inverse runs in the root, which carries what the radius cannot near the end of its domain."""
+        return bool(self.family.root) and (self.profile.truncated or self.family.has("sphere"))
+
+    def growth(self) -> None:
+        """Depth, its rate and the force, in the radius or in the radius and its root."""
+        writer, own = self.writer, self.family
+        fields, at = (("a", "root"), "_at") if own.root else (("a",), "")
+        needs = {"depth": self.geometry, "rate": self.geometry, "force": self.material}
+        for name, symbols in needs.items():
+            lines = [f"growth = {own.total(name, *fields)}"]
+            value = "2.0 * H / (1.0 + k) * growth" if name == "force" else "growth"
+            value = value if own.root or name == "rate" else self.limited(value)
+            lines = [*lines, f"return {value}"] if value != "growth" else [f"return {own.total(name, *fields)}"]
+            writer.rule(f"_{name}{at}", fields, symbols, lines, "Rate g'(a) of the depth." if name == "rate" else "")
+        if own.root:
+            for name, symbols in needs.items():
+                value = f"_{name}_at({', '.join(['a', own.root, *symbols])})"
+                writer.rule(f"_{name}", ["a"], symbols, [f"return {self.limited(value)}"])
+        if own.power is None:
+            fields, at = (("a", "root"), "_at") if self.rooted else (("a",), "")
+            lines = [f"return punch_stiffness(a, H, k) * _rate{at}({', '.join([*fields, *self.geometry])})"]
+            writer.rule(f"_force_rate{at}", fields, self.material, lines, "Derivative of the force.")
+        writer.rule("_stiffness", ["a"], ["H", "k"], ["return punch_stiffness(a, H, k)"])
+        mean = f"_force({', '.join(['a', *self.material])}) / (np.pi * a * a)"
+        lines = [f"return {mean if self.profile.truncated else f'np.where(a > 0.0, {mean}, 0.0)'}"]
+        if own.power is not None or own.summed:
+            lines = [f"growth = {own.total('mean', 'a')}", "return 2.0 * H / (1.0 + k) / np.pi * growth"]
+        writer.rule("_mean_pressure", ["a"], self.material, lines)
+
+    def fields(self) -> None:
+        """Pressure and displacement."""
+        writer, own = self.writer, self.family
+        pressure = [
+            "inside = np.minimum(r, a)",
+            f"growth = {own.total('pressure', 'inside', 'a')}",
+            f"return {self.limited('np.where(r < a, H / np.pi * growth, 0.0)')}",
+        ]
+        writer.rule("_pressure", ["r", "a"], self.material, pressure)
+        displacement = [
+            f"depth = _depth({', '.join(['a', *self.geometry])})",
+            f"sag = {own.total('sag', 'r', 'a')}",
+            f"return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - {writer.shape_of('r')})",
+        ]
+        writer.rule("_displacement", ["r", "a"], self.geometry, displacement)
+
+    def inverses(self) -> None:
+        needs = {"depth": self.geometry, "force": self.material}
+        for quantity, field in (("depth", "d"), ("force", "F")):
+            lines = self.inverse(quantity, field, needs[quantity])
+            self.writer.rule(f"_radius_from_{quantity}", [field], needs[quantity], lines)
+        for outer, inner, field in (("force", "depth", "d"), ("depth", "force", "F")):
+            radius = f"_radius_from_{inner}({', '.join([field, *needs[inner]])})"
+            lines = [f"return _{outer}({', '.join([radius, *needs[outer]])})"]
+            self.writer.rule(f"_{outer}_from_{inner}", [field], self.material, lines)
+
+    def inverse(self, quantity: str, field: str, needs: list[str]) -> list[str]:
+        own, passed = self.family, f"({', '.join(needs)})"
+        rate = "rate" if quantity == "depth" else "force_rate"
+        if own.power is not None:
+            order = sp.sstr(own.power.lengths[0])
+            order = f"{order}.0" if order.isdigit() else order
+            exponent = order if quantity == "depth" else f"({order} + 1.0 + k)"
+            unit = f"_{quantity}({', '.join([f'np.ones_like({field})', *needs])})"
+            return [f"return ({field} / {unit}) ** (1.0 / {exponent})"]
+        if self.rooted:
+            kind, length = (
+                ("below", self.profile.chain[-1]) if own.has("sphere") else ("beyond", self.profile.breaks[0])
+            )
+            return [f"return radius_{kind}(_{quantity}_at, _{rate}_at, {field}, {length}, {passed})"]
+        if own.has("gaussian"):
+            return [
+                "largest = gaussian_reach(s, k)",
+                f"found = radius_to(_{quantity}, _{rate}, {field}, 1e-3 * s, {passed}, largest)",
+                f"return np.where(_{quantity}({', '.join(['largest', *needs])}) >= {field}, found, np.nan)",
+            ]
+        lengths = [*self.writer.geometry, *(str(symbol) for symbol, _ in self.profile.abbreviations)]
+        start = next((name for name in ("b", "wavelength") if name in lengths), "1.0")
+        return [f"return radius_to(_{quantity}, _{rate}, {field}, {start}, {passed})"]

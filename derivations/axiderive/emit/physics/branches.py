@@ -1,0 +1,75 @@
+"""Pull-off and stable branches of the other profiles: between refined changes of sign of the growth."""
+
+from __future__ import annotations
+
+from ..code import python
+from .text import NormalModule, private
+
+
+def branch_functions(module: NormalModule) -> list[str]:
+    """The private functions of pull-off and of the stable radii."""
+    geometry = module.geometry
+    needs = [*geometry, "E_star", "dgamma"]
+    passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
+    grid, high = _radii(module)
+    rate = f"lambda a: _rate({', '.join(['a', *geometry])})"
+    found = [f"return branches({rate}, {grid}, {high}, control, E_star, dgamma)"]
+    lowest = [
+        f"found = _branches({passed}, control)",
+        'load = _force if control == "force" else _depth',
+        f"return lowest(found, lambda a: load({arguments}))",
+    ]
+    return [
+        private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
+        private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
+        private("_pull_off_radius", [], [*needs, "control"], lowest),
+        *(_inverse(quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
+    ]
+
+
+def _inverse(quantity: str, field: str, needs: list[str], rate: str) -> str:
+    passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
+    lines = [
+        "return stable_radius(",
+        f"    {field},",
+        f'    _branches({passed}, control="{quantity}"),',
+        f"    lambda a: _{quantity}({arguments}),",
+        f"    {rate},",
+        f'    XI["{quantity}"],',
+        "    E_star,",
+        "    dgamma,",
+        ")",
+    ]
+    return private(f"_radius_from_{quantity}", [field], needs, lines)
+
+
+def _rate(module: NormalModule) -> list[str]:
+    functions, profile = module.functions, module.profile
+    if "_slope_at" in functions:
+        return [f"return {module.call('_slope_at', 'a')}"]
+    if "_slope_beyond" in functions:
+        root = "np.sqrt(np.maximum(a - b, 0.0) * (a + b))"
+        return [f"root = {root}", f"return {module.call('_slope_beyond', 'a', 'root')}"]
+    if functions["_slope"][1:2] == ["root"]:
+        end = profile.chain[-1]
+        root = f"np.sqrt(np.maximum({end} - a, 0.0) * ({end} + a))"
+        return [f"root = {root}", f"return {module.call('_slope', 'a', 'root')}"]
+    return [f"return {module.call('_slope', 'a')}"]
+
+
+def _radii(module: NormalModule) -> tuple[str, str]:
+    """The grid that separates the minima of the load, and the largest radius."""
+    profile = module.profile
+    if profile.largest is not None:
+        return f"radii_to({python(profile.largest)})", f"np.atleast_1d({python(profile.largest)})"
+    if profile.breaks:
+        own = dict(profile.abbreviations)
+        end = python(own.get(profile.breaks[0], profile.breaks[0]))
+        return f"radii_{'beyond' if profile.truncated else 'around'}({end})", "np.inf"
+    if profile.chain:
+        end = python(profile.chain[-1])
+        return f"radii_below({end})", f"np.atleast_1d({end})"
+    if "wavelength" in module.geometry:
+        reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
+        return f"radii_of_waves(wavelength, {reach})", "np.inf"
+    return "decades()", "np.inf"

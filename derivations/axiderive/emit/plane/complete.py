@@ -1,0 +1,129 @@
+"""Bodies of the functions of a plane complete contact: the strip over the whole width, and its concave face."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...contact.plane import PRESSURE
+from ...entry import Case, Entry
+from ...notation import P, a, x, x_zero
+from ...stable.forms import evaluation_form
+from ...stable.opaque import named
+from ...stable.signs import facts_of
+from ..code import python
+from ..private import Private, PrivateFunctions
+from .compact import add_profile
+from .forms import form_of, lines_of, told_apart
+
+
+@dataclass
+class Complete:
+    """The private functions behind the entries of one profile in complete contact."""
+
+    entries: Mapping[str, Entry]
+    functions: PrivateFunctions
+
+    def __post_init__(self) -> None:
+        self.concave = "Pmin" in self.entries
+
+    def add_all(self) -> None:
+        add_profile(self.functions)
+        if self.concave:
+            self._zero_distance()
+            self._minimum_load()
+        self._pressure()
+        self._slope()
+        self._depth()
+
+    def _add(self, suffix: str, lines: list[str], needs: set[str], value: str) -> Private:
+        """NaN where the contact is not complete."""
+        if self.concave and suffix in ("p", "s", "d"):
+            least = self.functions.functions["minimum_load"]
+            # at the least load itself, which a caller computes, the contact is complete
+            lines.append(f"complete = {least.call()} * (1.0 - 1e-15) <= P")
+            lines.append(f"result = {value}")
+            value, needs = "np.where(complete, result, np.nan)", needs | set(least.needs)
+        quantity = self.entries[suffix].quantity
+        fields = tuple(str(argument) for argument in quantity.arguments)
+        return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], needs - set(fields))
+
+    def _parts(self, suffix: str, lines: list[str]) -> set[str]:
+        """Lines that end with `value = ...`: what the load does, and what the face does.
+
+        The second part of the slope is opposed to the first by a bounded factor at
+        most, since P >= P_min; depth and pressure do change their signs.
+        """
+        case, needs = self.entries[suffix].cases[0], set()
+        whole = sp.expand(case.expr)
+        load = whole.coeff(P) * P
+        exprs = {"strip": load, "face": whole - load} if self.concave else {"value": case.expr}
+        forms = told_apart(tuple(form_of(Case(case.chain, expr)) for expr in exprs.values()))
+        for name, form in zip(exprs, forms, strict=True):
+            if name == "face" and form.value.could_extract_minus_sign():
+                form = type(form)(form.steps, -form.value, form.cancels)  # noqa: PLW2901
+                lines_of(self.functions, "face", form, lines)
+                lines.append("value = strip - face")
+            else:
+                lines_of(self.functions, name, form, lines)
+                lines += ["value = strip + face"] if name == "face" else []
+            needs |= self.functions.needs(form, ())
+        return needs
+
+    def _zero_distance(self) -> None:
+        entry = self.entries["xz"]
+        if entry.status == "root":
+            value, needs = "a * np.sqrt(ring_of_zero_pressure(n))", {"a", "n"}
+        else:
+            place = entry.cases[0].expr
+            value, needs = python(place) if place != 0 else "0.0 * a", {"a"}
+        self._add("xz", [], needs, value)
+
+    def _minimum_load(self) -> None:
+        expr = self.entries["Pmin"].cases[0].expr
+        form = evaluation_form(expr, facts_of(()))
+        lines, needs, value = self.functions.steps(form), self.functions.needs(form, ()), python(form.value)
+        if expr.has(x_zero):
+            place = self.functions.functions["zero_distance"]
+            top, bottom = sp.fraction(form.value)
+            scale, drop = bottom.as_independent(x_zero, as_Add=False)
+            lines.append(f"x_zero = {place.call()}")
+            lines.append(f"drop = {python(sp.collect(sp.expand(drop), (a**2, x_zero**2)))}")
+            value, needs = f"{python(top / scale)} / drop", (needs - {"x_zero"}) | set(place.needs)
+        self._add("Pmin", lines, needs, value)
+
+    def _pressure(self) -> None:
+        lines: list[str] = []
+        excess = self._excess() if self.concave else None
+        if excess is None:
+            needs = self._parts("p", lines)
+        else:
+            least = self.functions.functions["minimum_load"]
+            lines = ["root = np.sqrt((a - x) * (a + x))", f"face = {python(excess)}"]
+            carried = named("carried")
+            lines.append(f"carried = P - {least.call()} + face")
+            lines.append(f"value = {python(PRESSURE * carried / named('root'))}")
+            needs = {str(symbol) for symbol in excess.free_symbols} | {*least.needs, "a"}
+        self._add("p", lines, needs, "np.where((x <= a) & (P > 0.0), value, 0.0)")
+
+    def _excess(self) -> sp.Expr | None:
+        """M(x) >= 0 in p = (P - P_min + M)/(pi root), where the face is algebraic."""
+        weighted = sp.expand(sp.expand(self.entries["p"].cases[0].expr * sp.sqrt(a**2 - x**2) / PRESSURE))
+        face = sp.factor(sp.expand(weighted - P + self.entries["Pmin"].cases[0].expr))
+        return face if face.is_polynomial(x) else None
+
+    def _slope(self) -> None:
+        lines: list[str] = []
+        needs = self._parts("s", lines)
+        inside = self.functions.functions["profile_slope"]
+        slope = f"-{inside.call()}" if self.concave else "0.0"
+        # infinite at the edge itself
+        lines.append("outside = np.where(P > 0.0, value, 0.0)")
+        self._add("s", lines, needs | {*inside.needs, "a"}, f"np.where(x >= a, outside, {slope})")
+
+    def _depth(self) -> None:
+        lines: list[str] = []
+        needs = self._parts("d", lines)
+        self._add("d", lines, needs | {"a"}, "np.where(a <= L, value, np.nan)")

@@ -1,0 +1,107 @@
+"""The modules beyond the normal contact, as the catalogue holds them or written anew, and values to call them with."""
+
+from __future__ import annotations
+
+import atexit
+import inspect
+import shutil
+import sys
+import tempfile
+from functools import cache
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import sympy as sp
+
+from axiderive import notation as nt
+from axiderive.contact import adhesive, loads, materials, normal, tangential, viscoelastic
+from axiderive.emit import example, physics
+from axiderive.emit.physics.text import name_of
+from axiderive.emit.symbols import symbols_source
+from axiderive.entry import Entry
+from axiderive.profiles import COMPACT_NAMES, NAMES, load
+from axiderive.profiles.loads import LOADS
+from axiderive.profiles.profile import Profile
+
+CLOSED = 2e-14
+MATERIAL = {
+    nt.E_star: 2.5, nt.dgamma: 0.0125, nt.mu: 0.3, nt.G_star: 0.8, nt.E: 2.5, nt.E_inf: 1.5, nt.E_1: 2.0,
+    nt.relaxation: 0.7, nt.eta: 0.9, nt.alpha: 0.4, nt.t_0: 0.6, nt.v: 0.25, nt.p_0: 1.75, nt.sigma: 0.3,
+}  # fmt: skip
+
+
+@cache
+def derived() -> physics.Derived:
+    """All entries these modules rest on."""
+    return {
+        "normal": {name: normal.derive(load(name)) for name in NAMES},
+        "adhesive": {name: adhesive.derive(load(name)) for name in COMPACT_NAMES},
+        "tangential": {name: tangential.derive(load(name)) for name in COMPACT_NAMES},
+        "viscoelastic": {name: viscoelastic.derive(load(name)) for name in NAMES},
+        "loads": {own.name: loads.derive(own) for own in LOADS},
+        "materials": {"materials": materials.derive()},
+    }
+
+
+@cache
+def package() -> str:
+    """The name under which the modules are imported."""
+    if find_spec("axicontact.adhesive"):
+        return "axicontact"
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder)
+    own = folder / "emitted_physics"
+    shutil.copytree(import_module("axicontact").__path__[0], own)
+    texts = {name: (own / "normal" / f"{name}.py").read_text() for name in NAMES}
+    files = physics.module_sources(derived(), texts)
+    known = physics.parameter_names(derived()) | set(import_module("axicontact._symbols").SYMBOLS)
+    for path, text in (files | {"axicontact/_symbols.py": symbols_source(known)}).items():
+        target = own / Path(path).relative_to("axicontact")
+        target.parent.mkdir(exist_ok=True)
+        target.write_text(text)
+    sys.path.insert(0, str(folder))
+    return own.name
+
+
+def emitted(name: str) -> ModuleType:
+    return import_module(f"{package()}.{name}")
+
+
+def public(module: ModuleType) -> dict[str, inspect.Signature]:
+    return {
+        key: inspect.signature(value)
+        for key, value in vars(module).items()
+        if inspect.isfunction(value) and value.__module__ == module.__name__ and not key.startswith("_")
+    }
+
+
+def positional(signature: inspect.Signature) -> list[str]:
+    return [p.name for p in signature.parameters.values() if p.kind is p.POSITIONAL_OR_KEYWORD]
+
+
+def values(profile: Profile) -> dict[sp.Symbol, sp.Rational]:
+    material = {symbol: sp.Rational(str(value)) for symbol, value in MATERIAL.items()}
+    known = {**material, **example.numbers(profile)}
+    return known | {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
+
+
+def keywords(function: Any, profile: Profile, known: dict[sp.Symbol, Any]) -> dict[str, Any]:
+    named = {
+        name_of(symbol): float(value) for symbol, value in known.items() if name_of(symbol) != "A" or symbol == nt.A
+    }
+    named |= {"A": tuple(map(float, example.POLYNOMIAL))} if profile.name == "polynomial" else {}
+    named |= {"s": float(known[nt.s])} if nt.s in profile.parameters else {}
+    wanted = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
+    return {name: named[name] for name in wanted}
+
+
+def exact(entry: Entry, known: dict[sp.Symbol, Any]) -> float:
+    case = example._case(entry, known)
+    return float(example.number(example._plain(case.expr), known))
+
+
+def radius(profile: Profile) -> sp.Rational:
+    return sp.Rational(str(profile.sketch.a))

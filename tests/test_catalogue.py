@@ -1,0 +1,120 @@
+"""The committed catalogue: no problem without a module, no function without an entry, no entry without evidence.
+
+Everything here is read from what is committed, so that a formula cannot be
+published by a way around the checks.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import json
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from axiderive.contact.systems import BY_NAME, SYSTEMS, Problem, problems
+
+CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
+PROBLEMS = {problem.key: problem for problem in problems()}
+PACKAGES = {problem.system.name: problem.system for problem in problems()}
+
+COMPACT = {
+    "profile", "depth", "force", "pressure", "displacement", "stiffness", "mean_pressure",
+    "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
+}  # fmt: skip
+COMPLETE = {"profile", "force", "pressure", "displacement", "stiffness", "depth_from_force"}
+CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
+ADHESIVE = {
+    "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",
+}  # fmt: skip
+TANGENTIAL = {"tangential_force", "traction", "tangential_displacement", "stick_radius", "full_slip_displacement"}
+LAWS = ("maxwell", "kelvin_voigt", "standard_solid", "power_creep")
+RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
+PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
+PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}
+
+
+def interface(problem: Problem) -> set[str]:
+    """The functions that the design names for a problem."""
+    profile, family = problem.profile, problem.system.name.rpartition(".")[2]
+    compact = profile.contact == "compact"
+    if family == "normal":
+        return COMPACT if compact else COMPLETE | (CONCAVE if "concave" in problem.name else set())
+    if family == "adhesive":
+        return ADHESIVE if compact else {"retraction", "pull_off"}
+    if family == "tangential":
+        return TANGENTIAL
+    if family == "viscoelastic":
+        kinds = ["step_force"] + ["step_load_radius"] * compact + ["ramp_force"] * (problem.name in RAMPS)
+        return {f"{kind}_{law}" for kind in kinds for law in LAWS}
+    if family == "loads":
+        return {"displacement"}
+    if problem.name == "eccentric_punch":
+        return {"profile", "pressure", "tilt", "contact_width"}
+    if compact:
+        return PLANE
+    return PLANE_COMPLETE | ({"minimum_load", "zero_distance"} if "concave" in problem.name else set())
+
+
+@functools.cache
+def record(key: str) -> dict:
+    return json.loads((CATALOGUE / "evidence" / f"{key}.json").read_text())
+
+
+@functools.cache
+def functions(path: Path) -> set[str]:
+    return {n.name for n in ast.parse(path.read_text()).body if isinstance(n, ast.FunctionDef) and n.name[0] != "_"}
+
+
+@functools.cache
+def index() -> dict:
+    return json.loads((CATALOGUE / "axicontact" / "index.json").read_text())
+
+
+def test_every_problem_is_published_in_the_order_of_the_handbook() -> None:
+    assert list(dict.fromkeys(row["problem"] for row in index()["entries"])) == list(PROBLEMS)
+    assert {path.stem for path in (CATALOGUE / "evidence").glob("*.json")} >= set(PROBLEMS)
+
+
+@pytest.mark.parametrize("key", PROBLEMS)
+def test_module_has_the_interface_and_nothing_that_no_entry_backs(key: str) -> None:
+    problem = PROBLEMS[key]
+    found = functions(CATALOGUE / problem.module)
+    assert found == interface(problem)
+    backed = {row["function"] for row in index()["entries"] if row["problem"] == key}
+    assert found - {"profile"} == backed
+
+
+@pytest.mark.parametrize("key", PROBLEMS)
+def test_every_entry_has_its_evidence(key: str) -> None:
+    """A certificate or the reason why there is none, and a passed comparison that does not rest on the derivation."""
+    stored = record(key)
+    assert not stored["evidence"]["failures"]
+    assert set(stored["evidence"]["entries"]) == set(stored["entries"])
+    for suffix, found in stored["evidence"]["entries"].items():
+        certificate, entry = found["certificate"], stored["entries"][suffix]
+        assert certificate["steps"] if certificate["proved"] else certificate["reason"], f"{key}.{suffix}"
+        assert certificate["proved"] or entry["status"] != "closed", f"{key}.{suffix} is closed and not certified"
+        compared = [c for c in found["checks"] if c["outcome"] == "passed" and c["digits"] > 0 and c["worst"]]
+        assert compared, f"{key}.{suffix} was compared with nothing"
+        assert [c for c in found["checks"] if "dimension" in c["compared"] and c["outcome"] == "passed"]
+
+
+@pytest.mark.parametrize("system", [s.name for s in SYSTEMS])
+def test_a_profile_that_a_physics_leaves_out_says_why(system: str) -> None:
+    package = BY_NAME[system]
+    listed = set(import_module(package.package).__all__)
+    for name in package.pool.names:
+        assert name in listed
+        if reason := package.refusal(package.pool.load(name)):
+            module = import_module(f"{package.package}.{name}")
+            with pytest.raises(AttributeError, match=f"is not defined: .*{reason.split()[-1]}"):
+                module.force  # noqa: B018
+
+
+def test_package_lists_what_it_holds() -> None:
+    import axicontact
+
+    assert {name.partition(".")[0] for name in PACKAGES} | {"materials"} == set(axicontact.__all__)
