@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
 
 import mpmath as mp
 import numpy as np
@@ -20,8 +21,16 @@ from axiderive.profiles import load
 
 EPS = np.finfo(float).eps
 TWO_ULP, FOUR_ULP = 2 * EPS, 4 * EPS
+pytestmark = pytest.mark.usefixtures("silence")
 EXPONENTS = st.integers(-3000, 3000)
 MANTISSAS = st.floats(0.5, 0.999999)
+
+
+@pytest.fixture(scope="module")
+def silence() -> Iterator[None]:
+    """As `elementwise` sees to."""
+    with np.errstate(all="ignore"):
+        yield
 
 
 def exact(x: Extended) -> mp.mpf:
@@ -143,7 +152,7 @@ def test_lengths_scaled_by_a_power_of_two(share: float, a: float, power: int) ->
 def test_the_ends_of_the_range_raise_no_warning() -> None:
     ends = np.array([0.0, 5e-324, 1e-308, 1e-200, 1.0, 1e200, 1e308, np.inf, np.nan])
     r, a = np.meshgrid(ends, ends)
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error")
         for module, parameters in ((cone, {"theta": 1e-200}), (sphere, {"R": 1e308}), (paraboloid, {"R": 1e-300})):
             module.pressure(r, a, **parameters, E_star=1e10)

@@ -73,6 +73,9 @@ def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
     for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F)):
         if suffix in entries and symbol in values:
             least = float(enclosed(entries[suffix], values, ()))
+            if not SMALLEST < least < LARGEST:
+                message = f"{suffix} = {least} is no normal number"
+                raise UnknownError(message)
             values[symbol] = least * max(1.0 + 1e-12, values[symbol] / values[nt.a] if symbol == nt.d else 2.0)
 
 
