@@ -45,7 +45,8 @@ class Inverses:
         if entry.status != "closed" or len(entry.cases) != 1:
             return None
         form = evaluation_form(entry.cases[0].expr, facts_of(entry.cases[0].chain, *self.compact.rules()))
-        return None if form.cancels or form.value.has(sp.sinh, sp.cosh) else form
+        raised = any(expr.has(sp.sinh, sp.cosh) for expr in (form.value, *(expr for _, expr in form.steps)))
+        return None if form.cancels or raised else form
 
     def _radius(self, suffix: str) -> Private:
         entry, (_, field) = self.compact.entries[suffix], TARGET[suffix]
