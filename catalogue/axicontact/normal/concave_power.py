@@ -67,7 +67,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
-    F = 2*E_star*a*(d + sqrt(pi)*h*gamma(n/2 + 1)/((n + 1)*gamma(n/2 + 1/2)))
+    F = 2*E_star*a*(d + sqrt(pi)*h*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2)))
 
     Parameters
     ----------
@@ -115,9 +115,9 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: Arr
 def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
-    p = E_star*(d/(pi*sqrt(a**2 - r**2)) + h*gamma(n/2 + 1)/(sqrt(pi)*sqrt(a**2 - r**2)*gamma(n/2 + 1/2)) -
-    h*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, 1/2 - n/2)*gamma(n/2 + 1)/(2*sqrt(pi)*a**n*gamma(n/2 +
-    1/2)))
+    p = E_star*(d/(pi*sqrt(a**2 - r**2)) + h*gamma(n/2 + 1)/(sqrt(pi)*sqrt(a**2 - r**2)*gamma((n + 1)/2)) -
+    h*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 + 1)/(2*sqrt(pi)*a**n*gamma((n +
+    1)/2)))
 
     Parameters
     ----------
@@ -168,8 +168,8 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
-    w = 2*d*asin(a/r)/pi + h*r**n*IncompleteBeta(a**2/r**2, n/2 + 1/2, 1/2)*gamma(n/2 +
-    1)/(sqrt(pi)*a**n*gamma(n/2 + 1/2))
+    w = 2*d*asin(a/r)/pi + h*r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2)*gamma(n/2 +
+    1)/(sqrt(pi)*a**n*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -263,7 +263,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
-    d = -sqrt(pi)*h*gamma(n/2 + 1)/((n + 1)*gamma(n/2 + 1/2)) + F/(2*E_star*a)
+    d = -sqrt(pi)*h*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2)) + F/(2*E_star*a)
 
     Parameters
     ----------

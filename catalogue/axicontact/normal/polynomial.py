@@ -65,7 +65,7 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
 def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
-    d = sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma(j/2 + 1/2), (j, 1, N))
+    d = sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N))
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
 def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
-    F = 2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma(j/2 + 1/2)), (j, 1, N))
+    F = 2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))
 
     Parameters
     ----------
@@ -150,8 +150,8 @@ def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
-    p = E_star*Sum(j*r**(j - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, 1/2 - j/2)*gamma(j/2 + 1)*A[j]/gamma(j/2 +
-    1/2), (j, 1, N))/(2*sqrt(pi))
+    p = E_star*Sum(j*r**(j - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - j)/2)*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N))/(2*sqrt(pi))
 
     Parameters
     ----------
@@ -198,8 +198,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
-    w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, j/2 + 1/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma(j/2
-    + 1/2), (j, 1, N))/sqrt(pi)
+    w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, (j + 1)/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N))/sqrt(pi)
 
     Parameters
     ----------
@@ -287,7 +287,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
-    p_mean = 2*E_star*Sum(a**(j - 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma(j/2 + 1/2)), (j, 1, N))/sqrt(pi)
+    p_mean = 2*E_star*Sum(a**(j - 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/sqrt(pi)
 
     Parameters
     ----------
@@ -331,7 +331,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma(j/2 + 1/2), (j, 1, N)) = d
+    sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d
 
     Parameters
     ----------
@@ -373,7 +373,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma(j/2 + 1/2)), (j, 1, N)) = F
+    2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) = F
 
     Parameters
     ----------

@@ -65,7 +65,7 @@ def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
 def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
-    d = sqrt(pi)*A*a**n*gamma(n/2 + 1)/gamma(n/2 + 1/2)
+    d = sqrt(pi)*A*a**n*gamma(n/2 + 1)/gamma((n + 1)/2)
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
 def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
-    F = 2*sqrt(pi)*A*E_star*a**(n + 1)*n*gamma(n/2 + 1)/((n + 1)*gamma(n/2 + 1/2))
+    F = 2*sqrt(pi)*A*E_star*a**(n + 1)*n*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -155,8 +155,8 @@ def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Res
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
-    p = A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, 1/2 - n/2)*gamma(n/2 +
-    1)/(2*sqrt(pi)*gamma(n/2 + 1/2))
+    p = A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 +
+    1)/(2*sqrt(pi)*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -205,8 +205,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
-    w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, n/2 + 1/2, 1/2))*gamma(n/2 +
-    1)/(sqrt(pi)*gamma(n/2 + 1/2))
+    w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
+    1)/(sqrt(pi)*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -297,7 +297,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
-    p_mean = 2*A*E_star*a**(n - 1)*n*gamma(n/2 + 1)/(sqrt(pi)*(n + 1)*gamma(n/2 + 1/2))
+    p_mean = 2*A*E_star*a**(n - 1)*n*gamma(n/2 + 1)/(sqrt(pi)*(n + 1)*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -342,7 +342,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a = (d*gamma(n/2 + 1/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
+    a = (d*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
     Parameters
     ----------
@@ -385,7 +385,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    a = (F*(n + 1)*gamma(n/2 + 1/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(1/(n + 1))
+    a = (F*(n + 1)*gamma((n + 1)/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(1/(n + 1))
 
     Parameters
     ----------
@@ -430,8 +430,8 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
 def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
-    F = 2*sqrt(pi)*A*E_star*n*(d*gamma(n/2 + 1/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*gamma(n/2 + 1)/((n
-    + 1)*gamma(n/2 + 1/2))
+    F = 2*sqrt(pi)*A*E_star*n*(d*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*gamma(n/2 + 1)/((n
+    + 1)*gamma((n + 1)/2))
 
     Parameters
     ----------
@@ -476,8 +476,8 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayL
 def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
-    d = sqrt(pi)*A*(F*(n + 1)*gamma(n/2 + 1/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(n/(n + 1))*gamma(n/2
-    + 1)/gamma(n/2 + 1/2)
+    d = sqrt(pi)*A*(F*(n + 1)*gamma((n + 1)/2)/(2*sqrt(pi)*A*E_star*n*gamma(n/2 + 1)))**(n/(n + 1))*gamma(n/2
+    + 1)/gamma((n + 1)/2)
 
     Parameters
     ----------
