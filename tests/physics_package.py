@@ -17,15 +17,16 @@ from typing import Any
 import sympy as sp
 
 from axiderive import notation as nt
-from axiderive.contact import adhesive, loads, materials, normal, tangential, viscoelastic
+from axiderive.contact import systems
 from axiderive.emit import example, physics
+from axiderive.emit.modules import parameter_names
 from axiderive.emit.physics.text import name_of
 from axiderive.emit.symbols import symbols_source
 from axiderive.entry import Entry
-from axiderive.profiles import COMPACT_NAMES, NAMES, load
-from axiderive.profiles.loads import LOADS
+from axiderive.profiles import NAMES
 from axiderive.profiles.profile import Profile
 
+SYSTEMS = ("normal", "adhesive", "tangential", "viscoelastic", "loads", "materials")
 CLOSED = 2e-14
 MATERIAL = {
     nt.E_star: 2.5, nt.dgamma: 0.0125, nt.mu: 0.3, nt.G_star: 0.8, nt.E: 2.5, nt.E_inf: 1.5, nt.E_1: 2.0,
@@ -34,16 +35,13 @@ MATERIAL = {
 
 
 @cache
-def derived() -> physics.Derived:
-    """All entries these modules rest on."""
-    return {
-        "normal": {name: normal.derive(load(name)) for name in NAMES},
-        "adhesive": {name: adhesive.derive(load(name)) for name in COMPACT_NAMES},
-        "tangential": {name: tangential.derive(load(name)) for name in COMPACT_NAMES},
-        "viscoelastic": {name: viscoelastic.derive(load(name)) for name in NAMES},
-        "loads": {own.name: loads.derive(own) for own in LOADS},
-        "materials": {"materials": materials.derive()},
-    }
+def derived() -> dict[str, dict[str, dict[str, Entry]]]:
+    """All entries these modules rest on, by system, profile and suffix."""
+    out: dict[str, dict[str, dict[str, Entry]]] = {system: {} for system in SYSTEMS}
+    for problem in systems.problems():
+        if problem.system.name in SYSTEMS:
+            out[problem.system.name][problem.name] = problem.derive()
+    return out
 
 
 @cache
@@ -57,7 +55,8 @@ def package() -> str:
     shutil.copytree(import_module("axicontact").__path__[0], own)
     texts = {name: (own / "normal" / f"{name}.py").read_text() for name in NAMES}
     files = physics.module_sources(derived(), texts)
-    known = physics.parameter_names(derived()) | set(import_module("axicontact._symbols").SYMBOLS)
+    by_key = {p.key: derived()[p.system.name][p.name] for p in systems.problems() if p.system.name in SYSTEMS}
+    known = parameter_names(by_key)
     for path, text in (files | {"axicontact/_symbols.py": symbols_source(known)}).items():
         target = own / Path(path).relative_to("axicontact")
         target.parent.mkdir(exist_ok=True)

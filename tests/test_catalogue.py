@@ -52,7 +52,7 @@ def interface(problem: Problem) -> set[str]:
     if family == "loads":
         return {"displacement"}
     if problem.name == "eccentric_punch":
-        return {"profile", "pressure", "tilt", "contact_width"}
+        return {"pressure", "tilt", "contact_width"}
     if compact:
         return PLANE
     return PLANE_COMPLETE | ({"minimum_load", "zero_distance"} if "concave" in problem.name else set())

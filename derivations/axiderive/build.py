@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import pool, work
 from .cache import Cache, digest, source_digest
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build")
 
 Published = list[tuple["Problem", Outcome]]
+Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -84,8 +85,30 @@ def build(
         report(outcome)
     outcomes = tuple(found[problem.key] for problem in wanted)
     published, failures = _publishable(wanted, found)
-    files = _emitted(published, cache, settings)
+    chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
+    failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
+    files = _emitted(published, chapter, cache, settings)
     return Catalogue(files, outcomes, tuple(failures))
+
+
+def _chapter(cache: Cache, jobs: int) -> Record:
+    """What the equations of chapter 11 come to; their checks compare with entries of the engine too."""
+    from .chapter11.record import record
+    from .chapter11.runner import run
+
+    sources = source_digest("axiderive.chapter11", "axiderive.profiles", *work.DERIVING)
+    key = digest([work.FORMAT, "chapter", work.installed("sympy"), work.installed("mpmath"), sources])
+    found = cache.get(key)
+    if found is None:
+        found = record(run(jobs=jobs))
+        cache.put(key, found)
+    return dict(found)
+
+
+def _wrong_equations(chapter: Record | None) -> list[str]:
+    from .chapter11.record import failures
+
+    return [] if chapter is None else failures(chapter)
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:
@@ -115,32 +138,30 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
     return published, failures
 
 
-def _emitted(published: Published, cache: Cache, settings: Settings) -> dict[str, bytes]:
+def _emitted(published: Published, chapter: Record | None, cache: Cache, settings: Settings) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results])
+    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
     texts = cache.get(key)
     if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published).items()}
+        texts = {path: content.decode() for path, content in _emit(published, chapter).items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _emit(published: Published) -> dict[str, bytes]:
+def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     from .emit import handbook, index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
-    published = [(problem, outcome) for problem, outcome in published if problem.module in texts]
-    derived = {problem.key: derived[problem.key] for problem, _ in published}
-    pairs = [(p.profile, derived[p.key]) for p, _ in published if p.system.name == "normal"]
-    own = {p.name: evidence[p.key] for p, _ in published if p.system.name == "normal"}
-    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(pairs, own).items()}
+    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence, chapter).items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
         record = index.evidence_record(problem, outcome.entries, outcome.evidence)
         files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
+    if chapter is not None:
+        files["evidence/chapter11.json"] = index.to_bytes(chapter)
     return files
 
 

@@ -121,5 +121,8 @@ def _report_written(
     changed, removed = counts
     progress.say("\nwrote  " + "\n       ".join(rows))
     progress.say(f"       {changed} files changed, {removed} removed, {seconds:.1f} s in all")
-    example = "rounded_punch" if "axicontact/normal/rounded_punch.py" in files else catalogue.outcomes[0].key
-    progress.say(f"next   axicontact show {example}    |    axicontact show {example}.F --as python")
+    example = "rounded_punch.F"
+    if "evidence/rounded_punch.json" not in files:
+        first = next(outcome for outcome in catalogue.outcomes if f"evidence/{outcome.key}.json" in files)
+        example = f"{first.key}.{next(iter(first.entries))}"
+    progress.say(f"next   axicontact show {example.rpartition('.')[0]}    |    axicontact show {example} --as python")

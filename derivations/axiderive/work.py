@@ -68,11 +68,11 @@ def derivation_key(problem: Problem) -> str:
     from .records import profile_record
 
     record = profile_record(problem.profile)
-    return digest([FORMAT, "derivation", _version("sympy"), source_digest(*DERIVING), problem.key, record])
+    return digest([FORMAT, "derivation", installed("sympy"), source_digest(*DERIVING), problem.key, record])
 
 
 def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
-    versions = [_version(name) for name in ("sympy", "mpmath", "python-flint")]
+    versions = [installed(name) for name in ("sympy", "mpmath", "python-flint")]
     return digest(
         [FORMAT, "verification", versions, source_digest(*VERIFYING), settings.record(), problem.key, entries]
     )
@@ -144,7 +144,8 @@ def _verified(problem: Problem, entries: dict[str, Any], cache: Cache, settings:
     return dict(found["evidence"])
 
 
-def _version(package: str) -> str:
+def installed(package: str) -> str:
+    """The version of a package, for the keys of the cache."""
     try:
         return version(package)
     except PackageNotFoundError:

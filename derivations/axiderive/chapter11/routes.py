@@ -83,10 +83,14 @@ def kappa(n: Any, k: Any = 0) -> Any:
 
 def pressure(g: PowerSum, r: Any, a: Any, E_star: Any, k: Any = 0) -> Any:
     """Closed pressure of the depth g = sum c a**n; with k, E_star stands for H of `graded_rings`."""
-    square = (a - r) * (a + r)
-    head = E_star / mp.pi * square ** ((1 + mp.mpf(k)) / 2) / (1 + k)
-    shape = (3 + mp.mpf(k)) / 2
-    return head * mp.fsum(c * n * a ** (n - 2) * mp.hyp2f1(1, 1 - n / 2, shape, square / a**2) for c, n in g.terms)
+    # the argument 1 - r^2/a^2 of 2F1 must not round to 1, where 2F1 is infinite for n < 1 - k
+    with mp.workdps(mp.mp.dps + 2 * max(0, int(mp.log10(a / r)))):
+        square = (a - r) * (a + r)
+        head = E_star / mp.pi * square ** ((1 + mp.mpf(k)) / 2) / (1 + k)
+        shape = (3 + mp.mpf(k)) / 2
+        terms = (c * n * a ** (n - 2) * mp.hyp2f1(1, 1 - n / 2, shape, square / a**2) for c, n in g.terms)
+        total = head * mp.fsum(terms)
+    return +total
 
 
 def even_pressure(g: PowerSum, r: Any, a: Any, E_star: Any, k: Any = 0) -> Any:

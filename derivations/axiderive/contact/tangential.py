@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..abel.order import insert
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import F_x, G_star, H_x, a, c, mu, r, tau, u_0
+from ..notation import F, F_x, G_star, H_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
 from . import normal
 from .medium import HOMOGENEOUS, Medium
@@ -57,7 +57,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     floor = profile.breaks[0] if profile.truncated else sp.S.Zero
     onset = tuple(Case(case.chain, ratio * case.expr) for case in depth.cases)
     equations = tuple(Case(case.chain, sp.Eq(case.expr, F_x)) for case in slip)
-    inverse = _closed_stick_radius(plain["aF"])
+    inverse = _closed_stick_radius(plain["aF"], force)
     out: dict[str, tuple[Status, tuple[Case, ...], sp.Expr]] = {
         "F": ("closed", slip, mu * (sp.Function("F")(a) - sp.Function("F")(c))),
         "tau": (pressure.status, _traction(pressure), mu * (sp.Function("p")(r, a) - sp.Function("p")(r, c))),
@@ -116,12 +116,16 @@ def _traction(pressure: Entry) -> tuple[Case, ...]:
     return tuple(out)
 
 
-def _closed_stick_radius(radius: Entry) -> tuple[Case, ...] | None:
+def _closed_stick_radius(radius: Entry, force: Entry) -> tuple[Case, ...] | None:
     """c = a(F(a) - F_x/mu) where the radius is a closed function of the force and has a single regime."""
     if radius.status != "closed" or len(radius.cases) != 1:
         return None
-    from ..notation import F as force
-
-    own = radius.cases[0]
+    (own,), (whole,) = radius.cases, force.cases
     floor = radius.profile.breaks[:1] if radius.profile.truncated else ()
-    return (Case((*floor, c, a), own.expr.subs(force, force - F_x / mu)),)
+    power = own.expr.as_independent(F, as_Add=False)[1]
+    base, exponent = power.as_base_exp()
+    if not (base / F).has(F) and not exponent.has(F):
+        expr = a * (1 - F_x / (mu * whole.expr)) ** exponent
+    else:
+        expr = own.expr.subs(F, whole.expr - F_x / mu)
+    return (Case((*floor, c, a), expr),)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from .. import notation as nt
 from ..abel import masters
-from ..contact import complete, normal
+from ..contact import adhesive, complete, normal, tangential, viscoelastic
 from ..contact.medium import HOMOGENEOUS
+from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..contact.systems import BY_NAME
 from ..entry import COMPACT, COMPLETE, Entry
+from . import blocks, rules
 from .printer import MASTER_NAMES, Printer
 from .prose import prose
 from .rows import LEFT
@@ -19,10 +23,11 @@ from .width import width
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
     """Depth and force for the table of all profiles; what is too wide for it is referred to."""
-    return {
-        suffix: _cell(entries[suffix], room) if suffix in entries else ""
-        for suffix, room in (("d", 158.0), ("F", 200.0))
-    }
+    found = {}
+    for name, suffixes, room in (("d", ("d",), 158.0), ("F", ("F", "P"), 200.0)):
+        own = next((suffix for suffix in suffixes if suffix in entries), None)
+        found[name] = _cell(entries[own], room) if own else ""
+    return found
 
 
 def _cell(entry: Entry, room: float) -> str:
@@ -75,6 +80,21 @@ def master_rows() -> list[dict[str, str]]:
             r"\int_0^{z}u^{p-1}(1-u)^{q-1}\,\mathrm du",
             "incomplete Beta function, $p>0$, $0\\le z<1$",
         ),
+        (
+            r"{}_{2}\mathrm{F}_{1}(p,q;c;z)",
+            r"\frac{\Gamma(c)}{\Gamma(q)\,\Gamma(c-q)}\int_0^{1}u^{q-1}(1-u)^{c-q-1}(1-zu)^{-p}\,\mathrm du",
+            "Gauss, $c>q>0$, $z<1$ (11.93)",
+        ),
+        (
+            r"{}_{1}\mathrm{F}_{1}(p;c;z)",
+            r"\frac{\Gamma(c)}{\Gamma(p)\,\Gamma(c-p)}\int_0^{1}u^{p-1}(1-u)^{c-p-1}\,\mathrm e^{zu}\,\mathrm du",
+            "Kummer, $c>p>0$",
+        ),
+        (
+            r"\mathrm{J}(k;b,R,a)",
+            r"\int_0^{b}\frac{u\,(a^2-u^2)^{(k-1)/2}}{\sqrt{R^2-u^2}}\,\mathrm du",
+            "spherical cap on the graded half-space, $b<a$, $b<R$",
+        ),
         (r"\mathbf{H}_{\nu}(z)", struve, "Struve functions (11.97)"),
         (_name(masters.Dawson), r"\mathrm e^{-x^2}\int_0^{x}\mathrm e^{u^2}\,\mathrm du", "Dawson's function"),
     )
@@ -88,10 +108,72 @@ def _name(master: type[masters.Master]) -> str:
     return MASTER_NAMES[master] + "(x)"
 
 
+QUANTITIES = (
+    ("", (COMPACT, COMPLETE)),
+    ("adh.", (adhesive.QUANTITIES,)),
+    ("tan.", (tangential.QUANTITIES,)),
+    ("vis.", (viscoelastic.QUANTITIES,)),
+    ("plane: ", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
+)
+
+
 def suffixes() -> list[tuple[str, str]]:
-    """What the end of a key means."""
-    found = {q.suffix: q.label for q in (*COMPACT.values(), *COMPLETE.values())}
+    """What the end of a key means, without the four laws spelled out."""
+    found: dict[str, str] = {}
+    for group, tables in QUANTITIES:
+        for q in (q for table in tables for q in table.values()):
+            suffix, label = q.suffix, q.label
+            if group == "vis.":
+                suffix, label = suffix.partition("_")[0] + "_...", label.rpartition(",")[0]
+            found.setdefault(f"{group}{suffix}", label)
     return list(found.items())
+
+
+RULED = (
+    ("graded.normal", ("p", "w", "pm")),
+    ("graded.adhesive", ("Dl", "d", "F", "p", "w", "ad", "aF", "ac", "Fc", "dc", "am", "Fm", "dm")),
+    ("graded.tangential", ("F", "u", "us", "tau", "c")),
+)
+
+
+def rule_rows() -> list[tuple[str, list[dict[str, str]]]]:
+    """The rules that hold for every profile, on the graded half space, by the title of their system."""
+    return [
+        (blocks.TITLES[system][0], [_rule_row(system, suffix) for suffix in suffixes]) for system, suffixes in RULED
+    ]
+
+
+def _rule_row(system: str, suffix: str) -> dict[str, str]:
+    found = rules.rule(system, suffix)
+    assert found is not None
+    tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
+    label = tables[system.rpartition(".")[2]][suffix].label
+    group = BY_NAME[system].group
+    return {"suffix": f"{group}.{suffix}", "label": label, "tex": found.tex, "remark": found.remark}
+
+
+SHOWN = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential", "viscoelastic")
+
+
+def matrix(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Profile by physics: how many formulas each cell has and how many of them carry a certificate."""
+    rows = []
+    for m in summaries:
+        one = next((s for s in ("plane", "loads", "materials") if m["status"].get(s)), None)
+        cells = [m["status"].get(one)] if one else [m["status"].get(name) for name in SHOWN]
+        rows.append(
+            {"name": m["name"], "title": m["title"], "number": m["number"], "cells": [_cell_text(c) for c in cells]}
+        )
+    return rows
+
+
+def _cell_text(cell: Mapping[str, int] | None) -> str:
+    if cell is None:
+        return r"\textcolor{note}{--}"
+    text = str(cell["entries"])
+    if cell["certified"]:
+        text = rf"\ok\,{cell['certified']}/{cell['entries']}"
+    return text + (rf"\,\textcolor{{note}}{{$\int${cell['integrals']}}}" if cell["integrals"] else "")
 
 
 def definition_rows() -> list[tuple[str, str, str]]:

@@ -11,8 +11,9 @@ from .. import notation as nt
 from .factors import Factor
 
 ORDER = (
-    "kappa", "n", "j", "E_star", "H", "p_mean", "F", "d", "A", "C", "h", "a", "r", "r_zero", "t", "x", "b",
-    "R", "R1", "R2", "s", "wavelength", "N", "k", "u", "psi", "theta",
+    "kappa", "n", "j", "mu", "E_star", "E_inf", "E", "E_1", "G_star", "H", "H_x", "eta", "p_0", "p_mean", "P", "F",
+    "F_x", "dgamma", "d", "A", "C", "h", "v", "time", "t_0", "L", "a", "a_c", "c", "r", "r_zero", "t", "x", "x_zero",
+    "e", "b", "R", "R1", "R2", "s", "wavelength", "N", "retraction", "k", "u", "psi", "theta",
 )  # fmt: skip
 TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 
@@ -33,7 +34,7 @@ def bracket(text: str) -> str:
 
 def is_one_group(text: str) -> bool:
     r"""Whether a single \frac{..}{..} or \sqrt{..} is the whole text."""
-    wanted = 2 if text.startswith(r"\frac{") else 1 if text.startswith(r"\sqrt{") else 0
+    wanted = 2 if text.startswith((r"\frac{", r"\tfrac{")) else 1 if text.startswith(r"\sqrt{") else 0
     depth = groups = 0
     for i, c in enumerate(text):
         depth += (c == "{") - (c == "}")

@@ -14,7 +14,6 @@ from ..entry import Entry
 from ..profiles.profile import Profile
 from .printer import Printer
 from .prose import prose
-from .rows import Row
 from .values import Numbers
 from .width import width
 
@@ -27,20 +26,6 @@ SPECIAL = {
     masters.IncompleteBeta: "the incomplete Beta function", masters.StruveH: "Struve functions",
     masters.Dawson: "Dawson's function", sp.gamma: "the Gamma function",
 }  # fmt: skip
-
-
-def printed(one: Row) -> dict[str, Any]:
-    """A row as the template sees it."""
-    label, small = one.label
-    return {
-        "key": one.key,
-        "suffix": one.suffix,
-        "label": label,
-        "small": small,
-        "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],
-        "remark": one.remark,
-        "uses": one.uses,
-    }
 
 
 def spaced(value: Any, digits: int = CHECK_DIGITS) -> str:
@@ -63,10 +48,14 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         breaks = [numbers[b.name] / radius for b in profile.breaks]
         inside = [(x, spaced(numbers("p", mp.mpf(x) * radius) / mean)) for x in _off_breaks(INSIDE, breaks)]
         outside = [(x, spaced(numbers("w", mp.mpf(x) * radius) / depth)) for x in OUTSIDE]
-        heads = [("d", spaced(depth)), (r"F_{\mathrm N}", spaced(numbers("F"))), (r"\bar p", spaced(mean))]
+        force = "P" if numbers.place("p") == nt.x else r"F_{\mathrm N}"
+        heads = [("d", spaced(depth)), (force, spaced(numbers("F"))), (r"\bar p", spaced(mean))]
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
-    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s != nt.N]
+    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in (nt.N, nt.P)]
+    if force == "P":
+        where.append("L=2.7\\,a")
     return {
+        "place": numbers.place("p").name,
         "where": ", ".join(f"${text}$" for text in where),
         "heads": heads,
         "rows": list(zip(inside, outside, strict=True)),
@@ -86,21 +75,49 @@ def _plain(value: Any) -> str:
     return f"{float(value):g}"
 
 
-def calls(profile: Profile, entries: Mapping[str, Entry]) -> list[str]:
+MOST_CALLED = ("d", "F", "P", "p", "w", "s", "phi")
+
+
+def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
     """How the generated functions are called, one line per function."""
-    lines = [f"from axicontact.normal import {profile.name}"]
+    package, _, name = profile_id.rpartition(".")
+    lines = [f"from axicontact.{package or 'normal'} import {name}"]
     for entry in entries.values():
-        if entry.suffix in ("d", "F", "p", "w"):
+        if entry.suffix in MOST_CALLED:
             fields = [s.name for s in entry.quantity.arguments]
             keywords = [str(getattr(p, "label", p)) for p in entry.parameters]
             arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
-            lines.append(f"{profile.name}.{entry.quantity.function}({', '.join(arguments)})")
+            lines.append(f"{name}.{entry.quantity.function}({', '.join(arguments)})")
     return lines
 
 
-def derivation(profile: Profile, entries: Mapping[str, Entry]) -> str:
+PLANE_START = (
+    r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. A contact grows by "
+    r"strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one algebraic integral each."
+)
+LOAD_START = (
+    r"(11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\frac12,s+1)\,(1-x^2/a^2)^{s+1/2}$; "
+    r"(11.105) is then one moment, over $(0,r)$ inside and over $(0,a)$ outside."
+)
+TILTED_START = (
+    r"The strip carries $p=(\alpha+\beta x)/\sqrt{a^2-x^2}$. Load and moment fix $\alpha$ and $\beta$; the contact "
+    r"loses the edge at which the pressure vanishes, $|e|=a/2$, and keeps the other."
+)
+
+
+def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
-    if profile.contact == "complete":
+    if not entries:
+        return ""
+    if profile_id == "materials":
+        return ""
+    if nt.e in profile.parameters:
+        return TILTED_START
+    if profile_id.startswith("plane."):
+        start = PLANE_START
+    elif profile_id.startswith("loads."):
+        start = LOAD_START
+    elif profile.contact == "complete":
         start = (
             r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ "
             r"the edge term of (11.107), "
@@ -139,22 +156,37 @@ def _listed(names: list[str]) -> str:
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
 
 
-def evidence_rows(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Certificate and checks of every entry; nothing is claimed that is not recorded."""
-    records = evidence.get("entries", {})
-    rows = []
-    for suffix, entry in entries.items():
-        if suffix not in records:
-            continue
-        record = records[suffix]
-        passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
-        by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
-        for check in passed:
-            by_kind[kind_of(check["compared"])].append(check)
-        certified = bool(record.get("certified"))
-        cells = [_agreement(by_kind[kind]) for kind in KINDS]
-        rows.append({"key": entry.key, "suffix": suffix, "certified": certified, "cells": cells})
-    return rows
+def evidence_rows(
+    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> dict[str, list[dict[str, Any]]]:
+    """Certificate and checks of every entry; nothing is claimed that is not recorded.
+
+    Those of the problem the spread begins with as a table, the others in short: the fewest digits that agreed.
+    """
+    table, grid = [], []
+    for key, entries in own.items():
+        records = evidence.get(key, {}).get("entries", {})
+        for suffix, entry in entries.items():
+            if suffix not in records:
+                continue
+            found = _evidence(entry, records[suffix], profile_id)
+            (table if key == profile_id else grid).append(found)
+    return {"table": table, "grid": grid}
+
+
+def _evidence(entry: Entry, record: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
+    passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
+    by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
+    for check in passed:
+        by_kind[kind_of(check["compared"])].append(check)
+    digits = [check["digits"] for check in passed if check.get("digits")]
+    return {
+        "suffix": entry.key[len(profile_id) + 1 :],
+        "certified": bool(record.get("certified")),
+        "cells": [_agreement(by_kind[kind]) for kind in KINDS],
+        "digits": str(min(digits)) if digits else "--",
+        "count": str(sum(check.get("count", 0) for check in passed if check.get("digits"))),
+    }
 
 
 KINDS = ("quadrature", "enclosure", "identity", "units")
@@ -170,14 +202,18 @@ def kind_of(compared: str) -> str:
     return "units" if "dimension" in words or "unit" in words else "identity"
 
 
-def missing_certificates(entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[tuple[list[str], str]]:
-    """Suffixes without a certificate and the reason, those of one reason together."""
+def missing_certificates(
+    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> list[tuple[list[str], str]]:
+    """Ends of the keys without a certificate and the reason, those of one reason together."""
     groups: dict[str, list[str]] = {}
-    for suffix, entry in entries.items():
-        record = evidence.get("entries", {}).get(suffix, {"certified": True})
-        reason = record.get("certificate", {}).get("reason", "")
-        if not record.get("certified") and reason:
-            groups.setdefault(prose(reason.replace(f"{entry.key} is ", "")), []).append(suffix)
+    for key, entries in own.items():
+        for suffix, entry in entries.items():
+            record = evidence.get(key, {}).get("entries", {}).get(suffix, {"certified": True})
+            reason = record.get("certificate", {}).get("reason", "")
+            if not record.get("certified") and reason:
+                text = prose(reason.replace(f"{entry.key} is ", ""))
+                groups.setdefault(text, []).append(entry.key[len(profile_id) + 1 :])
     return [(suffixes, reason) for reason, suffixes in groups.items()]
 
 

@@ -43,6 +43,8 @@ class Plots:
     pressure_caption: str
     force: Curve
     force_caption: str
+    abscissa: str = "r"
+    load: str = r"F_{\mathrm N}"
 
 
 def plots(profile: Profile, numbers: Numbers) -> Plots:
@@ -50,12 +52,22 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     family, name = _family(profile, numbers)
     rows = [_pressure(member) for _, member in family]
     curves: list[Curve] = []
-    shown = [*rows, SPHERE, PUNCH]
-    for i, label in enumerate([*(label for label, _ in family), "sphere", "flat punch"]):
+    plane = numbers.place("p") == nt.x
+    # the semicircle of a cylinder and the strip, each over its own mean
+    shown = (
+        [*rows, _scaled(SPHERE, 8 / (3 * math.pi)), _scaled(PUNCH, 4 / math.pi)] if plane else [*rows, SPHERE, PUNCH]
+    )
+    ball, punch = ("cylinder", "flat strip") if plane else ("sphere", "flat punch")
+    for i, label in enumerate([*(label for label, _ in family), ball, punch]):
         curves.append(_labelled(shown, i, label, [(curve.x, curve.y) for curve in curves if curve.label]))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
-    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, reference)
+    words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
+    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, reference, *words)
+
+
+def _scaled(rows: Rows, factor: float) -> Rows:
+    return [(x, y * factor) for x, y in rows]
 
 
 def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
@@ -158,13 +170,17 @@ def _height(rows: Rows, x: float) -> float:
     return rows[0][1] if x < rows[0][0] else rows[-1][1]
 
 
-SPHERE: Rows = [(i / 100, 1.5 * math.sqrt(1 - (i / 100) ** 2)) for i in range(101)]
-PUNCH: Rows = [(i / 100, 0.5 / math.sqrt(1 - (i / 100) ** 2)) for i in range(100)]
+# dense towards the edge
+RADII = [math.sin(math.pi / 2 * i / 60) for i in range(61)]
+SPHERE: Rows = [(x, 1.5 * math.sqrt(1 - x * x)) for x in RADII]
+PUNCH: Rows = [(x, 0.5 / math.sqrt(1 - x * x)) for x in RADII[:-1] if 0.5 / math.sqrt(1 - x * x) < 4.2]
 
 
 def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
     """Force over depth, both in units of the contact that is drawn in the sketch."""
     depth, force = numbers.depth, numbers("F")
+    if numbers.place("p") == nt.x and profile.contact == "complete":
+        return _strip_under_load(numbers)
     if profile.contact == "complete":
         start = numbers("dmin") if "dmin" in numbers.entries and not _needs_ring(numbers) else mp.mpf("1e-4")
         depths = [start + (WIDEST * depth - start) * mp.mpf(i) / 40 for i in range(41)]
@@ -178,6 +194,13 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         reference = r"$d_1=d(a_1)$, $F_1=F_{\mathrm N}(a_1)$" + _reference(profile, numbers)
     x, y = rows[int(len(rows) * 0.7)]
     return Curve(_coordinates(rows), "", round(x, 3), round(y, 3)), reference
+
+
+def _strip_under_load(numbers: Numbers) -> tuple[Curve, str]:
+    """The depth of a strip whose edge is fixed goes with the load."""
+    load, depth = numbers("F"), numbers.depth
+    rows = [(float(numbers.at(P=load * s).depth / depth), float(s)) for s in (mp.mpf(i) / 10 for i in range(0, 33, 2))]
+    return Curve(_coordinates(sorted(rows)), "", 1.0, 1.0), "$(d_1, P_1)$: the contact of the sketch"
 
 
 def _needs_ring(numbers: Numbers) -> bool:
@@ -210,6 +233,8 @@ def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
         highest = numbers[profile.chain[-1].name] * (1 - mp.mpf("1e-6"))
     elif profile.largest is not None:
         highest = numbers.values[nt.s] * mp.mpf("1.5")
+    if numbers.place("p") == nt.x:
+        highest = radius * mp.mpf("2.65")
     if numbers.at(a=highest)("d") <= goal:
         return low, highest
     below, above = radius, highest

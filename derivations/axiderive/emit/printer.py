@@ -35,7 +35,7 @@ FUNCTIONS = {
 }  # fmt: skip
 MASTER_NAMES = {
     masters.C0: r"\mathrm{C}_{0}", masters.LegendreChi2: r"\chi_{2}", masters.ArctanIntegral: r"\mathrm{Ti}_{2}",
-    masters.Dawson: r"\mathrm{D}",
+    masters.Dawson: r"\mathrm{D}", sp.sign: r"\operatorname{sgn}", sp.Max: r"\max",
 }  # fmt: skip
 
 
@@ -55,7 +55,7 @@ class Printer:
         """Whether the chain makes the expression positive."""
         if not self.samples or expr.free_symbols - set(self.samples[0]):
             return False
-        return all(expr.xreplace(sample) > 0 for sample in self.samples)
+        return all(_is_positive(expr.xreplace(sample)) for sample in self.samples)
 
     # sums
 
@@ -217,6 +217,10 @@ class Printer:
             )
         if isinstance(e, sp.Derivative):
             return self._derivative(e)
+        if isinstance(e, sp.Abs):
+            return rf"\lvert {self.sum(e.args[0])}\rvert"
+        if isinstance(e, sp.Max):
+            return MASTER_NAMES[sp.Max] + bracket(",".join(self.sum(x) for x in sorted(e.args, key=term_key)))
         if isinstance(e, sp.Function):
             return self._call(e)
         if e.is_Pow or e.is_Mul:
@@ -248,15 +252,18 @@ class Printer:
         if kind in (masters.StruveH, masters.StruveL):
             letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
             return f"{letter}_{{{self.sum(e.args[0])}}}" + bracket(self.sum(e.args[1]))
-        if kind is sp.hyper:
-            upper, lower, z = e.args
-            inside = ";".join([",".join(map(self.small, upper)), ",".join(map(self.small, lower)), self.sum(z)])
-            return f"{{}}_{{{len(upper)}}}F_{{{len(lower)}}}" + bracket(inside)
+        if kind in (masters.Hypergeometric, masters.Kummer):
+            *upper, lower, z = e.args
+            inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])
+            return rf"{{}}_{{{len(upper)}}}\mathrm{{F}}_{{1}}" + bracket(inside)
+        if kind is masters.CapMoment:
+            exponent, *lengths = map(self.sum, e.args)
+            return r"\mathrm{J}" + bracket(f"{exponent};" + ",".join(lengths))
         name = {"w1D": r"w_{\mathrm{1D}}"}.get(kind.__name__, kind.__name__)
         return name + bracket(",".join(self.sum(x) for x in e.args))
 
     def _named(self, name: str, argument: sp.Expr, always: bool = False) -> str:
-        text = self.sum(argument)
+        text = self.small(argument) if _is_small_fraction(argument) else self.sum(argument)
         one_factor = argument.is_Symbol or argument.is_Integer or is_one_group(text)
         return f"{name} {text}" if one_factor and not always else name + bracket(text)
 
@@ -281,3 +288,15 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
+
+
+def _is_small_fraction(argument: sp.Expr) -> bool:
+    """pi k/2: symbols over a number, set as one small fraction."""
+    number, rest = argument.as_coeff_Mul()
+    return bool(number.is_Rational and number.q != 1 and number > 0 and all(x.is_Atom for x in rest.args or (rest,)))
+
+
+def _is_positive(value: sp.Expr) -> bool:
+    """Whether a number is real and positive; outside the range of a formula it may be neither."""
+    number = value.evalf(15)
+    return bool(number.is_Float and number > 0)

@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from ..entry import Entry
-from ..notation import F, a, d, n, r
+from ..notation import F, L, a, d, e, n, r, x
 from .printer import Printer
 
 Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -33,7 +33,7 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     steps = [*pairs, *loose]
     if not steps:
         return ""
-    if len(steps) == 1 and steps[0][1] in (r, d, F, n):  # the variable stands on the left
+    if len(steps) == 1 and steps[0][1] in (r, x, d, F, n):  # the variable stands on the left
         ((low, high),) = steps
         sign = r"\ge" if steps[0] in own else ">"
         return f"{printer.small(high)}{sign} {printer.small(low)}"
@@ -52,15 +52,21 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
 
 
 def _always(entry: Entry) -> Pairs:
-    """Comparisons of lengths other than r that hold in every case: b < a for a truncated cone."""
-    shared = [set(itertools.combinations([x for x in case.chain if x != r], 2)) for case in entry.cases]
+    """Comparisons of lengths other than the place that hold in every case: b < a for a truncated cone."""
+    shared = [set(itertools.combinations([y for y in case.chain if y not in (r, x, L)], 2)) for case in entry.cases]
     return tuple(set.intersection(*shared)) if shared else ()
 
 
 def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
     """Inside or outside the contact, whose radius is an expression as long as a complete contact is still partial."""
-    radius = next((x for x in chain if not x.is_Symbol and a in chain and chain.index(x) < chain.index(a)), a)
-    return {"p": ((r, radius),), "w": ((radius, r),)}.get(entry.suffix, ())
+    if entry.profile.contact == "prescribed":
+        return ()
+    radius = next((y for y in chain if not y.is_Symbol and a in chain and chain.index(y) < chain.index(a)), a)
+    place = next((s for s in entry.quantity.arguments if s in (r, x)), r)
+    own = {"p": ((place, radius),), "w": ((radius, place),), "s": ((radius, place),)}
+    if e in entry.profile.parameters or entry.suffix not in own:
+        return ((a, L),) if L in chain else ()
+    return own[entry.suffix]
 
 
 def _implied(pair: tuple[sp.Expr, sp.Expr], pairs: Pairs) -> bool:

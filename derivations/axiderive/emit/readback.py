@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import mpmath as mp
@@ -18,7 +19,10 @@ import mpmath as mp
 from .special import BRACKETED, FUNCTIONS, Value
 
 Environment = Mapping[str, Any]
-"""Name -> number, sequence (for A_j), function, or definition that is evaluated where it is used."""
+"""Name -> number, sequence (for A_j), function, or definition that is evaluated where it is used.
+
+`cuts` may name points at which the integral over a variable is split; they change its cost, not its value.
+"""
 
 _LAYOUT = re.compile(
     r"\\begin\{aligned\}(?:\[t\])?|\\end\{aligned\}|\\[,;:! ]|\\(?:[bB]igg?[lrm]?|displaystyle)(?![A-Za-z])"
@@ -27,9 +31,9 @@ _LAYOUT = re.compile(
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\[{}]|\d+(?:\.\d+)?|\S")
 _SEPARATORS = (r"\quad", r"\qquad")
 _CLOSING = {"(": ")", "[": "]", r"\{": r"\}"}
-CALLABLE = ("g", "F_N")
+CALLABLE = ("f", "g", "P", "F_N", "p", "w", "F_adh", "d_adh", "E", "J", "Phi_m")
 """Names that are functions when a bracket follows; every other symbol before a bracket is a factor."""
-_STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", "<", *_SEPARATORS}
+_STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", r"\rvert", "<", *_SEPARATORS}
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,7 @@ class Statement:
     members: tuple[Node, ...]
 
 
+@lru_cache(maxsize=4096)
 def read(tex: str) -> list[Statement]:
     """The statements of a printed row, separated by `,` and a quad.
 
@@ -74,7 +79,8 @@ def environment(statements: list[Statement], values: Mapping[str, Any]) -> dict[
 
 class _Parser:
     def __init__(self, tex: str) -> None:
-        self.tokens, self.at = _TOKEN.findall(_LAYOUT.sub(" ", tex)), 0
+        # an empty group carries the first index of {}_1F_1, which is none of the letter before it
+        self.tokens, self.at = _TOKEN.findall(_LAYOUT.sub(" ", tex.replace("{}_", r"\prescript _"))), 0
 
     def peek(self) -> str | None:
         return self.tokens[self.at] if self.at < len(self.tokens) else None
@@ -178,6 +184,14 @@ class _Parser:
         if token in (r"\frac", r"\tfrac"):
             above, below = self.argument(), self.argument()
             return Node(lambda env: above(env) / below(env))
+        if token == r"\lvert":
+            inner = self.sum()
+            self.take(r"\rvert")
+            return Node(lambda env: abs(inner(env)))
+        if token == r"\prescript":
+            return self.hypergeometric()
+        if token == r"\max":
+            return self.function("max")
         if token == r"\sqrt":
             return self.root()
         if token == r"\int":
@@ -221,7 +235,9 @@ class _Parser:
         variable = self.take().lstrip("\\")
 
         def value(env: Environment) -> Value:
-            return mp.quad(lambda x: body({**env, variable: x}), [lower(env), upper(env)])
+            low, high = lower(env), upper(env)
+            cuts = sorted(x for x in env.get("cuts", {}).get(variable, ()) if low < x < high)
+            return mp.quad(lambda x: body({**env, variable: x}), [low, *cuts, high])
 
         return Node(value)
 
@@ -242,6 +258,8 @@ class _Parser:
             name = ("bar " if name == "bar" else "") + self.text()
         elif not name[0].isalpha():
             raise SyntaxError(self.message("a symbol"))
+        if name == "Delta":
+            name += " " + self.take().lstrip("\\")
         subscript = ""
         if self.peek() == "_":
             self.take()
@@ -251,18 +269,31 @@ class _Parser:
             return self.starred(name)
         upright = token in (r"\mathrm", r"\mathbf", r"\operatorname", r"\chi")
         if upright and name in BRACKETED:
-            arguments = self.arguments()
-            return Node(lambda env: BRACKETED[name](*(x(env) for x in arguments)))
+            return self.function(name)
         if name in FUNCTIONS and token.startswith("\\"):
             return self.call(FUNCTIONS[name])
         if name == "pi":
             return Node(lambda env: +mp.pi)
+        primes = ""
+        while self.peek() == "'":
+            primes += self.take()
         if name in CALLABLE and self.peek() == "(":
-            (argument,) = self.arguments()
-            return Node(lambda env: env[name + "()"](argument(env)))
+            arguments = self.arguments()
+            return Node(lambda env: env[f"{name}{primes}()"](*(argument(env) for argument in arguments)))
         if subscript == "j":
             return Node(lambda env: _element(env, name, subscript), name)
         return Node(lambda env: _looked_up(env, name), name)
+
+    def hypergeometric(self) -> Node:
+        """{}_2F_1(p, q; c; z) and {}_1F_1(p; c; z), from the subscript on."""
+        self.take("_")
+        name = self.text() + self.text()
+        self.take("_")
+        return self.function(f"{name}_{self.text()}")
+
+    def function(self, name: str) -> Node:
+        arguments = self.arguments()
+        return Node(lambda env: BRACKETED[name](*(x(env) for x in arguments)))
 
     def starred(self, name: str) -> Node:
         r"""E^{*}, and its powers E^{*2}."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import mpmath as mp
@@ -13,63 +12,109 @@ from .. import notation as nt
 from ..entry import Case, Entry
 from ..proof.evaluate import case_at, decades, evaluate
 from ..proof.sampling import points
-from ..proof.shape import coefficient, number, numeric_symbols
+from . import laws
+from .printed import Printed, holding, holds, name_in_print
 from .readback import environment, read
-from .rows import Region, Row, kappa_row, row
+from .rows import Row, row, system_of
 from .values import evaluated
 
+__all__ = ["holds", "name_in_print", "worst_residual"]
+
 Values = dict[Any, Any]
+Entries = Mapping[str, Entry]
 WORKING = 60
 DIGITS = 30
+INTEGRATING = 34
+"""Working digits of a row that integrates a derivative."""
 
 
-def worst_residual(one: Row, entries: Mapping[str, Entry], count: int = 3, seed: int = 17) -> Any:
+def worst_residual(one: Row, entries: Entries, count: int = 3, seed: int = 17, base: Entries | None = None) -> Any:
     """Largest relative difference between the printed row and its entry over random points of every case.
+
+    `base` are the entries of the normal contact on the same medium, which the rules refer to.
 
     Raises
     ------
     SyntaxError, KeyError
         If the source cannot be read, or uses what it does not define.
     """
+    base = entries if base is None else base
     residuals = []
-    for case, values in _points(one, entries, count, seed):
-        # a displacement far outside leaves a^7/r of terms of the size of r^5 a
-        with mp.workdps(WORKING + 10 * decades(values)):
-            residuals += _compared(one, entries, case, values)
+    for entry in (one.entry, *one.also):
+        for case, values in _points(entry, one.kind, entries, count, seed):
+            # a displacement far outside leaves a^7/r of terms of the size of r^5 a
+            with mp.workdps(INTEGRATING if integrates(one, base) else WORKING + 10 * decades(values)):
+                residuals += _compared(one, entry, Printed(entries, base), case, values)
     return max(residuals)
 
 
-def _points(one: Row, entries: Mapping[str, Entry], count: int, seed: int) -> list[tuple[Case, Values]]:
-    """Points of every case; an inverse is met where its forward formula leads."""
-    entry = one.entry
-    if one.kind == "formula":
-        drawn = [
-            (case, points(entry.profile, _lengths(case), count, seed, _fields(entry, case))) for case in entry.cases
-        ]
-        return [(case, _within(case, point.values)) for case, found in drawn for point in found]
-    forward = entries["d" if entry.suffix in ("ad", "Fd") else "F"]
-    return [(case, p.values) for case in forward.cases for p in points(entry.profile, case.chain, count, seed)]
+def integrates(one: Row, base: Entries) -> bool:
+    """Whether reading the row back integrates the derivative of another one, which takes seconds."""
+    needed = {"p": "p", "tau": "p", "w": "w"}.get(one.suffix)
+    if one.kind != "rule" or needed is None or needed not in base:
+        return False
+    own = row(base[needed])
+    return own.kind == "rule" or base[needed].status == "integral"
+
+
+def _points(entry: Entry, kind: str, entries: Entries, count: int, seed: int) -> list[tuple[Case, Values]]:
+    """Points of every case; an inverse without a formula is met where its forward formula leads."""
+    source = entry
+    if kind in ("root", "composition"):
+        source = entries[{"ad": "d", "Fd": "d", "aP": "P"}.get(entry.suffix, "F")]
+    drawn = [
+        (case, points(entry.profile, _lengths(case), count, seed, _fields(source, case, kind))) for case in source.cases
+    ]
+    return [(case, _completed(entry, case, point.values)) for case, found in drawn for point in found]
 
 
 def _lengths(case: Case) -> tuple[sp.Expr, ...]:
-    """The chain to draw from; numbers around an exponent are seen to afterwards."""
-    return () if any(x.is_number for x in case.chain) else case.chain
+    """The chain to draw from; numbers around an exponent and the side of a load are seen to afterwards."""
+    chain = tuple(x.xreplace({nt.k: _grading(case)}) for x in case.chain)
+    return () if any(x.is_number or x.has(sp.Abs) for x in chain) else chain
 
 
-def _fields(entry: Entry, case: Case) -> tuple[sp.Symbol, ...]:
-    unknown = (nt.r_zero,) if case.expr.has(nt.r_zero) else ()
-    return (*entry.quantity.arguments, *unknown)
+def _grading(case: Case) -> sp.Rational:
+    """The exponent of the half space; below zero the integrals across a break converge too slowly to be read back."""
+    return EXPONENT_OF_GRADING[len(case.chain) % 2 if not case.expr.has(sp.Integral) else 0]
 
 
-def _within(case: Case, values: Values) -> Values:
-    """A chain of numbers around an exponent, 1 < n < 2, is kept; the ring lies inside the contact."""
+SEPARATE = {nt.k, nt.e, nt.E_star, nt.n}
+"""Symbols that are not drawn as lengths or stresses are."""
+EXPONENT_OF_GRADING = (sp.Rational(3, 5), sp.Rational(-2, 5))
+STABLE_EXPONENT = sp.Rational(17, 10)
+
+
+def _fields(entry: Entry, case: Case, kind: str) -> tuple[sp.Symbol, ...]:
+    own = {*entry.quantity.arguments, *entry.parameters, *case.expr.free_symbols}
+    own -= {nt.F, nt.d} if kind in ("root", "composition") else set()
+    fixed = {*entry.profile.parameters, *SEPARATE, nt.coefficients, nt.j, nt.N}
+    integrated = {integral.limits[0][0] for integral in case.expr.atoms(sp.Integral)}
+    return tuple(s for s in sorted(own - fixed - integrated, key=str) if isinstance(s, sp.Symbol))
+
+
+def _completed(entry: Entry, case: Case, values: Values) -> Values:
+    """What a chain of lengths cannot say: exponents, the side of an eccentric load, a place inside the contact."""
     fixed = dict(values)
+    system = system_of(entry)
+    if nt.k in entry.parameters:
+        fixed[nt.k] = _grading(case)
+    if nt.alpha in fixed:
+        fixed[nt.alpha] = sp.Rational(2, 5)
+    if nt.n in fixed and system.endswith(("adhesive", "tangential", "viscoelastic")):
+        fixed[nt.n] = STABLE_EXPONENT
     for i, x in enumerate(case.chain):
-        if x.is_Symbol and i and case.chain[i - 1].is_number:
-            room = case.chain[i + 1] - case.chain[i - 1] if i + 1 < len(case.chain) else sp.Integer(3)
-            fixed[x] = case.chain[i - 1] + room * sp.Rational(3, 7)
-    if nt.r_zero in fixed:
-        fixed[nt.r_zero] = fixed[nt.a] * sp.Rational(7, 11)
+        if x.is_Symbol and i and not (low := case.chain[i - 1].xreplace(fixed)).free_symbols and x == nt.n:
+            room = case.chain[i + 1] - low if i + 1 < len(case.chain) else sp.Integer(3)
+            fixed[x] = low + room * sp.Rational(3, 7)
+    for ring in (nt.r_zero, nt.x_zero):
+        if ring in fixed:
+            fixed[ring] = fixed[nt.a] * sp.Rational(7, 11)
+    if nt.F_x in fixed and nt.F in fixed:
+        fixed[nt.F_x] = fixed[nt.F] * fixed[nt.mu] * sp.Rational(3, 7)
+    if nt.e in entry.profile.parameters:
+        fixed[nt.e] = -fixed[nt.a] * sp.Rational(*((2, 7) if case.chain[0] != nt.a / 2 else (5, 7)))
+        fixed[nt.x] = -fixed[nt.a] * sp.Rational(8, 9)
     return fixed
 
 
@@ -77,31 +122,43 @@ def _value(expr: sp.Expr, values: Values) -> Any:
     return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
-def _compared(one: Row, entries: Mapping[str, Entry], case: Case, values: Values) -> list[Any]:
-    env = _named(values) | {"g()": _forward(entries, "d", values), "F_N()": _forward(entries, "F", values)}
-    env |= environment(read(text), {}) if (text := kappa_row(tuple(entries.values()))) else {}
-    statements = read(_holding(one, env).tex)
+def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
+    if one.kind == "formula":
+        return _formula(one, printed, case, values)
+    if one.kind == "rule":
+        return _rule(one, entry, printed, case, values)
+    return _inverse(one, printed, case, values)
+
+
+def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+    env = printed.environment(values)
+    statements = read(holding(one, env).tex)
     env = environment(statements[1:], env)
     first = statements[0].members
-    if one.kind == "formula":
-        if isinstance(case.expr, sp.Equality):
-            wanted = [_value(side, values) for side in (case.expr.lhs, case.expr.rhs)]
-            return [_difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
-        want = _value(case.expr, values)
-        if one.suffix == "pm":
-            env["F_N"] = _forward(entries, "F", values)(values[nt.a])
-        return [_difference(member(env), want) for member in first[1:]]
-    value = evaluate(case.expr, values, DIGITS)  # d(a) or F(a) of the forward formula
-    argument, result = {"ad": ("d", "a"), "aF": ("F_N", "a"), "Fd": ("d", "F_N"), "dF": ("F_N", "d")}[one.suffix]
+    if isinstance(case.expr, sp.Equality):
+        wanted = [_value(side, values) for side in (case.expr.lhs, case.expr.rhs)]
+        return [_difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
+    if one.suffix == "pm":
+        env["F_N"] = env["F_N()"](env["a"])
+    want = _value(case.expr, values)
+    return [_difference(member(env), want) for member in first[1:]]
+
+
+def _inverse(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+    """An equation to be solved, or a composition, at the value its forward formula takes."""
+    env = printed.environment(values)
+    first = read(one.regions[0].tex)[0].members
+    value = evaluate(case.expr, values, DIGITS)
+    argument, result = {
+        "ad": ("d", "a"), "aF": ("F_N", "a"), "Fd": ("d", "F_N"), "dF": ("F_N", "d"), "aP": ("P", "a"),
+    }[one.suffix]  # fmt: skip
     env[argument] = value
     if one.kind == "root":
         return [_difference(first[0](env), first[1](env))]
-    return [_difference(first[1](env), _inverse_value(one.entry, entries, values, argument, value, result))]
+    return [_difference(first[1](env), _inverse_value(one.entry, printed.entries, values, argument, value, result))]
 
 
-def _inverse_value(
-    entry: Entry, entries: Mapping[str, Entry], values: Values, argument: str, value: Any, result: str
-) -> Any:
+def _inverse_value(entry: Entry, entries: Entries, values: Values, argument: str, value: Any, result: str) -> Any:
     """The closed result at this depth or force, or without one the forward formula at the radius behind it."""
     if entry.status == "closed":
         known = values | {(nt.d if argument == "d" else nt.F): value}
@@ -110,49 +167,78 @@ def _inverse_value(
     return evaluate(case_at(outer, values).expr, values, DIGITS)
 
 
-def _forward(entries: Mapping[str, Entry], suffix: str, values: Values) -> Callable[[Any], Any]:
-    """g or F_N as its own printed row gives it."""
-
-    def value(radius: Any) -> Any:
-        env = _named(values | {nt.a: radius})
-        if text := kappa_row(tuple(entries.values())):
-            env |= environment(read(text), {})
-        statements = read(_holding(row(entries[suffix]), env).tex)
-        return statements[0].members[-1](environment(statements[1:], env))
-
-    return value
+LOADED = {"ad": nt.d, "aF": nt.F, "c": nt.F_x}
+"""What balances an equation of equilibrium at any radius."""
 
 
-def _holding(one: Row, env: Mapping[str, Any]) -> Region:
-    """The one region whose printed range contains the point."""
-    found = [region for region in one.regions if holds(region.condition, env)]
-    if len(found) != 1:
-        message = f"{one.key}: {len(found)} printed ranges hold at one point: {[region.condition for region in found]}"
-        raise LookupError(message)
-    return found[0]
+def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
+    values = dict(values)
+    system = system_of(entry)
+    if system == "viscoelastic":
+        return _law(one, entry, printed, case, values)
+    statements = read(one.regions[0].tex)
+    if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
+        if entry.suffix == "c":  # the closed radius is one of the force that the outer radius belongs to
+            force = case_at(printed.base["F"], values).expr
+            values[nt.F] = evaluate(force, values, DIGITS + 15)
+            values[nt.F_x] = values[nt.F] * values[nt.mu].p / values[nt.mu].q * 3 / 7
+        _balance(entry, case, values)
+        env = printed.environment(values)
+        left, right = (member(env) for member in statements[0].members)
+        return [_difference(left, right)]
+    if system.endswith("adhesive") and entry.suffix[-1] in "cm":
+        _pull_off(entry, printed.entries, case, values)
+    env = printed.environment(values)
+    want = _value(case.expr, values)
+    return [_difference(statements[0].members[-1](environment(statements[1:], env)), want)]
 
 
-def holds(condition: str, env: Mapping[str, Any]) -> bool:
-    """Whether a printed range, chains of < and <= separated by commas, contains the point."""
-    for chain in filter(None, condition.split(r",\; ")):
-        if re.search(r">|\\ge(?![a-z])", chain):
-            chain = "<".join(reversed(re.split(r">|\\ge(?![a-z])", chain)))
-        members = [read(part)[0].members[0](env) for part in re.split(r"<|\\le(?![a-z])", chain)]
-        if any(lo >= hi for lo, hi in zip(members, members[1:], strict=False)):
-            return False
-    return True
+def _balance(entry: Entry, case: Case, values: Values) -> None:
+    """The unknown takes its closed value, or the load the value that goes with the unknown."""
+    unknown = {"c": nt.c}.get(entry.suffix, nt.a_c)
+    if not isinstance(case.expr, sp.Equality):
+        values[unknown] = evaluate(case.expr, values, DIGITS + 15)
+        return
+    left = evaluate(case.expr.lhs, values, DIGITS + 15)
+    if entry.suffix in LOADED:
+        values[LOADED[entry.suffix]] = left
+        return
+    level = evaluate(case.expr.rhs, values, DIGITS + 15)
+    values[nt.dgamma] = values[nt.dgamma] * (left / level) ** 2
 
 
-def _named(values: Values) -> dict[str, Any]:
-    """The values under the names their symbols have in print."""
-    env: dict[str, Any] = {name_in_print(s): number(values[s]) for s in numeric_symbols(values) if nt.known(s.name)}
-    if nt.N in values:
-        env["A_j"] = [number(values[coefficient(i)]) for i in range(1, int(values[nt.N]) + 1)]
-    return env
+def _pull_off(entry: Entry, entries: Entries, case: Case, values: Values) -> None:
+    """Radius and work of separation that belong together at pull-off."""
+    radius = entries["a" + entry.suffix[-1]]
+    if radius.status == "closed":
+        values[nt.a_c] = evaluate(radius.cases[0].expr, values, DIGITS + 15)
+        return
+    own = next(other for other in radius.cases if other.chain == case.chain)
+    _balance(radius, own, values)
 
 
-def name_in_print(symbol: sp.Symbol) -> str:
-    return read(nt.describe(symbol).latex)[0].members[0].name
+def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
+    """A row of a viscoelastic contact with the printed functions of one law put in."""
+    law = next(law for law in laws.laws() if entry.suffix.endswith("_" + law.suffix))
+    if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
+        values[nt.F] = values[nt.F] * evaluate(case.expr.lhs, values, DIGITS) / evaluate(case.expr.rhs, values, DIGITS)
+    values[nt.E_star] = sp.Integer(3)
+    env = printed.environment(values)
+    statements = read(one.regions[0].tex)
+    env = environment(statements[1:], env)
+    env |= {name: _function(text, env) for name, text in law.functions().items()}
+    first = statements[0].members
+    if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
+        return [_difference(first[0](env), first[1](env))]
+    expr = case.expr.rhs if isinstance(case.expr, sp.Equality) else case.expr
+    if "Fd" not in printed.base:
+        env["F_N()"] = lambda depth: printed.at("F", values | {nt.d: depth})
+    return [_difference(first[-1](env), _value(expr, values))]
+
+
+def _function(text: str, env: Mapping[str, Any]) -> Any:
+    body = read(text)[0].members[-1]
+    return lambda t: body({**env, "t": t})
 
 
 def _difference(got: Any, want: Any) -> Any:

@@ -15,9 +15,17 @@ WORKS = {
         "Ciavarella, M.: Indentation by nominally flat or conical indenters with rounded corners.",
         "Int. J. Solids Struct. 36 (1999)",
     ),
+    "Ciavarella, Hills & Monno 1998": (
+        "Ciavarella, M., Hills, D. A., Monno, G.: The influence of rounded edges on indentation by a flat punch.",
+        "Proc. Inst. Mech. Eng. C 212 (1998)",
+    ),
     "Ejike 1981": (
         "Ejike, U. B. C. O.: The stress on an elastic half-space due to sectionally smooth-ended punch.",
         "J. Elasticity 11 (1981)",
+    ),
+    "Föppl 1941": (
+        "Föppl, L.: Elastische Beanspruchung des Erdbodens unter Fundamenten.",
+        "Forschung auf dem Gebiete des Ingenieurwesens 12 (1941)",
     ),
     "Galin 1946": (
         "Galin, L. A.: Spatial contact problems of the theory of elasticity for punches of circular shape "
@@ -32,6 +40,7 @@ WORKS = {
         "Hertz, H.: Über die Berührung fester elastischer Körper.",
         "J. reine angew. Math. 92, 156--171 (1882)",
     ),
+    "Johnson 1985": ("Johnson, K. L.: Contact Mechanics.", "Cambridge University Press (1985)"),
     "Love 1939": ("Love, A. E. H.: Boussinesq's problem for a rigid cone.", "Quart. J. Math. 10 (1939)"),
     "Maugis & Barquins 1983": (
         "Maugis, D., Barquins, M.: Adhesive contact of sectionally smooth-ended punches on elastic half-spaces: "
@@ -41,6 +50,10 @@ WORKS = {
     "Popov, Heß & Willert 2019": (
         "Popov, V. L., Heß, M., Willert, E.: Handbook of Contact Mechanics.",
         "Springer (2019); equation numbers (11.xx) refer to its chapter 11",
+    ),
+    "Sadowsky 1928": (
+        "Sadowsky, M.: Zweidimensionale Probleme der Elastizitätstheorie.",
+        "Z. angew. Math. Mech. 8 (1928)",
     ),
     "Schubert 1942": (
         "Schubert, G.: Zur Frage der Druckverteilung unter elastisch gelagerten Tragwerken.",

@@ -3,26 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
 import sympy as sp
 
+from .. import notation as nt
+from ..contact.systems import BODIES, ROUND, SYSTEMS
 from ..entry import Entry
+from ..notation import a_c
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
+from .rules import radius_name, rule
 from .shorthand import LINE, Short, shortened, with_kappa
 from .width import width
 
-Kind = Literal["formula", "root", "composition"]
+Kind = Literal["formula", "root", "composition", "rule"]
 LEFT = {
     "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
     "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
     "rz": "r_{0}",
     "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
 }  # fmt: skip
+ADHESIVE = {
+    "Dl": r"\Delta\ell", "d": r"d_{\mathrm{adh}}(a)", "F": r"F_{\mathrm{adh}}(a)",
+    "p": r"p_{\mathrm{adh}}(r)", "w": r"w_{\mathrm{adh}}(r)", "ad": "a", "aF": "a",
+    **{f"{x}{m}": rf"{x}_{{\mathrm {m}}}" for x in "aFd" for m in "cm"},
+}  # fmt: skip
+TANGENTIAL = {"F": "F_x", "tau": r"\tau(r)", "u": "u", "c": "c", "us": r"u_{\mathrm s}"}
+PLANE = {
+    "P": "P", "p": "p(x)", "s": r"\frac{\mathrm{d}w}{\mathrm{d}x}", "d": "d", "aP": "a", "xz": "x_{0}",
+    "Pmin": r"P_{\mathrm{min}}", "phi": r"\varphi", "cw": r"\ell",
+}  # fmt: skip
+LEFTS = {"adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE}
 INDENT = r"\enspace\enspace "
+EXPLICIT = 250.0
+"""Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
+GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
+PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
 
 
 @dataclass(frozen=True)
@@ -54,6 +73,10 @@ class Row:
     """Words behind the formula, as `solved for a`."""
     uses: str = ""
     """Suffix of the row the remark refers to."""
+    listed: bool = False
+    """Whether the spread names the key only, because the rule stands in front of the book for all profiles."""
+    also: tuple[Entry, ...] = ()
+    """Further entries that the same row gives, one for every viscoelastic law."""
 
     @property
     def key(self) -> str:
@@ -66,10 +89,12 @@ class Row:
     @property
     def label(self) -> tuple[str, str]:
         """Label and the grey words under it: Contact radius, from force."""
-        first, word, second = self.entry.quantity.label.partition(" from ")
-        if first == "Displacement outside":
-            first = "Displacement"
-        return first, f"{word.strip()} {second}".strip()
+        text = LABELS.get(self.suffix, self.entry.quantity.label)
+        for word in (" from ", ": ", ", ", " relative to "):
+            if word in text:
+                first, _, second = text.partition(word)
+                return _short(first), f"{word.strip(' :,')} {second}".strip()
+        return _short(text), ""
 
     @property
     def narrow(self) -> bool:
@@ -77,18 +102,66 @@ class Row:
         return len(self.regions) == 1 and len(self.regions[0].lines) == 1 and not self.regions[0].condition
 
 
-@lru_cache(maxsize=1024)
+LABELS = {
+    "ac": "Pull-off: at fixed force", "am": "Pull-off: at fixed depth", "us": "Full slip: displacement",
+    "Fc": "Pull-off force", "dc": "Depth: at fixed force", "Fm": "Force: at fixed depth", "dm": "Least depth",
+    "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
+    "rz": "Ring: of first zero pressure", "aP": "Half-width: from load",
+}  # fmt: skip
+
+
+def _short(label: str) -> str:
+    return "Displacement" if label in ("Displacement outside", "Surface displacement") else label
+
+
+def system_of(entry: Entry) -> str:
+    """Name of the system whose entry this is, read off its key."""
+    first, *groups, _ = entry.key.split(".")
+    if first in BODIES.names:
+        return first
+    return PREFIXES.get(first) or GROUPS.get(".".join(groups), "normal")
+
+
+def left_of(entry: Entry) -> str:
+    """The left side of the row."""
+    kind = system_of(entry).rpartition(".")[2]
+    return nt.describe(entry.suffix).latex if kind in BODIES.names else LEFTS.get(kind, LEFT)[entry.suffix]
+
+
+@lru_cache(maxsize=4096)
 def row(entry: Entry) -> Row:
     """The row of an entry."""
+    system = system_of(entry)
+    if system in ("normal", "graded.normal"):
+        plain = _normal_row(entry)
+        compact = entry.profile.contact == "compact"
+        return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
+    if system in ("plane", "loads", *BODIES.names):
+        return _root_or_formula(entry)
+    if entry.profile.contact == "complete":
+        return _formula(entry)
+    return _superposed(entry, system)
+
+
+def _normal_row(entry: Entry) -> Row:
     if entry.composed:
         outer, inner = entry.composed
-        left = LEFT[entry.suffix]
         function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
-        return Row(entry, "composition", (Region("", (f"{left}={function}",)),), "with $a$ from", inner)
-    if entry.status == "root" and entry.suffix in ("ad", "aF"):
-        equation = "g(a)=d" if entry.suffix == "ad" else r"F_{\mathrm N}(a)=F_{\mathrm N}"
-        return Row(entry, "root", (Region("", (equation,)),), "solved for $a$")
-    left = LEFT[entry.suffix]
+        return Row(entry, "composition", (Region("", (f"{LEFT[entry.suffix]}={function}",)),), "with $a$ from", inner)
+    return _root_or_formula(entry)
+
+
+SOLVED = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}", "aP": "P(a)=P"}
+
+
+def _root_or_formula(entry: Entry) -> Row:
+    if entry.status == "root" and entry.suffix in SOLVED:
+        return Row(entry, "root", (Region("", (SOLVED[entry.suffix],)),), "solved for $a$")
+    return _formula(entry)
+
+
+def _formula(entry: Entry) -> Row:
+    left = left_of(entry)
     found = []
     for pairs, expr in regions(entry):
         found.append(_region(entry, pairs, expr, left))
@@ -96,14 +169,58 @@ def row(entry: Entry) -> Row:
     return Row(entry, "formula", tuple(found))
 
 
+MOST_LINES = 2
+WIDEST = LINE + 15
+
+
+def _fits(one: Row) -> bool:
+    """Whether every region of the row is at most two lines that fit."""
+    return one.entry.suffix != "pm" and all(
+        len(region.lines) <= MOST_LINES and region.width <= WIDEST and r"\int" not in region.tex
+        for region in one.regions
+    )
+
+
+def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
+    found = rule(system, entry.suffix)
+    if found is None:
+        message = f"{entry.key} follows from no rule; add one to emit.rules"
+        raise LookupError(message)
+    return Row(entry, "rule", (Region("", (found.tex,)),), found.remark, listed=listed)
+
+
+ALWAYS_RULED = ("p", "w", "tau")
+
+
+def _superposed(entry: Entry, system: str) -> Row:
+    """An adhesive or tangential quantity: spelled out where that is short, else by its rule."""
+    graded = system.startswith("graded")
+    if entry.suffix == "Dl" and not graded:
+        return _formula(entry)
+    spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
+    if spelled and not (graded and entry.suffix not in PULLED_OFF):
+        plain = _formula(entry)
+        if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
+            return replace(plain, regions=(replace(plain.regions[0], condition=""),))
+    return _ruled(entry, system, listed=graded)
+
+
+PULLED_OFF = ("ac", "Fc", "dc", "am", "Fm", "dm")
+
+
+def _names(entry: Entry) -> dict[sp.Symbol, str]:
+    return {a_c: radius_name(entry.suffix)} if entry.suffix in PULLED_OFF else {}
+
+
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
+    own = _names(entry)
     if isinstance(expr, sp.Equality):
-        printer = Printer(chain, with_kappa(expr).names)
+        printer = Printer(chain, with_kappa(expr).names | own)
         return Region(condition(entry, pairs, chain, printer), (printer(expr),))
     left += "="
     short = shortened(expr, chain, width(left))
-    printer = Printer(chain, short.names)
+    printer = Printer(chain, short.names | own)
     lines = _broken(left, short.expr, printer)
     return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer)))
 
@@ -185,9 +302,13 @@ def _half(one: Row) -> bool:
     return one.regions[0].width + remark <= HALF
 
 
-ORDER = ("d", "ad", "F", "Fd", "aF", "dF", "k", "pm", "p", "w", "rz", "dmin", "Fmin")
+ORDER = (
+    "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "tau", "s", "w",
+    "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
+    "E_star", "G_star", "H", "h_N",
+)  # fmt: skip
 
 
 def ordered(entries: Mapping[str, Entry]) -> list[Row]:
-    """The rows of a profile, the short ones first, fields last."""
+    """The rows of a problem, the short ones first, fields last."""
     return [row(entries[suffix]) for suffix in ORDER if suffix in entries]

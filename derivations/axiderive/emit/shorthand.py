@@ -85,9 +85,12 @@ def with_kappa(expr: sp.Expr) -> Short:
         low = sp.Symbol("low", positive=True)
         same = {g: kappa * low / sp.sqrt(sp.pi) if sp.expand(g.args[0] - exponent / 2 - 1) == 0 else low
                 for g in found.atoms(sp.gamma)}  # fmt: skip
-        short.expr = _constants_out(
-            found.xreplace(same).replace(lambda e: e.is_Pow, lambda e: sp.Pow(_cancelled(e.base), e.exp))
-        )
+        replaced = found.xreplace(same).replace(lambda e: e.is_Pow, lambda e: sp.Pow(_cancelled(e.base), e.exp))
+        if replaced.has(low):
+            replaced = sp.factor_terms(sp.expand(replaced))
+        if replaced.has(low):  # other Gamma functions take part, as on the graded half space
+            continue
+        short.expr = _constants_out(replaced)
         short.definitions[kappa] = sp.sqrt(sp.pi) * above / below
         short.names[kappa] = name
     return short

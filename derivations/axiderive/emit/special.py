@@ -42,6 +42,11 @@ def _panels(low: Value, high: Value, r: Value, b: Value) -> list[Value]:
     return [mp.mpf(0), *(mp.sqrt((x - low) / (high - low)) for x in marks), mp.mpf(1)]
 
 
+def _cap_moment(k: Value, b: Value, R: Value, a: Value) -> Value:
+    """int_0^b s (R^2 - s^2)^(-1/2) (a^2 - s^2)^((k - 1)/2) ds with s = sqrt(a^2 - v^2)."""
+    return mp.quad(lambda v: v**k / mp.sqrt(R * R - a * a + v * v), [mp.sqrt((a - b) * (a + b)), a])
+
+
 FUNCTIONS: dict[str, Callable[..., Value]] = {
     "sin": mp.sin, "cos": mp.cos, "tan": mp.tan, "arcsin": mp.asin, "arccos": mp.acos, "arctan": mp.atan, "ln": mp.log,
     "exp": mp.exp, "sinh": mp.sinh, "cosh": mp.cosh, "tanh": mp.tanh, "arcosh": mp.acosh, "arsinh": mp.asinh,
@@ -55,4 +60,5 @@ BRACKETED: dict[str, Callable[..., Value]] = {
     "B": lambda *x: mp.beta(*x) if len(x) == 2 else mp.re(mp.betainc(x[1], x[2], 0, x[0])),
     "H_0": lambda z: mp.struveh(0, z), "H_1": lambda z: mp.struveh(1, z),
     "L_0": lambda z: mp.struvel(0, z), "L_1": lambda z: mp.struvel(1, z),
+    "2F_1": mp.hyp2f1, "1F_1": mp.hyp1f1, "J": _cap_moment, "max": max, "sgn": mp.sign,
 }  # fmt: skip

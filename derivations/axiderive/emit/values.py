@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..abel.masters import MASTERS
 from ..entry import Entry
 from ..profiles.profile import Profile
 from ..proof.evaluate import at_precision, case_at
-from ..proof.shape import coefficient
+from ..proof.shape import coefficient, concrete, number
 
 Values = dict[Any, Any]
 DIGITS = 25
@@ -27,9 +29,24 @@ def evaluated(expr: sp.Expr, values: Values) -> Any:
         variable, low, high = integral.limits[0]
         ends = [at_precision(end, values) if end.free_symbols else mp.mpf(end) for end in (low, high)]
         stand_in = sp.Symbol(f"integral{i}", positive=True)
-        known[stand_in] = mp.quad(lambda x, e=integral, v=variable: at_precision(e.function, {**values, v: x}), ends)
+        known[stand_in] = mp.quad(_of_one_variable(concrete(integral.function, values), variable, values), ends)
         expr = expr.xreplace({integral: stand_in})
     return at_precision(expr, known)
+
+
+def _of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
+    """The integrand with everything but its variable fixed, looked up once and not at every node."""
+    others = tuple(sorted(body.free_symbols - {variable}, key=str))
+    function = _compiled(body, (variable, *others))
+    fixed = [number(values[s]) for s in others]
+    return lambda x: function(x, *fixed)
+
+
+@lru_cache(maxsize=512)
+def _compiled(body: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
+    own = {master.__name__: master.numeric for master in MASTERS}
+    function: Callable[..., Any] = sp.lambdify(arguments, body, modules=[own, "mpmath"], cse=True)
+    return function
 
 
 def sketch_values(profile: Profile) -> Values:
@@ -68,14 +85,19 @@ class Numbers:
         """One quantity; a radius on a border of two cases is moved off it a little."""
         values = dict(self.values)
         with mp.workdps(self.digits):
+            place = self.place(suffix)
             if r is not None:
-                values[nt.r] = mp.mpf(r)
+                values[place] = mp.mpmathify(r)
             try:
                 case = case_at(self.entries[suffix], values)
             except LookupError:
-                values[nt.r] = values[nt.r] * (1 + mp.mpf(10) ** (4 - self.digits))
+                values[place] = values[place] * (1 + mp.mpf(10) ** (4 - self.digits))
                 case = case_at(self.entries[suffix], values)
             return mp.re(evaluated(case.expr, values))
+
+    def place(self, suffix: str) -> sp.Symbol:
+        """The coordinate a field is asked for at."""
+        return nt.r
 
     @property
     def depth(self) -> Any:
@@ -90,6 +112,6 @@ class Numbers:
         with mp.workdps(self.digits):
             for piece in self.profile.pieces:
                 if piece.upper is None or mp.mpf(r) <= at_precision(piece.upper, self.values):
-                    return at_precision(piece.expr, {**self.values, nt.r: mp.mpf(r)})
+                    return at_precision(piece.expr, {**self.values, nt.r: mp.mpf(r), nt.x: mp.mpf(r)})
         message = f"{self.profile.name}: no piece of the profile reaches r = {r}"
         raise LookupError(message)

@@ -195,6 +195,27 @@ def _beta(ball: Ball, z: acb, p: acb, q: acb) -> acb:
     return z.pow(p) / p * z.hypgeom_2f1(p, 1 - q, p + 1)
 
 
+def _cap(ball: Ball, k: acb, b: acb, R: acb, a: acb) -> acb:
+    """J(k; b, R, a) in v = a**2 - s**2 or v = R**2 - s**2, whichever is the shorter way to a branch point."""
+    gap, half = (R - a) * (R + a), acb(fmpq(1, 2))
+    if a.real < R.real:
+        far, near = a, (k + 1) * half
+
+        def primitive(v: acb) -> acb:
+            return v.pow(near) / (k + 1) / gap.sqrt() * (-v / gap).hypgeom_2f1(half, near, near + 1)
+
+    else:
+        far = R
+
+        def primitive(v: acb) -> acb:
+            other = (-gap).pow((k - 1) * half) * (v / gap).hypgeom_2f1((1 - k) * half, half, 3 * half)
+            return v.sqrt() * other
+
+    if far is b:  # the ball of the same symbol
+        return primitive(far * far)
+    return primitive(far * far) - primitive((far - b) * (far + b))
+
+
 FUNCTIONS: dict[Any, Callable[..., acb]] = {
     sp.sin: lambda ball, z: z.sin(),
     sp.cos: lambda ball, z: z.cos(),
@@ -216,6 +237,9 @@ FUNCTIONS: dict[Any, Callable[..., acb]] = {
     masters.LegendreChi2: lambda ball, x: ball.real_only((x.polylog(2) - (-x).polylog(2)) / 2),
     masters.ArctanIntegral: lambda ball, x: ball.real_only(acb((x * acb(0, 1)).polylog(2).imag)),
     masters.C0: lambda ball, b, r, a: ball.real_only(_c0(ball, b, r, a)),
+    masters.Hypergeometric: lambda ball, p, q, c, z: ball.real_only(z.hypgeom_2f1(p, q, c)),
+    masters.Kummer: lambda ball, p, c, z: ball.real_only(z.hypgeom([p], [c])),
+    masters.CapMoment: lambda ball, k, b, R, a: ball.real_only(_cap(ball, k, b, R, a)),
     masters.Dawson: lambda ball, x: acb.pi().sqrt() / 2 * (-x * x).exp() * x.erfi(),
     masters.StruveH: lambda ball, order, z: ball.struve(order, z, -1),
     masters.StruveL: lambda ball, order, z: ball.struve(order, z, 1),

@@ -130,7 +130,7 @@ def _derived(profile: Profile, medium: Medium) -> Prover:
 
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
-    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w, materials.H."""
+    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
     first, *groups = next(iter(entries.values())).key.split(".")[:-1]
     if isinstance(profile, Load):
         return Prover(entries, loads.RULES, lambda: loads.Loads(profile, entries))

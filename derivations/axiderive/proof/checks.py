@@ -4,9 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ..contact.systems import Problem
+from ..contact import normal
+from ..contact.medium import GRADED, HOMOGENEOUS
+from ..contact.systems import BY_NAME, Problem
 from ..entry import Entry
-from . import enclosure, identities, materials, physics_quadrature, plane_closure, plane_quadrature, quadrature, units
+from ..profiles.profile import Profile
+from . import (
+    adhesive_identities,
+    enclosure,
+    identities,
+    materials,
+    physics_identities,
+    physics_quadrature,
+    plane_closure,
+    plane_quadrature,
+    quadrature,
+    units,
+)
 from .evidence import Evidence
 
 BALL_DIGITS = 10
@@ -41,4 +55,30 @@ def check_problem(
     else:
         physics = PHYSICS[problem.system.name]
         checks += physics_quadrature.check_profile(profile, kept, physics, digits=digits, seed=seed).values()
+        checks += _identities(problem, profile, kept, digits, seed)
     return checks
+
+
+def _identities(
+    problem: Problem, profile: Profile, entries: dict[str, Entry], digits: int, seed: int
+) -> list[Evidence]:
+    """What ties the entries to each other, to the contact they rest on and to the homogeneous half space."""
+    kind, graded = problem.system.name.removeprefix("graded."), problem.system.name.startswith("graded.")
+    if kind == "loads":
+        return [physics_identities.reciprocity(profile, entries, digits=digits, seed=seed)]
+    found: list[Evidence] = []
+    if kind == "normal":
+        found.append(physics_identities.stiffness(profile, entries, digits=digits, seed=seed))
+    else:
+        plain = normal.derive(profile, GRADED if graded else HOMOGENEOUS)
+        rule = {
+            "adhesive": adhesive_identities.check_profile,
+            "tangential": physics_identities.slip,
+            "viscoelastic": physics_identities.elastic,
+        }[kind]
+        found += rule(profile, entries, plain, digits=digits, seed=seed)
+    if graded:
+        simple = BY_NAME[kind].rule(profile)
+        physics = "graded" if kind == "normal" else kind
+        found += physics_identities.homogeneous(profile, entries, simple, physics, digits=digits, seed=seed)
+    return found

@@ -121,7 +121,7 @@ def check_profile_from_depth(profile: Profile, entries: Entries, *, digits: int,
             def depth(t: Number, case: Case | None, at: Values = values) -> Number:
                 return at_precision(case.expr, {**at, nt.a: t}) if case else mp.mpf(0)
 
-            total = _over_contact(entries["d"], values, depth, digits)
+            total = over_contact(entries["d"], values, depth, digits)
             rows.append((values, residual(2 * total / mp.pi, shape(profile, values).height(a))))
     return _judge(entries["d"], "f recovered from g by (11.28)", rows, digits, seed)
 
@@ -146,12 +146,12 @@ def check_force_of_pressure(profile: Profile, entries: Entries, *, digits: int, 
                     return mp.mpf(0)
                 return enclose_value(region.expr, {**at, nt.r: r}, digits + 5) * r * mp.sqrt((a - r) * (a + r))
 
-            total = _over_contact(entry, values, pressure, digits, edge, nt.r)
+            total = over_contact(entry, values, pressure, digits, edge, nt.r)
             rows.append((values, residual(2 * mp.pi * total, wanted)))
     return _judge(entries["F"], identity, rows, digits, seed)
 
 
-def _over_contact(
+def over_contact(
     entry: Entry,
     values: Values,
     integrand: Callable[[Number, Case | None], Number],

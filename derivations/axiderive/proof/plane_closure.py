@@ -130,6 +130,11 @@ def check_profile(
         comparisons.append(
             ("s", "singular integral outside the contact", lambda values: _outside(profile, entries, values, digits))
         )
+    if "phi" in entries:
+        comparisons.append(
+            ("phi", "slope under the punch from the pressure", lambda values: _inside(profile, entries, values, digits))
+        )
+        comparisons.append(("cw", "load and moment over this width", lambda values: _moment(entries, values, digits)))
     found = []
     for suffix, compared, compare in comparisons:
         drawn = _points(profile, entries[suffix], points, seed)
@@ -162,6 +167,17 @@ def _eccentric(profile: Profile, count: int, seed: int) -> list[Point]:
         position = side * (a - (2 * a - lost) * sp.Rational(1 + 2 * (i % 5), 11))
         drawn.append(Point({**point.values, nt.e: side * distance, nt.x: position}, point.extreme))
     return drawn[: max(8, count)]
+
+
+def _moment(entries: Mapping[str, Entry], values: Values, digits: int) -> Number:
+    """Load and moment of the pressure over the width that the entry gives, at the loaded edge."""
+    a, side = number(values[nt.a]), mp.sign(number(values[nt.e]))
+    half = at_precision(case_at(entries["cw"], values).expr, values) / 2
+    middle = side * (a - half)
+    over = Pressed(values, middle, half, ((middle - half, middle + half, case_at(entries["p"], values).expr),), False)
+    force, moment = over.integral(lambda s, p: p, [], digits), over.integral(lambda s, p: s * p, [], digits)
+    wanted = number(values[nt.P])
+    return max(residual(force, wanted), residual(moment, wanted * number(values[nt.e])))
 
 
 def _load(profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int) -> Number:

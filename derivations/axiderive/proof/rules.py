@@ -13,7 +13,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import mpmath as mp
 
@@ -114,8 +114,22 @@ def _panels(lo: float, hi: float, singular: tuple[complex, ...], depth: int = 0)
     return _panels(lo, cut, singular, depth + 1) + _panels(cut, hi, singular, depth + 1)
 
 
+Panel = Callable[[Any, Callable[..., Rule], tuple[Any, ...], Number, Number], Number]
+"""Sums a function over a rule of these arguments, scaled to a start and a length of either sign."""
+
+
+def sum_over(f: Integrand, rule: Callable[..., Rule], of: tuple[Any, ...], start: Number, length: Number) -> Number:
+    return abs(length) * mp.fsum(w * f(start + length * x) for x, w in rule(*of))
+
+
 def integrate(
-    f: Integrand, lo: Number, hi: Number, singular: Iterable[complex], digits: int, least: float = -0.5
+    f: Any,
+    lo: Number,
+    hi: Number,
+    singular: Iterable[complex],
+    digits: int,
+    least: float = -0.5,
+    panel: Panel = sum_over,
 ) -> Number:
     """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
 
@@ -131,9 +145,8 @@ def integrate(
     for (left, right, parameter), start, end in zip(panels, ends, ends[1:], strict=False):
         if 0 in points and 0 in (left, right):
             length = end if left == 0 else start
-            total += abs(length) * mp.fsum(w * f(length * x) for x, w in exponential_rule(digits, prec, least))
+            total += panel(f, exponential_rule, (digits, prec, least), mp.mpf(0), length)
             continue
         order = 8 * math.ceil((digits + 4) / (16 * math.log10(parameter)))
-        length = end - start
-        total += length * mp.fsum(w * f(start + length * x) for x, w in gauss_rule(order, prec))
+        total += panel(f, gauss_rule, (order, prec), start, end - start)
     return total

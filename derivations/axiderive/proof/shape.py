@@ -12,6 +12,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
+from . import ball_rules
 
 Number: TypeAlias = mp.mpf
 Values = Mapping[Any, Any]
@@ -62,6 +63,8 @@ class Stretch:
     bend: Callable[[Number], Number]
     """(s f')' = f' + s f''."""
     singular: tuple[complex, ...]
+    bend_ball: Callable[[Any], Any]
+    """The same in the arithmetic of Arb."""
     wavelength: float
     """Length over which an exponential, a wave or a high power changes by a factor or a radian; inf without any."""
 
@@ -73,6 +76,8 @@ class Shape:
     stretches: tuple[Stretch, ...]
     kinks: tuple[tuple[Number, Number], ...]
     """(b, jump of f' at b)."""
+    powers: tuple[tuple[Number, Number], ...] = ()
+    """(c, n) of every term where the whole profile is a sum of c r**n; empty elsewhere."""
 
     def height(self, s: Number) -> Number:
         return next(piece for piece in self.stretches if s <= piece.hi).height(s)
@@ -93,7 +98,7 @@ def _singular_points(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr]) -> tuple[c
 
 
 def _wavelength(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr], end: Number) -> float:
-    """Of an argument c*r the length 1/c, of c*r**2 the length 1/sqrt(c), of a high power r**n the length 2*a/n."""
+    """Of an argument c*r the length 1/c, of c*r**2 the length 1/sqrt(9 c), of a high power r**n the length 2*a/n."""
     powers = [(p.base, p.exp.xreplace(values)) for p in expr.atoms(sp.Pow) if p.base.is_polynomial(nt.r)]
     degrees = [float(e * sp.degree(base, nt.r)) for base, e in powers if e.is_number and base.has(nt.r)]
     shortest = min((2 * float(end) / degree for degree in degrees if degree > 6), default=float("inf"))
@@ -101,8 +106,21 @@ def _wavelength(expr: sp.Expr, values: dict[sp.Symbol, sp.Expr], end: Number) ->
         argument = term.args[0].xreplace(values)
         degree = sp.degree(argument, nt.r)
         if degree > 0:
-            shortest = min(shortest, abs(float(sp.LC(argument, nt.r))) ** (-1 / int(degree)))
+            # a gaussian grows along the imaginary axis
+            shortest = min(shortest, abs(float(sp.LC(argument, nt.r))) ** (-1 / int(degree)) / (1, 3)[degree == 2])
     return shortest
+
+
+def _powers(expr: sp.Expr, bound: Callable[[sp.Expr], Callable[[Number], Number]]) -> tuple[tuple[Number, Number], ...]:
+    """(c, n) of the terms c r**n; empty if one of them is something else."""
+    found = []
+    for term in sp.Add.make_args(sp.expand_power_base(expr)):
+        factor, power = term.as_independent(nt.r, as_Add=False)
+        base, exponent = power.as_base_exp()
+        if base != nt.r or exponent.has(nt.r):
+            return ()
+        found.append((bound(factor)(mp.mpf(0)), bound(exponent)(mp.mpf(0))))
+    return tuple(found)
 
 
 @lru_cache(maxsize=1024)
@@ -125,6 +143,9 @@ def shape(profile: Profile, values: Values) -> Shape:
         f = _compiled(expr, (nt.r, *symbols))
         return lambda s: f(s, *arguments)
 
+    def in_balls(expr: sp.Expr) -> Callable[[Any], Any]:
+        return ball_rules.bound(expr, nt.r, dict(zip(symbols, arguments, strict=True)))
+
     stretches: list[Stretch] = []
     kinks: list[tuple[Number, Number]] = []
     lo = mp.mpf(0)
@@ -133,11 +154,13 @@ def shape(profile: Profile, values: Values) -> Shape:
         height, slope, bend = exprs
         hi = end if upper is None else min(end, bound(upper)(mp.mpf(0)))
         points, period = _singular_points(bend, exact), _wavelength(height, exact, end)
-        stretch = Stretch(lo, hi, bound(height), bound(slope), bound(bend), points, period)
+        stretch = Stretch(lo, hi, bound(height), bound(slope), bound(bend), points, in_balls(bend), period)
         if stretches:
             kinks.append((lo, stretch.slope(lo) - stretches[-1].slope(lo)))
         stretches.append(stretch)
         lo = hi
         if hi == end:
             break
-    return Shape(tuple(stretches), tuple(kinks))
+    pieces = _pieces(profile)
+    powers = _powers(concrete(pieces[0][1], values), bound) if len(pieces) == 1 else ()
+    return Shape(tuple(stretches), tuple(kinks), powers)

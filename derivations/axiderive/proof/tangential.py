@@ -7,7 +7,7 @@ import sympy as sp
 from ..abel.order import Chain, insert
 from ..contact.tangential import GROUP as GROUP
 from ..entry import Case, Entry
-from ..notation import F, F_x, G_star, H_x, a, c, mu, r
+from ..notation import F_x, G_star, H_x, a, c, mu, r
 from .compact import Compact
 from .domain import NotProvedError
 from .functions import require_analytic
@@ -106,7 +106,7 @@ class Tangential:
             message = f"{entry.key} holds for another order than {' < '.join(map(str, chain))}"
             raise NotProvedError(message)
         outer, inner = force.expr, force.expr.subs(a, c)
-        back = case.expr.subs({F: outer, F_x: mu * (outer - inner)}, simultaneous=True)
+        back = case.expr.subs(F_x, mu * (outer - inner))
         require_analytic(inner, domain)
         return [require_zero(back - c, domain, "c(F(a), F_x = mu (F(a) - F(c))) = c")]
 

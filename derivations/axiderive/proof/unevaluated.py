@@ -10,10 +10,11 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case
-from .balls import enclose_value
+from . import ball_rules
+from .balls import NotAvailableError, enclose_value
 from .evaluate import at_precision, decades
 from .rules import integrate
-from .shape import Number, Values, concrete
+from .shape import Number, Values, concrete, number, numeric_symbols
 
 
 def evaluate_case(case: Case, values: Values, digits: int) -> Number:
@@ -38,7 +39,11 @@ def evaluate_integral(expr: sp.Expr, values: Values, digits: int, radii: tuple[c
         pieces = {integral: _definite(integral, values, digits, radii) for integral in plain.atoms(sp.Integral)}
         stand_ins = {integral: sp.Dummy("I", real=True) for integral in pieces}
         reduced = plain.xreplace(stand_ins)
-        return at_precision(reduced, {**values, **{stand_ins[i]: value for i, value in pieces.items()}})
+        known = {**values, **{stand_ins[i]: value for i, value in pieces.items()}}
+        try:
+            return enclose_value(reduced, known, digits)
+        except NotAvailableError:
+            return at_precision(reduced, known)
 
 
 def _least(values: Values) -> float:
@@ -58,7 +63,7 @@ def _images(variable: sp.Symbol, values: Values, radii: tuple[complex, ...]) -> 
 
 def _definite(integral: sp.Integral, values: Values, digits: int, radii: tuple[complex, ...] = ()) -> Number:
     (variable, lower, upper), integrand = integral.limits[0], integral.function
-    start, end = at_precision(lower, values), at_precision(upper, values)
+    start, end = mp.mpf(at_precision(lower, values)), mp.mpf(at_precision(upper, values))
     shifted = [z - start for part in _zeros_of(integrand, variable) for z in _roots(part, values)]
     # what the lower limit itself is a root of comes out as rounding
     negligible = (end - start) * mp.mpf(10) ** (-mp.mp.dps // 2)
@@ -70,12 +75,15 @@ def _definite(integral: sp.Integral, values: Values, digits: int, radii: tuple[c
         for z in _images(variable, values, radii)
         if min(abs(z - complex(start)), abs(z - complex(end))) > 1e-13 * max(1.0, abs(start))
     ]
+    shifted = [-z if abs(z.imag) == 0 and 0 < z.real < end - start else z for z in map(complex, shifted)]
+    # inside, the end of a sphere that a break cuts off is singular on another sheet only: its distance counts
     points = (0j, complex(behind), *(complex(z) for z in shifted if abs(z) > negligible))
 
-    def f(x: Number) -> Number:
-        return at_precision(integrand, {**values, variable: start + x})
-
-    return integrate(f, mp.mpf(0), end - start, points, digits, _least(values))
+    known = {s: number(values[s]) for s in numeric_symbols(values) if integrand.has(s) and s != variable}
+    with ball_rules.at_working_precision():
+        inside, origin = ball_rules.bound(integrand, variable, known), ball_rules.ball(start)
+        panel = ball_rules.sum_over_balls
+        return integrate(lambda x: inside(origin + x), mp.mpf(0), end - start, points, digits, _least(values), panel)
 
 
 @lru_cache(maxsize=256)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 
-from ...contact import adhesive as adhesion
-from ...contact import normal as plain
-from ...contact import tangential as friction
-from ...contact.medium import GRADED
 from ...entry import Entry
-from ...profiles import COMPLETE_NAMES, NAMES, load
+from ...profiles import COMPLETE_NAMES, load
 from ..physics.refusals import package_source
 from ..physics.text import PACKAGE
-from . import adhesive, complete, normal, refusals, tangential
+from . import adhesive, complete, detachment, normal, refusals, tangential
 from .module import RUNTIME
 
 Derived = Mapping[str, Mapping[str, Mapping[str, Entry]]]
@@ -24,10 +20,9 @@ TITLES = {
 }
 
 
-def module_sources(names: Iterable[str] = NAMES, derived: Derived | None = None) -> dict[str, str]:
+def module_sources(names: Iterable[str], derived: Derived) -> dict[str, str]:
     """The files of the graded packages as `{path below catalogue/: text}`."""
     names = sorted(names)
-    derived = derive(names) if derived is None else derived
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
     for name in names:
         for group, text in _modules(name, derived).items():
@@ -36,16 +31,6 @@ def module_sources(names: Iterable[str] = NAMES, derived: Derived | None = None)
         files[f"{PACKAGE}/graded/{group}/__init__.py"] = package_source(title, names)
     title = "Contact on a half space whose modulus grows as a power of the depth"
     return files | {f"{PACKAGE}/graded/__init__.py": package_source(title, sorted(TITLES))}
-
-
-def derive(names: Sequence[str]) -> dict[str, dict[str, dict[str, Entry]]]:
-    """The entries of these profiles."""
-    compact = [name for name in names if name not in COMPLETE_NAMES]
-    return {
-        "graded.normal": {name: plain.derive(load(name), GRADED) for name in names},
-        "graded.adhesive": {name: adhesion.derive(load(name), GRADED) for name in compact},
-        "graded.tangential": {name: friction.derive(load(name), GRADED) for name in compact},
-    }
 
 
 def _modules(name: str, derived: Derived) -> dict[str, str]:
@@ -57,10 +42,9 @@ def _modules(name: str, derived: Derived) -> dict[str, str]:
             "adhesive": adhesive.module_source(derived["graded.adhesive"][name], entries),
             "tangential": tangential.module_source(derived["graded.tangential"][name], entries),
         }
-    profile = load(name)
-    flat = profile.pieces[0].expr == 0
+    profile, peeled = load(name), derived["graded.adhesive"].get(name)
     return {
         "normal": complete.module_source(entries),
-        "adhesive": refusals.punch_source(entries) if flat else refusals.module_source(profile, "adhesive"),
+        "adhesive": detachment.module_source(peeled) if peeled else refusals.module_source(profile, "adhesive"),
         "tangential": refusals.module_source(profile, "tangential"),
     }

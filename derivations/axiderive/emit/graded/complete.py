@@ -8,7 +8,8 @@ from dataclasses import replace
 import sympy as sp
 
 from ...entry import COMPLETE, Entry
-from ...notation import a, d, n, r
+from ...notation import a, d, r
+from ...profiles.profile import Profile
 from ..code import python
 from ..docstring import SUMMARY
 from ..physics.text import name_of
@@ -40,10 +41,7 @@ class _Complete:
         self.material = [*self.writer.geometry, "H", "k"]
         piece = self.profile.pieces[0].expr
         self.concave = piece.has(a)
-        self.order = python(
-            piece.as_independent(r, as_Add=False)[1].as_base_exp()[1] if not self.concave else _order(piece)
-        )
-        self.order = f"{self.order}.0" if self.order.isdigit() else self.order
+        self.order = order_of(self.profile)
 
     def source(self) -> str:
         self.writer.profile_function()
@@ -67,7 +65,8 @@ class _Complete:
         body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used)}")
         notes = f"Valid for {self.profile.validity}."
         if fields:
-            notes += " Negative or NaN field values give NaN."
+            notes += " Negative or NaN field values give NaN"
+            notes += ", and so do loads below those of complete contact." if self.concave and suffix != "k" else "."
         writer.add(entry, SUMMARY[suffix], notes, body)
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
@@ -120,38 +119,46 @@ class _Complete:
 
     def concave_rules(self) -> None:
         """Everything as the punch and the hollow h (r/a)**n, whose depth at the edge is h power_factor(n, k)."""
-        order = self.order
+        order, writer = self.order, self.writer
         offset = f"h * power_factor({order}, k) * (1.0 + k) / ({order} + 1.0 + k)"
-        self.rule("_force", ["d"], self.material, f"return punch_stiffness(a, H, k) * (d + {offset})")
+        complete = f"complete = _minimum_depth({', '.join(self.geometry)}) * (1.0 - 1e-15) <= d"
         self.rule(
-            "_pressure", ["r", "d"], self.material,
+            "_force", ["d"], self.material, complete,
+            f"return np.where(complete, punch_stiffness(a, H, k) * (d + {offset}), np.nan)",
+        )  # fmt: skip
+        self.rule(
+            "_pressure", ["r", "d"], self.material, complete,
             f"edge = (d + h * power_factor({order}, k)) * punch_pressure(r, a, H, k)",
             f"hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, {order}, k) / a**{order}",
-            "return np.where(r < a, edge - hollow, edge)",
+            "return np.where(complete, np.where(r < a, edge - hollow, edge), np.nan)",
         )  # fmt: skip
         self.rule(
-            "_displacement", ["r", "d"], self.geometry,
+            "_displacement", ["r", "d"], self.geometry, complete,
             f"outside = d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
-            f"return np.where(r > a, outside, d - {self.writer.shape_of('r')})",
+            f"return np.where(complete, np.where(r > a, outside, d - {writer.shape_of('r')}), np.nan)",
         )  # fmt: skip
         self.rule("_stiffness", [], ["a", "H", "k"], "return punch_stiffness(a, H, k)")
-        self.rule("_depth_from_force", ["F"], self.material, f"return F / punch_stiffness(a, H, k) - {offset}")
+        self.rule(
+            "_depth_from_force", ["F"], self.material,
+            f"complete = _minimum_force({', '.join(self.material)}) * (1.0 - 1e-15) <= F",
+            f"return np.where(complete, F / punch_stiffness(a, H, k) - {offset}, np.nan)",
+        )  # fmt: skip
         ring = f"ring_of_zero_pressure({order}, k)"
         self.rule("_zero_radius", [], self.geometry, f"return a * np.sqrt(1.0 - {ring}) + 0.0 * h")
-        least = f"_minimum_depth({', '.join(self.geometry)})"
         self.rule(
             "_minimum_depth", [], self.geometry,
             f"lifted = {order} * {ring} - 1.0 + k",
             f"return h * power_factor({order}, k) * (1.0 - k) / lifted + 0.0 * a",
         )  # fmt: skip
+        least = f"_minimum_depth({', '.join(self.geometry)})"
         self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
 
 
-def _order(piece: sp.Expr) -> sp.Expr:
-    (power,) = (own for own in sp.expand_power_base(piece).args if own.as_base_exp()[0] == r)
-    exponent = power.as_base_exp()[1]
-    assert exponent == n or exponent.is_Integer
-    return exponent
+def order_of(profile: Profile) -> str:
+    """The exponent of a face of one power of r, as it stands in the code: 2.0, n."""
+    piece = sp.expand_power_base(profile.pieces[0].expr)
+    exponent = sp.expand_power_base(piece.as_independent(r, as_Add=False)[1]).as_base_exp()[1]
+    return repr(float(exponent)) if exponent.is_Integer else python(exponent)
 
 
 def _with_depth(entry: Entry) -> Entry:

@@ -16,6 +16,7 @@ from ...notation import coefficients
 from ...profiles.profile import Profile
 from .. import docstring, example
 from ..code import python
+from ..layout import fit
 from ..physics import text
 from ..physics.text import Function, evaluate, name_of, private
 from .examples import Example
@@ -113,7 +114,10 @@ class Writer:
             if re.search(rf"\b{symbol}\b", body)
         ]
         source = private(name, fields, needs, [*own, *lines], doc)
-        self.private.append(source.replace(" A: Array", " A: tuple[float, ...]") if self.summed else source)
+        if self.summed:
+            head, body = source.replace(" A: Array", " A: tuple[float, ...]").split("\n", 1)
+            source = "\n".join([*fit(head, 0), body])
+        self.private.append(source)
 
     def evaluated(self, function: str, fields: Sequence[str], names: Sequence[str], **signed: str) -> str:
         return evaluate(function, fields, names, self.summed and "A" in names, **signed)

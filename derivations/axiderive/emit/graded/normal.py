@@ -178,5 +178,6 @@ class _Normal:
                 f"return np.where(_{quantity}({', '.join(['largest', *needs])}) >= {field}, found, np.nan)",
             ]
         lengths = [*self.writer.geometry, *(str(symbol) for symbol, _ in self.profile.abbreviations)]
-        start = next((name for name in ("b", "wavelength") if name in lengths), "1.0")
+        # off the break itself, where the rate is infinite
+        start = next((f"1.5 * {name}" for name in ("b", "wavelength") if name in lengths), "1.0")
         return [f"return radius_to(_{quantity}, _{rate}, {field}, {start}, {passed})"]

@@ -1,4 +1,4 @@
-"""Modules `axicontact.adhesive.<complete contact>`: the edge stays until it peels off, so that only pull-off is left."""
+"""Modules `axicontact.adhesive.<complete contact>`: the edge stays until it peels off, and only pull-off is left."""
 
 from __future__ import annotations
 
@@ -48,10 +48,12 @@ class _Detachment:
         form = evaluation_form(complete.edge_depth(self.profile), facts_of((a,)))
         steps = [f"{name} = {python(expr)}" for name, expr in form.steps]
         level = "" if form.value == 0 else f"{python(form.value)} "
-        at_edge = f"_pull_off_depth({', '.join(needs)})"
+        # at a depth where the normal contact without adhesion is not complete, so that its force is not at hand
+        force = evaluation_form(self.entries["Fc"].cases[0].expr, facts_of((a,)))
+        own = [f"{name} = {python(expr)}" for name, expr in force.steps]
         return [
             private("_pull_off_depth", [], needs, [*steps, f"return {level}-{' ' if level else ''}{HESS}"]),
-            private("_pull_off_force", [], needs, [f"return {self.module.call('_force', at_edge)}"]),
+            private("_pull_off_force", [], needs, [*own, f"return {python(force.value)}"]),
         ]
 
     def retraction(self) -> Function:

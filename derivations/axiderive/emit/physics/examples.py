@@ -86,8 +86,6 @@ class Example:
         symbol = entry.quantity.symbol
         if entry.status == "root" and symbol in (nt.a, nt.c):
             return self.root(entry, symbol, at)
-        if symbol == nt.c:
-            at = at | {nt.F: _closed(self.elastic["F"], at)}
         if entry.status == "root":
             at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
         return _closed(entry, at)

@@ -52,9 +52,7 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
     notes = f"Valid for {profile.validity}; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN."
     if profile.truncated:
         notes += " The stick zone is never smaller than the flat face: NaN for c < b."
-    with_force = entry.status == "closed" and entry.suffix == "c"
-    where = [f"with {line}" for line in text.formula(module.entries["F"])] if with_force else []
-    document = text.document(entry, fields, keywords, notes, where)
+    document = text.document(entry, fields, keywords, notes)
     shown = example.lines(entry.suffix)
     return Function(entry.quantity.function, fields, keywords, SUMMARY[entry.suffix], document, body, example=shown)
 

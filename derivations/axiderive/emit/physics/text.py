@@ -127,14 +127,12 @@ def renamed(lines: Sequence[str]) -> list[str]:
     return text.split("\n")
 
 
-def document(
-    entry: Entry, fields: Sequence[str], keywords: Sequence[str], notes: str, where: Sequence[str] = ()
-) -> list[str]:
-    """Everything below the summary of a function that one entry backs; `where` follows its formula."""
+def document(entry: Entry, fields: Sequence[str], keywords: Sequence[str], notes: str) -> list[str]:
+    """Everything below the summary of a function that one entry backs."""
     symbols = {name_of(symbol): symbol for symbol in (*entry.parameters, *entry.quantity.arguments)}
     record = nt.describe(entry.quantity.symbol)
     shape = "The shape to which the arguments broadcast."
-    lines = [*formula(entry), *where, "", "Parameters", "----------"]
+    lines = [*formula(entry), "", "Parameters", "----------"]
     lines += [*parameters(fields, symbols, True), *parameters(keywords, symbols, False)]
     lines += ["", "Returns", "-------", "float or ndarray"]
     lines += wrapped(f"{capital(record.meaning)} [{record.unit}]. {shape}", 4)

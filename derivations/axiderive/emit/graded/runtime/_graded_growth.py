@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 
@@ -153,15 +154,16 @@ def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array]) -> Array:
 
 
 def steepest_waves(k: Array) -> Array:
-    """The least wavelength**2/(h R) at which g' of a paraboloid with waves of height h nowhere falls below zero.
+    """The least wavelength**2/(h R) at which g' of a paraboloid with waves of height h nowhere falls below zero."""
+    return np.vectorize(_steepest_waves, otypes=[float])(k)
 
-    With x = q a that of the waves is q W(x), that of the paraboloid 2 x/((1 + k) q R); the least W/x lies
-    in the first trough or, for k near -1, in one of the next.
-    """
-    x = np.arange(1.0, 60.0, 0.05).reshape(-1, *(1,) * np.ndim(k))
-    ratio = -waves_rate(x + 0.0 * np.asarray(k), 1.0, k) / x
-    place = np.clip(np.argmax(ratio, axis=0), 1, len(x) - 2)
-    low, top, high = (np.take_along_axis(ratio, (place + step)[None], axis=0)[0] for step in (-1, 0, 1))
-    # the top of the parabola through three neighbours
+
+@cache
+def _steepest_waves(k: float) -> float:
+    # with x = q a, g' of the waves is q W(x) and that of the paraboloid 2 x/((1 + k) q R)
+    x = np.arange(1.0, 40.0, 0.02)
+    ratio = -waves_rate(x, 1.0, k) / x
+    place = int(np.argmax(ratio))
+    low, top, high = (float(ratio[place + step]) for step in (-1, 0, 1))
     largest = top - (high - low) ** 2 / (8.0 * (high - 2.0 * top + low))
-    return 2.0 * np.pi**2 * (1.0 + k) * largest
+    return float(2.0 * np.pi**2 * (1.0 + k) * largest)

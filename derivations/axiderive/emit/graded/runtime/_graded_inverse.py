@@ -11,7 +11,7 @@ from ._graded_growth import gaussian_rate
 from ._inverse import inverse
 
 Load = Callable[..., Array]
-SLACK = 0.01
+SLACK = 0.1
 """Least exponent assumed of a load that is no power: it only widens the bracket."""
 
 

@@ -208,7 +208,8 @@ def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array
 def _rest(integrand: Callable[[Array], Array], start: Array, stop: Array) -> Array:
     """Integral from start to stop, long only where r is close to b."""
     half = (stop - start) / 2.0
-    return sum(integral(lambda v, at=at: integrand(at + v), half, NODES) for at in (start, start + half))
+    first = integral(lambda v: integrand(start + v), half, NODES)
+    return first + integral(lambda v: integrand(start + half + v), half, NODES)
 
 
 def growth_beyond_cap(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:

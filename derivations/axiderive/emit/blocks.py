@@ -1,0 +1,133 @@
+"""The blocks of a spread: the rows of one system each, or the reason why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..contact.systems import BY_NAME, SYSTEMS, Problem, System
+from ..entry import Entry
+from . import laws
+from .prose import prose
+from .rows import Row, lines, ordered
+
+TITLES = {
+    "normal": ("Normal contact", ""),
+    "adhesive": (
+        "Adhesive contact",
+        r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$; "
+        r"pull-off at fixed force, $a_{\mathrm c}$, and at fixed depth, $a_{\mathrm m}$",
+    ),
+    "tangential": (
+        "Tangential contact",
+        r"Cattaneo--Mindlin approximation, coefficient of friction $\mu$, stick for $r<c$, constant $F_{\mathrm N}$",
+    ),
+    "viscoelastic": (
+        "Viscoelastic half-space",
+        r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
+    ),
+    "graded.normal": ("Power-law graded half-space", r"$c_{\mathrm N}(x)=H|x|^k$, $-1<k<1$"),
+    "graded.adhesive": (
+        "Adhesive contact, graded half-space",
+        r"$g$, $F_{\mathrm N}$, $p$, $w$ of the graded half-space",
+    ),
+    "graded.tangential": ("Tangential contact, graded half-space", r"$c_{\mathrm T}(x)=H_x|x|^k$"),
+    "plane": ("Plane contact", r"load $P$ per length; $d$ relative to the surface at the distance $L$"),
+    "loads": ("Displacement", ""),
+    "materials": ("Elastic constants", ""),
+}
+
+
+@dataclass(frozen=True)
+class Block:
+    """What a spread says about one system."""
+
+    title: str
+    note: str
+    lines: list[list[dict[str, Any]]]
+    listed: list[str]
+    """Ends of the keys whose rule stands in front of the book."""
+    words: str = ""
+    """In place of rows: why there are none."""
+
+
+def printed(one: Row, profile_id: str) -> dict[str, Any]:
+    """A row as the template sees it."""
+    label, small = one.label
+    return {
+        "key": one.key,
+        "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
+        "suffix": ending(one.entry, profile_id),
+        "also": [ending(entry, profile_id) for entry in one.also],
+        "label": label,
+        "small": small,
+        "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],
+        "remark": one.remark,
+        "uses": one.uses and ending_of(one.uses, one.entry, profile_id),
+    }
+
+
+def ending(entry: Entry, profile_id: str) -> str:
+    """The key without the profile: d, adh.Fc, fgm.tan.u."""
+    return entry.key[len(profile_id) + 1 :]
+
+
+def ending_of(suffix: str, beside: Entry, profile_id: str) -> str:
+    """The end of the key of another row: of the same problem, or of the normal contact for the viscoelastic one."""
+    own = ending(beside, profile_id).rpartition(".")[0]
+    group = "" if own == BY_NAME["viscoelastic"].group else own
+    return f"{group}.{suffix}".lstrip(".")
+
+
+def blocks(
+    profile_id: str, derived: Mapping[str, Mapping[str, Entry]], refusals: Mapping[str, str]
+) -> dict[str, Block]:
+    """Blocks by name of the system, in the order of the systems; `refusals` says why a system has none."""
+    found = {}
+    for system in SYSTEMS:
+        prefix, _, name = profile_id.rpartition(".")
+        if system.pool.prefix != prefix or name not in system.pool.names:
+            continue
+        if system.name in refusals:
+            found[system.name] = _silent(system, prose(_reason(refusals[system.name])))
+            continue
+        problem = Problem(system, name)
+        if problem.key in derived:
+            found[system.name] = _block(
+                system, profile_id, rows_of(system, derived[problem.key], derived, problem.name)
+            )
+        else:
+            found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
+    return found
+
+
+def _reason(message: str) -> str:
+    """The message of the refusal without the name of the profile and without the call to use instead."""
+    return message.partition(" is ")[2].partition(": use ")[0] or message
+
+
+def _silent(system: System, words: str) -> Block:
+    title, note = TITLES[system.name]
+    return Block(title, "", [], [], words)
+
+
+def rows_of(
+    system: System, entries: Mapping[str, Entry], derived: Mapping[str, Mapping[str, Entry]], name: str
+) -> list[Row]:
+    """The rows of a problem; those of the viscoelastic one are printed from the normal contact."""
+    if system.name != "viscoelastic":
+        return ordered(entries)
+    return laws.rows(entries, derived[Problem(BY_NAME["normal"], name).key])
+
+
+def _block(system: System, profile_id: str, rows: list[Row]) -> Block:
+    title, note = TITLES[system.name]
+    shown = [one for one in rows if not one.listed]
+    pairs = [(one,) for one in shown] if system.name == "viscoelastic" else lines(shown)
+    return Block(
+        title,
+        note,
+        [[printed(one, profile_id) for one in pair] for pair in pairs],
+        [ending(one.entry, profile_id) for one in rows if one.listed],
+    )

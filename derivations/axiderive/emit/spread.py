@@ -1,0 +1,116 @@
+"""The page model of one profile: everything its template needs, as plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
+from ..entry import Entry
+from ..profiles.profile import Profile
+from . import blocks, front, page, references
+from .panel import panel
+from .plots import plots
+from .prose import prose
+from .sketch import sketch
+from .strips import StripNumbers
+from .values import Numbers, sketch_values
+
+Entries = Mapping[str, Entry]
+PLOT_DIGITS = 16
+
+
+def pool_of(profile_id: str) -> Pool:
+    """The pool a profile belongs to."""
+    prefix, _, name = profile_id.rpartition(".")
+    return next(pool for pool in POOLS if pool.prefix == prefix and name in pool.names)
+
+
+def problems_of(profile_id: str) -> list[Problem]:
+    """The problems of a profile, of whatever system."""
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
+    profile = pool.load(name)
+    return [Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile)]
+
+
+def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str, Any], number: str) -> dict[str, Any]:
+    """What the template prints for one profile, whose problems are given by key."""
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
+    profile = pool.load(name)
+    refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
+    own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
+    main = next((entries for key, entries in own.items() if key == profile_id), {})
+    return {
+        "name": profile_id,
+        "title": prose(profile.title),
+        "number": number,
+        "chapter": int(number.partition(".")[0]),
+        "subtitle": prose(profile.subtitle),
+        "panel": panel(profile, main, pool.prefix == "plane") if main else [],
+        "place": "x" if pool.prefix == "plane" else "r",
+        "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
+        "first": next(system.name for system in SYSTEMS if system.pool is pool),
+        "blocks": {key: asdict(block) for key, block in blocks.blocks(profile_id, derived, refusals).items()},
+        "evidence": page.evidence_rows(profile_id, own, evidence),
+        "uncertified": page.missing_certificates(profile_id, own, evidence),
+        "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
+        "sources": [(prose(work), references.label(work)) for work in profile.sources],
+        "equations": _equations(own),
+        "keys": [entry.key for entries in own.values() for entry in entries.values()],
+        "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
+        "master_row": front.master_row(main),
+        "status": _status(profile_id, own, evidence, refusals),
+        **_figures(profile_id, profile, main, derived),
+    }
+
+
+def _status(
+    profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any], refusals: Mapping[str, str]
+) -> dict[str, dict[str, int] | None]:
+    """How many entries each system has, how many are certified and how many are integrals; None if it has none."""
+    name, found = profile_id.rpartition(".")[2], dict[str, dict[str, int] | None]()
+    for system in SYSTEMS:
+        key = Problem(system, name).key if system.pool is pool_of(profile_id) else ""
+        if key not in own:
+            found[system.name] = None
+            continue
+        records = evidence.get(key, {}).get("entries", {})
+        found[system.name] = {
+            "entries": len(own[key]),
+            "certified": sum(bool(record.get("certified")) for record in records.values()),
+            "integrals": sum(entry.status == "integral" for entry in own[key].values()),
+        }
+    return found
+
+
+def _equations(own: Mapping[str, Entries]) -> list[str]:
+    found = {r for entries in own.values() for entry in entries.values() for r in entry.references}
+    return sorted(found, key=_order)
+
+
+def _order(text: str) -> tuple[int, ...]:
+    return tuple(int(x) for x in text.strip("()").split("."))
+
+
+NOTHING = {"picture": None, "plots": None, "checks": None, "calls": [], "derivation": "", "complete": False}
+
+
+def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
+    """Sketch, plots, check values, calls and derivation, where the profile has them."""
+    prefix = profile_id.rpartition(".")[0]
+    texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
+    if not main or "p" not in main or prefix == "loads" or profile.name == "eccentric_punch":
+        return texts
+    values = sketch_values(profile)
+    if prefix == "plane":
+        rough: Numbers = StripNumbers(profile, main, values, PLOT_DIGITS)
+        exact: Numbers = StripNumbers(profile, main, values)
+    else:
+        rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
+    return texts | {
+        "picture": sketch(profile, rough),
+        "plots": plots(profile, rough),
+        "checks": page.check_table(profile, exact),
+        "complete": profile.contact == "complete",
+    }
