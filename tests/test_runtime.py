@@ -17,7 +17,7 @@ EPS = np.finfo(float).eps
 FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS
 
 
-@pytest.mark.parametrize("count", [16, 32, 64, 128])
+@pytest.mark.parametrize("count", [16, 24, 32, 64])
 def test_nodes_integrate_polynomials(count: int) -> None:
     x, w = gauss_legendre(count)
     assert len(x) == count

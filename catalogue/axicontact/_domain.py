@@ -25,6 +25,8 @@ def require(**parameters: ArrayLike) -> None:
     """
     for name, value in parameters.items():
         domain = SYMBOLS[name]
+        if type(value) is float and domain.low < value < domain.high:
+            continue
         letter = domain.letter or name
         array = numbers(letter, value)
         above = (domain.low <= array) if domain.closed == "low" else (domain.low < array)
@@ -44,16 +46,18 @@ def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayL
         raise ValueError(message)
 
 
-def require_reach(a: ArrayLike, b: ArrayLike) -> None:
+def require_reach(a: ArrayLike, b: ArrayLike, instead: str = "normal.flat_punch") -> None:
     """Raise ValueError if not one contact radius reaches beyond the flat face of radius b, where the contact starts.
 
     Where some do, the others give NaN like every field value outside its range.
     """
+    if type(a) is float and type(b) is float and a >= b:
+        return
     radius, face = np.broadcast_arrays(numbers("a", a), numbers("b", b))
     if radius.size and np.all((radius >= 0.0) & (radius < face)):
         message = (
             f"a = {float(radius.flat[0])!r} is below b = {float(face.flat[0])!r}: the contact starts at a = b, "
-            "the edge of the flat face; use normal.flat_punch for a smaller face"
+            f"the edge of the flat face; use {instead} for a smaller face"
         )
         raise ValueError(message)
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ._elementwise import Array
 from ._integrals import integral
+from ._kernels import ARCTAN_GAP, DAWSON, TANH_GAP
 
 # Gamma(x + 1/2)/Gamma(x) = sqrt(w) (1 + c_1/w**2 + c_2/w**4 + ...), w = x - 1/4 (Tricomi and Erdelyi 1951);
 # the coefficients follow from ratio(x) ratio(x + 1/2) = x
@@ -21,16 +24,67 @@ _RATIO = (
 _STEPS = 12
 
 
+def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
+    """P(v)/Q(v) with coefficients in ascending order, for v >= 0; the terms of either do not cancel."""
+    above, below = top[-1], bottom[-1]
+    for coefficient in top[-2::-1]:
+        above = above * v + coefficient
+    for coefficient in bottom[-2::-1]:
+        below = below * v + coefficient
+    return above / below
+
+
 def arctan_gap(x: Array) -> Array:
     """x - arctan(x) for x >= 0."""
-    small = integral(lambda t: t * t / (1.0 + t * t), np.minimum(x, 1.0), 16)
-    return np.where(x < 1.0, small, x - np.arctan(x))
+    t = np.minimum(x, 1.0)
+    return np.where(x < 1.0, t * (t * t) * rational(t * t, *ARCTAN_GAP), x - np.arctan(x))
 
 
 def tanh_gap(y: Array) -> Array:
     """y - tanh(y) for y >= 0."""
-    small = integral(lambda t: np.tanh(t) ** 2, np.minimum(y, 1.0), 16)
-    return np.where(y < 1.0, small, y - np.tanh(y))
+    t = np.minimum(y, 1.0)
+    return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
+
+
+def difference_of_products(w: Array, x: Array, y: Array, z: Array) -> Array:
+    """w*x - y*z with the rounding of both products made good (Dekker 1971)."""
+    left, right = w * x, y * z
+    return (left - right) + (_lost(w, x, left) - _lost(y, z, right))
+
+
+def _lost(x: Array, y: Array, product: Array) -> Array:
+    """x*y - product, exactly."""
+    (x_high, x_low), (y_high, y_low) = _halves(x), _halves(y)
+    return ((x_high * y_high - product) + x_high * y_low + x_low * y_high) + x_low * y_low
+
+
+def _halves(x: Array) -> tuple[Array, Array]:
+    """Two numbers of 26 bits that add up to x."""
+    high = 134217729.0 * x
+    high = high - (high - x)
+    return high, x - high
+
+
+def nth_root(x: Array, n: Array) -> Array:
+    """x**(1/n) for x >= 0; Newton's step makes good what the rounding of 1/n did, up to ln(x)/n units."""
+    y = x ** (1.0 / n)
+    return np.where((x > 0.0) & (x < np.inf), y + y * ((x / y**n - 1.0) / n), y)
+
+
+def without_root(x: Array, n: Array) -> Array:
+    """x**(1 - 1/n) for x >= 0, as x over its root."""
+    return np.where((x > 0.0) & (x < np.inf), x / nth_root(x, n), x)
+
+
+def lower_power(x: Array, n: Array) -> Array:
+    """x**(n - 1) for x >= 0; the rounding of n - 1 would cost up to ln(x) units."""
+    return np.where(x > 0.0, x**n / x, x ** (n - 1.0))
+
+
+def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
+    """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
+    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
+    return a / r * rational(angle * angle, *kernel)
 
 
 def gamma_ratio(x: Array) -> Array:
@@ -48,13 +102,8 @@ def gamma_ratio(x: Array) -> Array:
 
 
 def dawson(x: Array) -> Array:
-    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2, by its series of positive terms."""
-    square = x * x
-    term, total = np.ones_like(x), np.ones_like(x)
-    for k in range(1, 40):
-        term = term * (square / k)
-        total = total + term / (2 * k + 1)
-    return x * np.exp(-square) * total
+    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2."""
+    return x * np.exp(-x * x) * rational(x * x, *DAWSON)
 
 
 def struve_h0(x: Array) -> Array:

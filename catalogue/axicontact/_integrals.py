@@ -9,7 +9,8 @@ keeps the singularities of g' and of the kernel pi/2 away from the path.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, wraps
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -17,8 +18,16 @@ from ._elementwise import BLOCK, Array
 from ._nodes import gauss_legendre
 
 Slope = Callable[..., Array]
+Strip: TypeAlias = tuple[Any, ...]
+"""What `in_groups` makes an integral of."""
 PANELS = 4096
-"""Waves in the contact beyond which the rule for a wavy profile is no longer refined."""
+"""Panels beyond which a rule is no longer refined: this many waves in the contact."""
+STRIPS = ((2.2, 16), (3.7, 24), (5.1, 32), (10.7, 64))
+"""Lengths of an interval and the nodes that leave 1e-16 there, for singularities at a distance pi/2.
+
+Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bernstein's ellipse);
+beyond the last length there are panels of it.
+"""
 
 
 def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Array:
@@ -34,8 +43,10 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
 
 def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: Array, count: int) -> Array:
     """The same in equal panels no wider than about `width`; their number follows the largest `stop` of the block."""
-    largest = np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0)
-    panels = int(np.ceil(min(float(largest), PANELS)))
+    largest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0))
+    panels = int(np.ceil(min(largest, PANELS)))
+    if panels == 1:
+        return integral(integrand, stop, count)
     width, total = stop / panels, np.zeros_like(stop)
     for panel in range(panels):
         start = panel * width
@@ -45,6 +56,47 @@ def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: 
 
 def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Array:
     return integrand(start + x)
+
+
+def integral_in_strip(integrand: Callable[[Array], Array], stop: Array, width: Array | float = 1.0) -> Array:
+    """The same for an integrand without singularities closer than width*pi/2 to the real axis; see STRIPS."""
+    longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
+    for length, count in STRIPS:
+        if longest <= length:
+            return integral(integrand, stop, count)
+    return integral_by_panels(integrand, stop, np.ones_like(stop) * (length * width), count)
+
+
+def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
+    """The integral of a rule for slope(..., *parameters), called once for all points that need the same nodes.
+
+    `rule(slope, *lengths)` gives the integrand, the end of its interval, a factor, where it holds, and what else is.
+    """
+
+    def applied(slope: Slope, width: Array, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
+        integrand, stop, factor, holds, otherwise = rule(lambda *t: slope(*t, *parameters), *lengths)
+        return np.where(holds, factor * integral_in_strip(integrand, stop, width), otherwise)
+
+    @wraps(rule)
+    def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array, width: Array | float = 1.0) -> Array:
+        stop = rule(slope, *lengths)[1]
+        if not isinstance(stop, np.ndarray) or stop.size <= 1:
+            return applied(slope, width, parameters, lengths)
+        group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
+        if (group == group[0]).all():
+            return applied(slope, width, parameters, lengths)
+        total = np.empty_like(stop)
+        for number in np.unique(group):
+            chosen = group == number
+            some = (tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths))
+            total[chosen] = applied(slope, _part(width, chosen), *some)
+        return total
+
+    return grouped
+
+
+def _part(value: Array, chosen: Array) -> Array:
+    return value[chosen] if np.ndim(value) else value
 
 
 def difference_root(x: Array, y: Array) -> Array:
@@ -72,44 +124,62 @@ def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array,
     return integral_by_panels(integrand, difference_root(a, r), wavelength, count)
 
 
-def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+def fallen(v: Array, stop: Array, even: Array | float = 0.0) -> Array:
+    """sinh(stop - v)/sinh(stop), or the same of cosh where `even` is 1.
+
+    Counted from the upper end, where the integrands are largest: an error of v in exp(v) would grow with v.
+    """
+    side = 1.0 - 2.0 * even
+    above, below = (2.0 * even - side * np.expm1(-2.0 * x) for x in (stop - v, stop))
+    return np.where(stop > 0.0, np.exp(-v) * above / below, 1.0)
+
+
+@in_groups
+def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
-    scale = np.sqrt(r * r + b * b)
+    scale, reach = np.sqrt(r * r + b * b), difference_root(a, r)
+    stop = np.arcsinh(reach / scale)
 
     def integrand(v: Array) -> Array:
-        u = scale * np.sinh(v)
+        u = reach * fallen(v, stop)
         t = np.sqrt(r * r + u * u)
-        return slope(t) / t * np.cosh(v)
+        return slope(t) / t * np.sqrt(scale * scale + u * u)
 
-    return scale * integral(integrand, np.arcsinh(difference_root(a, r) / scale), count)
+    return integrand, stop, 1.0, True, 0.0
 
 
-def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: int) -> Array:
+@in_groups
+def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
+    ratio = difference_root(a, r) / difference_root(R, a)
+    stop = np.arcsinh(ratio)
 
     def integrand(v: Array) -> Array:
-        u, root = scale * np.tanh(v), scale / np.cosh(v)
+        side = ratio * fallen(v, stop)
+        secant = np.sqrt(1.0 + side * side)
+        u, root = scale * (side / secant), scale / secant
         t = np.sqrt(r * r + u * u)
-        return slope(t, root) / t * (root / np.cosh(v))
+        return slope(t, root) / t * (root / secant)
 
-    stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
-    return np.where(a < R, integral(integrand, stop, count), np.inf)
+    return integrand, stop, 1.0, a < R, np.inf
 
 
-def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
-    r = np.where(r == b, np.nextafter(b, 0.0), r)
+    # on the outer side of the break, where the part below it adds nothing
+    r = np.where(r == b, np.nextafter(b, np.inf), r)
     within = r < b
-    scale = np.sqrt(np.abs(r - b) * (r + b))
-    span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
+    outside, reach = np.where(within, 0.0, 1.0), difference_root(a, b)
+    stop = np.arcsinh(np.where(within, reach, difference_root(a, r)) / np.sqrt(np.abs(r - b) * (r + b)))
 
     def integrand(v: Array) -> Array:
-        root = scale * np.where(within, np.sinh(v), np.cosh(v))
+        root = reach * fallen(v, stop, outside)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root / t
 
-    return np.where(a > np.maximum(r, b), integral(integrand, np.arcsinh(span), count), 0.0)
+    return integrand, stop, 1.0, a > np.maximum(r, b), 0.0
 
 
 def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
@@ -130,45 +200,54 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
     return r * integral_by_panels(integrand, np.arctan2(a, difference_root(r, a)), wavelength / r, count)
 
 
-def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same where g' has a singularity at t**2 = -b**2."""
-    scale = b / np.sqrt(r * r + b * b)
+    scale, end = b / np.sqrt(r * r + b * b), a / difference_root(r, a)
+    stop = np.arcsinh(end / scale)
 
     def integrand(v: Array) -> Array:
-        tangent = scale * np.sinh(v)
+        tangent = end * fallen(v, stop)
         secant = np.sqrt(1.0 + tangent * tangent)
-        return slope(r * tangent / secant) * np.arctan(tangent) * np.cosh(v) / secant**3
+        return slope(r * tangent / secant) * np.arctan(tangent) * np.sqrt(scale * scale + tangent * tangent) / secant**3
 
-    return r * scale * integral(integrand, np.arcsinh(a / difference_root(r, a) / scale), count)
+    return integrand, stop, r, True, 0.0
 
 
-def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = np.minimum(r, R)
+    end = a / difference_root(scale, a)
+    stop = np.arcsinh(end)
 
     def integrand(v: Array) -> Array:
-        t, part = scale * np.tanh(v), scale / np.cosh(v)
+        side = end * fallen(v, stop)
+        secant = np.sqrt(1.0 + side * side)
+        t, part = scale * (side / secant), scale / secant
         beyond = np.sqrt(difference_root(r, R) ** 2 + part * part)
         root = np.sqrt(difference_root(R, r) ** 2 + part * part)
-        return slope(t, root) * np.arctan2(t, beyond) * (part / np.cosh(v))
+        return slope(t, root) * np.arctan2(t, beyond) * (part / secant)
 
-    stop = np.arcsinh(a / difference_root(scale, a))
-    return np.where(a < scale, integral(integrand, stop, count), np.inf)
+    return integrand, stop, 1.0, a < scale, np.inf
 
 
-def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
-    reach = difference_root(r, b)
+    reach, ratio = difference_root(r, b), b / r
+    end = difference_root(a, b) / difference_root(r, a)
+    stop = np.arcsinh(end / ratio)
 
     def integrand(v: Array) -> Array:
-        tangent = b / r * np.sinh(v)
+        tangent = end * fallen(v, stop)
         secant = np.sqrt(1.0 + tangent * tangent)
         root = reach * tangent / secant
         t = np.sqrt(b * b + root * root)
-        return slope(t, root) * root / t * np.arctan2(t, reach / secant) * np.cosh(v) / secant**3
+        weight = np.sqrt(ratio * ratio + tangent * tangent) / secant**3
+        return slope(t, root) * root / t * np.arctan2(t, reach / secant) * weight
 
-    stop = np.arcsinh(r / b * difference_root(a, b) / difference_root(r, a))
-    return np.where(a > b, reach * (b / r) * integral(integrand, stop, count), 0.0)
+    return integrand, stop, reach, a > b, 0.0
 
 
 def force_integral(slope: Slope, a: Array, count: int) -> Array:
@@ -176,11 +255,15 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
     return integral(lambda t: t * slope(t), a, count)
 
 
-def force_integral_beyond(slope: Slope, a: Array, b: Array, count: int) -> Array:
+@in_groups
+def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
     """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    reach = difference_root(a, b)
+    stop = np.arcsinh(reach / b)
 
     def integrand(v: Array) -> Array:
-        root = b * np.sinh(v)
-        return slope(np.sqrt(b * b + root * root), root) * root * np.cosh(v)
+        root = reach * fallen(v, stop)
+        t = np.sqrt(b * b + root * root)
+        return slope(t, root) * root * t
 
-    return b * integral(integrand, np.arcsinh(difference_root(a, b) / b), count)
+    return integrand, stop, 1.0, True, 0.0

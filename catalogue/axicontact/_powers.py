@@ -19,15 +19,19 @@ _DECAY = 42.0
 def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
     depth = _log_ratio(a, r)
-    cut = np.maximum(depth - _DECAY / np.maximum(n - 1.0, 1e-3), 0.0)
+    steep, rate = n > 1.0, np.abs(n - 1.0)
+    cut = np.maximum(depth - _DECAY / np.maximum(rate, 1e-3), 0.0)
     stop = np.sqrt(depth)
 
     def integrand(step: Array) -> Array:
-        # counted from the upper end, where large powers live and the difference to it must be exact
-        return np.exp((1.0 - n) * step * (2.0 * stop - step)) * _weight(np.maximum(stop - step, 0.0))
+        # counted from the end where the power is largest, so that the difference to it is exact
+        fall = np.where(steep, step * (2.0 * stop - step), step * step)
+        return np.exp(-rate * fall) * _weight(np.where(steep, np.maximum(stop - step, 0.0), step))
 
-    centre = np.where(n > 1.0, 1.0 / np.abs(n - 1.0), np.inf)
-    return np.where(r > 0.0, integral(integrand, stop - np.sqrt(cut), NODES), centre)
+    reach = np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut))
+    centre = np.where(steep, 1.0 / rate, np.inf)
+    largest = np.where(steep, 1.0, (r / a) ** n * (a / r))
+    return np.where(r > 0.0, largest * integral(integrand, reach, NODES), centre)
 
 
 def power_displacement(r: Array, a: Array, n: Array) -> Array:
@@ -52,6 +56,20 @@ def power_punches(r: Array, a: Array, n: Array) -> Array:
         return np.exp(-(n + 1.0) * step * (2.0 * start + step)) * _weight(s)
 
     return a / r * integral(integrand, reach, NODES)
+
+
+def power_strips(x: Array, a: Array, n: Array) -> Array:
+    """Integral of n t**(n - 1)/sqrt(x**2 - t**2) dt from 0 to a < x, over a**n; 1/x is taken out for small n."""
+    start = np.sqrt(_log_ratio(x, a))
+    fall = _DECAY / (n + 2.0)
+
+    def integrand(step: Array) -> Array:
+        s = start + step
+        root = np.sqrt(-np.expm1(-2.0 * s * s))
+        return np.exp(-(n + 2.0) * step * (2.0 * start + step)) * _weight(s) / (1.0 + root)
+
+    reach = fall / (np.sqrt(start * start + fall) + start)
+    return np.where(a > 0.0, 1.0 + n * (a / x) ** 2 * integral(integrand, reach, NODES), 1.0) / x
 
 
 def _weight(s: Array) -> Array:

@@ -553,13 +553,13 @@ def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
-    within = pressure_integral_tanh(lambda t, root: _slope(t, root, h, b), r, a, b, 128)
+    within = pressure_integral_tanh(_slope, (h, b), r, a, b)
     inside = np.where(r < a, E_star / np.pi * within, 0.0)
     return np.where(a <= b, inside, np.nan)
 
 
 def _displacement(r: Array, a: Array, h: Array, b: Array) -> Array:
-    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, h, b), r, a, b, 128)
+    tip = displacement_integral_tanh(_slope, (h, b), r, a, b)
     outside = 2 / np.pi * tip
     inside = _depth(a, h, b) - _profile(r, h, b)
     return np.where(a <= b, np.where(r > a, outside, inside), np.nan)

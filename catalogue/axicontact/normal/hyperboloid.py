@@ -542,12 +542,12 @@ def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    within = pressure_integral_sinh(lambda t: _slope(t, theta, b), r, a, b, 128)
+    within = pressure_integral_sinh(_slope, (theta, b), r, a, b)
     return np.where(r < a, E_star / np.pi * within, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
-    tip = displacement_integral_sinh(lambda t: _slope(t, theta, b), r, a, b, 128)
+    tip = displacement_integral_sinh(_slope, (theta, b), r, a, b)
     outside = 2 / np.pi * tip
     inside = _depth(a, theta, b) - _profile(r, theta, b)
     return np.where(r > a, outside, inside)

@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral
+from .._functions import beside
+from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -214,8 +215,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. Handbook: paraboloid.w.
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.w.
 
     References
     ----------
@@ -511,7 +511,7 @@ def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, R: Array) -> Array:
-    tip = displacement_integral(lambda t: _slope(t, R), r, a, 32)
+    tip = a**2 / R * beside(r, a, OUTSIDE_2)
     outside = 2 / np.pi * tip
     inside = _depth(a, R) - _profile(r, R)
     return np.where(r > a, outside, inside)

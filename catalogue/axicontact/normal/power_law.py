@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio
+from .._functions import gamma_ratio, lower_power, nth_root, without_root
 from .._powers import power_displacement, power_pressure
 
 if TYPE_CHECKING:
@@ -523,6 +523,11 @@ def _profile(r: Array, A: Array, n: Array) -> Array:
     return A * r**n
 
 
+def _slope(t: Array, A: Array, n: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return np.sqrt(np.pi) * n * A * t**n * gamma_ratio(n / 2 + 1 / 2) / t
+
+
 def _depth(a: Array, A: Array, n: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     return np.sqrt(np.pi) * A * a**n * kappa
@@ -530,12 +535,13 @@ def _depth(a: Array, A: Array, n: Array) -> Array:
 
 def _force(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * np.sqrt(np.pi) * E_star * n * A * a ** (n + 1) * kappa / (n + 1)
+    return 2 * np.sqrt(np.pi) * E_star * n * A * a * a**n * kappa / (n + 1)
 
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return np.where(r < a, E_star * n * A * a ** (n - 1) * power_pressure(r, a, n) * kappa / np.sqrt(np.pi), 0.0)
+    pressed = E_star * n * A * lower_power(a, n) * power_pressure(r, a, n) * kappa / np.sqrt(np.pi)
+    return np.where(r < a, pressed, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array) -> Array:
@@ -551,24 +557,28 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * E_star * n * A * a ** (n - 1) * kappa / (np.sqrt(np.pi) * (n + 1))
+    return 2 * E_star * n * A * lower_power(a, n) * kappa / (np.sqrt(np.pi) * (n + 1))
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return (d / (np.sqrt(np.pi) * A * kappa)) ** (1 / n)
+    ratio = d / (np.sqrt(np.pi) * A * kappa)
+    return nth_root(ratio, n)
 
 
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return (F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)) ** (1 / (n + 1))
+    ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
+    return nth_root(ratio, n + 1)
 
 
 def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * np.sqrt(np.pi) * E_star * n * A * (d / (np.sqrt(np.pi) * A * kappa)) ** ((n + 1) / n) * kappa / (n + 1)
+    ratio = d / (np.sqrt(np.pi) * A * kappa)
+    return 2 * np.sqrt(np.pi) * E_star * n * A * kappa * ratio * nth_root(ratio, n) / (n + 1)
 
 
 def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return np.sqrt(np.pi) * A * (F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)) ** (n / (n + 1)) * kappa
+    ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
+    return np.sqrt(np.pi) * A * kappa * without_root(ratio, n + 1)

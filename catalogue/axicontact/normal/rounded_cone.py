@@ -11,8 +11,10 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._functions import beside
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -569,14 +571,14 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Arra
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
     tip = np.where(r < inner, 2 * E_star * np.tan(theta) * root / (np.pi * b), 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = displacement_integral(lambda t: _slope(t, theta, b), r, inner, 32)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    tip = inner**2 * np.tan(theta) / b * beside(r, inner, OUTSIDE_2)
+    beyond = displacement_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, theta, b) - _profile(r, theta, b)
     return np.where(r > a, outside, inside)
@@ -617,8 +619,12 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, theta, b), theta, b, E_star)
+    a = _radius_from_depth(d, theta, b)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, theta, b)), 0.0)
+    return _force(a, theta, b, E_star) + change
 
 
 def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, theta, b, E_star), theta, b)
+    a = _radius_from_force(F, theta, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, theta, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, theta, b) + change

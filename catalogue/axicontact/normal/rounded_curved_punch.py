@@ -11,9 +11,10 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import arctan_gap
-from .._integrals import displacement_integral, displacement_integral_beyond, pressure_integral_beyond
+from .._functions import arctan_gap, beside
+from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -583,14 +584,14 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array)
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
     tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = displacement_integral(lambda t: _slope(t, R1), r, inner, 32)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R1, R2, b), r, a, b, 128)
+    tip = inner**2 / R1 * beside(r, inner, OUTSIDE_2)
+    beyond = displacement_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
     return np.where(r > a, outside, inside)
@@ -630,8 +631,12 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, R1, R2, b), R1, R2, b, E_star)
+    a = _radius_from_depth(d, R1, R2, b)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R1, R2, b)), 0.0)
+    return _force(a, R1, R2, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, R1, R2, b, E_star), R1, R2, b)
+    a = _radius_from_force(F, R1, R2, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R1, R2, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R1, R2, b) + change

@@ -564,13 +564,13 @@ def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R, b), r, a, b)
     inside = np.where(r < a, E_star / np.pi * growth, 0.0)
     return np.where(a >= b, inside, np.nan)
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array) -> Array:
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    beyond = displacement_integral_beyond(_slope_beyond, (R, b), r, a, b)
     outside = 2 / np.pi * beyond
     inside = _depth(a, R, b) - _profile(r, R, b)
     return np.where(a >= b, np.where(r > a, outside, inside), np.nan)

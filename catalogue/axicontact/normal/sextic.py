@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral
+from .._functions import beside, nth_root, without_root
+from .._kernels import OUTSIDE_6
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -214,8 +215,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Evaluated as an integral over
-    the growing contact by a Gauss-Legendre rule. Handbook: sextic.w.
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.w.
 
     References
     ----------
@@ -511,7 +511,7 @@ def _pressure(r: Array, a: Array, A: Array, E_star: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, A: Array) -> Array:
-    tip = displacement_integral(lambda t: _slope(t, A), r, a, 32)
+    tip = 16 * A * a**6 / 5 * beside(r, a, OUTSIDE_6)
     outside = 2 / np.pi * tip
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
@@ -526,16 +526,16 @@ def _mean_pressure(a: Array, A: Array, E_star: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:
-    return (5 * d / (16 * A)) ** (1 / 6)
+    return nth_root(5 * d / (16 * A), 6)
 
 
 def _radius_from_force(F: Array, A: Array, E_star: Array) -> Array:
-    return (35 * F / (192 * E_star * A)) ** (1 / 7)
+    return nth_root(35 * F / (192 * E_star * A), 7)
 
 
 def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
-    return 6 * E_star * d * (20 * d / A) ** (1 / 6) / 7
+    return 6 * E_star * d * nth_root(20 * d / A, 6) / 7
 
 
 def _depth_from_force(F: Array, A: Array, E_star: Array) -> Array:
-    return (F / E_star) ** (6 / 7) * (117649 * A / 933120) ** (1 / 7)
+    return without_root(F / E_star, 7) * nth_root(117649 * A / 933120, 7)

@@ -535,13 +535,13 @@ def _force(a: Array, R: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
-    within = pressure_integral_tanh(lambda t, root: _slope(t, root, R), r, a, R, 128)
+    within = pressure_integral_tanh(_slope, (R,), r, a, R)
     inside = np.where(r < a, E_star / np.pi * within, 0.0)
     return np.where(a <= R, inside, np.nan)
 
 
 def _displacement(r: Array, a: Array, R: Array) -> Array:
-    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, R), r, a, R, 128)
+    tip = displacement_integral_tanh(_slope, (R,), r, a, R)
     outside = 2 / np.pi * tip
     inside = _depth(a, R) - _profile(r, R)
     return np.where(a <= R, np.where(r > a, outside, inside), np.nan)

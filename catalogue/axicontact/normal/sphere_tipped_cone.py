@@ -582,24 +582,24 @@ def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((R - inner) * (inner + R))
     angle = np.arcsinh(inner / root)
     tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
-    beyond = 2 * E_star * force_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), a, b, 128)
+    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), a, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
 
 
 def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    within = pressure_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
+    within = pressure_integral_tanh(_slope, (R,), r, inner, R)
     tip = np.where(r < inner, E_star / np.pi * within, 0.0)
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    tip = displacement_integral_tanh(lambda t, root: _slope(t, root, R), r, inner, R, 128)
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, theta), r, a, b, 128)
+    tip = displacement_integral_tanh(_slope, (R,), r, inner, R)
+    beyond = displacement_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     outside = 2 / np.pi * (tip + beyond)
     inside = _depth(a, R, theta) - _profile(r, R, theta)
     return np.where(r > a, outside, inside)
@@ -637,8 +637,12 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, R, theta), R, theta, E_star)
+    a = _radius_from_depth(d, R, theta)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, theta)), 0.0)
+    return _force(a, R, theta, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, R, theta, E_star), R, theta)
+    a = _radius_from_force(F, R, theta, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, theta, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R, theta) + change

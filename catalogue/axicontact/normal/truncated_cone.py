@@ -563,14 +563,14 @@ def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     pressed = np.where((r == b) & (a > b), np.inf, E_star / np.pi * growth)
     inside = np.where(r < a, pressed, 0.0)
     return np.where(a >= b, inside, np.nan)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, theta, b), r, a, b, 128)
+    beyond = displacement_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     outside = 2 / np.pi * beyond
     inside = _depth(a, theta, b) - _profile(r, theta, b)
     return np.where(a >= b, np.where(r > a, outside, inside), np.nan)

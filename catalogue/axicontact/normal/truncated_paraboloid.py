@@ -422,7 +422,8 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: truncated_paraboloid.aF.
+    Valid for a << R. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton iteration.
+    Handbook: truncated_paraboloid.aF.
 
     References
     ----------
@@ -561,14 +562,14 @@ def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
-    growth = pressure_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    growth = pressure_integral_beyond(_slope_beyond, (R, b), r, a, b)
     pressed = np.where((r == b) & (a > b), np.inf, E_star / np.pi * growth)
     inside = np.where(r < a, pressed, 0.0)
     return np.where(a >= b, inside, np.nan)
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array) -> Array:
-    beyond = displacement_integral_beyond(lambda t, root: _slope_beyond(t, root, R, b), r, a, b, 128)
+    beyond = displacement_integral_beyond(_slope_beyond, (R, b), r, a, b)
     outside = 2 / np.pi * beyond
     inside = _depth(a, R, b) - _profile(r, R, b)
     return np.where(a >= b, np.where(r > a, outside, inside), np.nan)
@@ -589,8 +590,20 @@ def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:
     return root_1 * np.sqrt(2 * R) / 2
 
 
+def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _force_at(a, root, R, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
+
+    t = inverse(curve, F, np.ones_like(F), (1.0, 3.0))
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
 def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
-    return np.sqrt(2 * b**2 * np.sinh(np.arcsinh(3 * F * R * np.sqrt(2) / (4 * E_star * b**3)) / 3) ** 2 + b**2)
+    return _contact_from_force(F, R, b, E_star)[0]
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
@@ -608,18 +621,6 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
 def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R, b)
     return _force_at(a, root, R, b, E_star)
-
-
-def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
-    """Contact radius a and its root sqrt(a**2 - b**2)."""
-
-    def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
-        value = _force_at(a, root, R, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
-
-    t = inverse(curve, F, np.ones_like(F), (1.0, 3.0))
-    return b * np.sqrt(1.0 + t * t), b * t
 
 
 def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:

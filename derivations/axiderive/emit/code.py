@@ -7,6 +7,7 @@ import re
 
 import sympy as sp
 
+from .. import notation as nt
 from ..abel import masters
 from ..stable import opaque
 from ..stable.signs import squares
@@ -26,7 +27,10 @@ FUNCTIONS = {
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
     opaque.PowerStrips: "power_strips",
 }  # fmt: skip
-HELPERS = ("arctan_gap", "dawson", "gamma_ratio", "struve_h0", "struve_h1", "tanh_gap")
+HELPERS = (
+    "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "lower_power",
+    "nth_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
+)  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
@@ -162,9 +166,55 @@ def _power(base: sp.Expr, exponent: sp.Expr) -> tuple[str, int]:
         return f"np.sqrt({python(base)})", ATOM
     if exponent == sp.Rational(1, 3):
         return f"np.cbrt({python(base)})", ATOM
+    if exponent.is_Rational and exponent.q == 3:
+        return f"np.cbrt({python(base)})**{exponent.p}", POWER
+    if exponent == sp.Rational(1, 4):
+        return f"np.sqrt(np.sqrt({python(base)}))", ATOM
+    parts = _root_parts(exponent)
+    if parts is not None:
+        return _with_root(base, *parts)
     left, right = _wrapped(base, ATOM), _wrapped(exponent, ATOM)
     simple = all(text.replace("_", "").replace(".", "").isalnum() for text in (left, right))
     return (f"{left}**{right}" if simple else f"{left} ** {right}"), POWER
+
+
+def _root_parts(exponent: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
+    """(whole, inner, degree) of an exponent whole + inner/degree or whole + inner that a double would round; else None.
+
+    n + 1 is 1 + n and n/(n + 1) is 1 - 1/(n + 1): a rounded exponent costs up to ln(x) units of the last place.
+    """
+    if exponent.is_Rational:
+        if exponent.is_Integer or exponent.q <= 3:
+            return None
+        whole = sp.Integer(sp.floor(exponent + sp.S.Half))
+        return whole, (exponent - whole) * exponent.q, sp.Integer(exponent.q)
+    if not exponent.has(nt.n):
+        return None
+    whole, rest = sp.apart(sp.together(exponent), nt.n).as_independent(nt.n, as_Add=True)
+    inner, degree = sp.fraction(sp.together(rest))
+    if not whole.is_Integer or (whole == 0 and degree == 1):
+        return None
+    return whole, inner, degree
+
+
+def _with_root(base: sp.Expr, whole: sp.Expr, inner: sp.Expr, degree: sp.Expr) -> tuple[str, int]:
+    """base**(whole + inner/degree) by the helpers that round no exponent."""
+    text = python(base)
+    if degree != 1:
+        special = {(0, 1): f"nth_root({text}, {python(degree)})", (1, -1): f"without_root({text}, {python(degree)})"}
+        name = special.get((whole, inner))
+        if name is not None:
+            return name, ATOM
+        if inner == 1:
+            return f"{_wrapped(base, PRODUCT)}{_whole_power(whole)} * nth_root({text}, {python(degree)})", PRODUCT
+        return f"nth_root({text}, {python(degree)}) ** {python(whole * degree + inner)}", POWER
+    if whole == -1:
+        return f"lower_power({text}, {python(inner)})", ATOM
+    return f"{_power(base, whole)[0]} * {_power(base, inner)[0]}", PRODUCT
+
+
+def _whole_power(whole: sp.Expr) -> str:
+    return "" if whole == 1 else f"**{whole}"
 
 
 def _radical(number: sp.Rational, factors: list[sp.Expr]) -> tuple[str, sp.Rational, list[sp.Expr]]:

@@ -16,9 +16,10 @@ from ..stable.opaque import Arctan2, Root
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, singular_at_break, slope_form
 from .code import python
+from .kernels import EXPONENTS
 from .private import Private, PrivateFunctions
 
-SMOOTH, GRADED = 32, 128
+SMOOTH = 32
 
 
 @dataclass
@@ -174,8 +175,8 @@ class Compact:
             lines.append("return tip")
             return self._limited("force", lines, needs)
         slope = self.slopes["beyond"][0]
-        growth = slope.growth("t", "root")
-        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, a, {self.b}, {GRADED})")
+        growth = slope.with_parameters()
+        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, a, {self.b}{self._width()})")
         lines.append("return tip + beyond")
         return self.functions.add("force", ("a",), lines, {*needs, *slope.needs, str(self.b)})
 
@@ -194,8 +195,8 @@ class Compact:
             parts.append(text)
         if "beyond" in regimes:
             slope = self.slopes["beyond"][0]
-            growth = slope.growth("t", "root")
-            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}, {GRADED})")
+            growth = slope.with_parameters()
+            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}{self._width()})")
             needs |= {*slope.needs, str(self.b)}
             parts.append(f"{scale} * growth")
         value = " + ".join(parts)
@@ -244,8 +245,9 @@ class Compact:
             more |= self.functions.needs(form, ("r", "a"))
         else:
             slope = self.slopes["tip"][0]
-            fields, rule, tail = self._rule("pressure_integral", kind, length)
-            lines.append(f"within = {rule}({slope.growth(*fields)}, r, {radius}, {tail})")
+            rule, tail = self._rule("pressure_integral", kind, length)
+            growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
+            lines.append(f"within = {rule}({growth}, r, {radius}, {tail})")
             value = f"{scale} * within"
             more |= {*slope.needs} | ({str(length)} if length is not None else set())
         if self.b is not None:
@@ -257,13 +259,28 @@ class Compact:
     def _plain(form: EvaluationForm) -> bool:
         return not any(expr.has(*masters.MASTERS) for expr in (form.value, *(e for _, e in form.steps)))
 
-    def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[tuple[str, ...], str, str]:
-        """Fields of the slope, the rule and its last arguments."""
+    def _width(self) -> str:
+        """Where b = R sin(theta), g' has a singularity at root = i R cos(theta), that is at pi/2 - theta."""
+        sines = [expr.atoms(sp.sin) for symbol, expr in self.profile.abbreviations if symbol == self.b]
+        angles = [python(sine.args[0]) for found in sines for sine in found]
+        return f", width=1.0 - 2.0 * {angles[0]} / np.pi" if angles else ""
+
+    def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
+        """The rule and its last arguments."""
         if kind == "waves":
-            return ("t",), f"{name}_waves", f"wavelength, {SMOOTH}"
+            return f"{name}_waves", f"wavelength, {SMOOTH}"
         if kind in ("sinh", "tanh"):
-            return (("t", "root") if kind == "tanh" else ("t",)), f"{name}_{kind}", f"{length}, {GRADED}"
-        return ("t",), name, str(SMOOTH)
+            return f"{name}_{kind}", str(length)
+        return name, str(SMOOTH)
+
+    def _monomial_displacement(self, radius: str) -> str:
+        """The displacement of a tip whose depth is a power of its radius, through the kernel of that power."""
+        symbol = sp.Symbol(radius, positive=True)
+        depth = sp.factor_terms(self.regimes("d")["tip"].expr.subs(a, symbol))
+        power = depth.as_independent(symbol, as_Add=False)[1]
+        if power not in [symbol**exponent for exponent in EXPONENTS]:
+            return ""
+        return f"{python(depth)} * beside(r, {radius}, OUTSIDE_{power.as_base_exp()[1]})"
 
     def displacement(self) -> Private:
         lines: list[str] = []
@@ -279,16 +296,18 @@ class Compact:
             radius = "a" if self.b is None else "inner"
             if "tip" in regimes:
                 slope, (kind, length) = self.slopes["tip"][0], self.scale("tip")
-                fields, rule, tail = self._rule("displacement_integral", kind, length)
+                monomial = self._monomial_displacement(radius)
+                rule, tail = self._rule("displacement_integral", kind, length)
+                growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
                 if self.b is not None:
                     lines.append(f"inner = np.minimum(a, {self.b})")
-                lines.append(f"tip = {rule}({slope.growth(*fields)}, r, {radius}, {tail})")
+                lines.append(f"tip = {monomial}" if monomial else f"tip = {rule}({growth}, r, {radius}, {tail})")
                 needs |= {*slope.needs} | ({str(length)} if length is not None else set())
                 parts.append("tip")
             if "beyond" in regimes:
                 slope = self.slopes["beyond"][0]
-                growth = slope.growth("t", "root")
-                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}, {GRADED})")
+                growth = slope.with_parameters()
+                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self._width()})")
                 needs |= {*slope.needs, str(self.b)}
                 parts.append("beyond")
             total = " + ".join(parts)

@@ -14,7 +14,6 @@ from ..stable.forms import evaluation_form
 from ..stable.signs import cancels, facts_of
 from ..stable.slopes import slope_form
 from .code import python
-from .compact import SMOOTH
 from .private import Private, PrivateFunctions
 
 COMPLETE_FROM = "complete = {least} * (1.0 - 1e-15) <= {field}"
@@ -154,7 +153,8 @@ class Complete:
             "slope", ("t",), [f"return {python(slope_form_.value)}"], self.functions.needs(slope_form_, ("t",)),
             "Rate g'(t) of the indentation depth of the uncut profile.",
         )  # fmt: skip
-        start = [f"excess = d - {python(depth)}", f"rho = np.minimum({python(rho)}, a)"]
+        self.square = tuple(str(factor) for factor in sp.Mul.make_args(sp.expand(rho**2)))
+        start = [f"excess = {self._beyond('a')} / {self.square[0]}", f"rho = np.minimum({python(rho)}, a)"]
         base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
@@ -170,7 +170,7 @@ class Complete:
                 self.functions.add(quantity.function, ("d",), [*lines, f"return {value}"], needs - {"d"})
             else:
                 self._add(suffix, value, lines, needs)
-        self._capped_fields(start, base, punch, inner["p"], slope, profile)
+        self._capped_fields(start, base, punch, depth, inner["p"], slope, profile)
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
         texts = [python(evaluation_form(case.expr, facts_of(())).value) for case in cases]
@@ -179,23 +179,35 @@ class Complete:
             "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}
         )
 
+    def _beyond(self, radius: str) -> str:
+        """rho**2 - radius**2, where rho**2 is a product of two inputs."""
+        return f"difference_of_products({', '.join(self.square)}, {radius}, {radius})"
+
     def _capped_fields(
-        self, start: list[str], base: set[str], punch: str, inner: sp.Expr, slope: Private, profile: Private
+        self,
+        start: list[str],
+        base: set[str],
+        punch: str,
+        depth: sp.Expr,
+        inner: sp.Expr,
+        slope: Private,
+        profile: Private,
     ) -> None:
         rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
         face = inner.subs(sp.sqrt(rho**2 - r**2), root)
         pressure = python(HOMOGENEOUS.pressure_scale)
         lines = [
-            *start,
-            "root = np.sqrt(np.maximum(rho - r, 0.0) * (rho + r))",
+            start[0],
+            f"square = np.where(excess > 0.0, (a - r) * (a + r), {self._beyond('r')})",
+            "root = np.sqrt(np.maximum(square, 0.0))",
             f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
         self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
-        scale = python(HOMOGENEOUS.displacement_scale)
+        scale, sunk = python(HOMOGENEOUS.displacement_scale), python(depth.subs(a, rho))
         lines = [
             *start,
-            f"face = displacement_integral({slope.growth('t')}, r, rho, {SMOOTH})",
+            f"face = {sunk} * beside(r, rho, OUTSIDE_{sp.degree(depth, a)})",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]

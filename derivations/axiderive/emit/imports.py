@@ -23,6 +23,9 @@ class Public:
     body: list[str]
 
 
+RATES = ("_slope", "_slope_beyond")
+
+
 @dataclass
 class ModuleText:
     """One module as the template prints it."""
@@ -35,7 +38,9 @@ class ModuleText:
 
 
 def is_used(private: Private, module: ModuleText, functions: PrivateFunctions) -> bool:
-    """Whether a public function calls it, directly or through others."""
+    """Whether a public function calls it, directly or through others, or another physics its rate of growth."""
+    if private.name in RATES:
+        return True
     reached, pending = set(), _names("\n".join(line for function in module.public for line in function.body))
     while pending:
         name = pending.pop()
@@ -74,6 +79,9 @@ def imports(module: ModuleText) -> list[str]:
         blocks += [line] if len(line) <= 120 else split
     if "inverse(" in text:
         blocks.append("from .._inverse import inverse")
+    kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
+    if kernels:
+        blocks.append(f"from .._kernels import {', '.join(kernels)}")
     powers = [
         n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
     ]

@@ -33,6 +33,10 @@ class Private:
         """The function of its fields alone, to be integrated."""
         return f"lambda {', '.join(fields)}: {self.call(*fields)}"
 
+    def with_parameters(self) -> str:
+        """The function and what it needs besides its fields, for a rule that passes them on."""
+        return f"{self.name}, ({', '.join(self.needs)}{',' if len(self.needs) == 1 else ''})"
+
 
 @dataclass
 class PrivateFunctions:

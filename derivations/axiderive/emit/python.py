@@ -21,11 +21,12 @@ from .compact import Compact
 from .complete import Complete
 from .imports import RUNTIME, ModuleText, imports, is_used
 from .inverses import Inverses
+from .kernels import kernels_source
 from .nodes import nodes_source
 from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
 
-NODE_COUNTS = (16, 32, 64, 128)
+NODE_COUNTS = (16, 24, 32, 64)
 
 
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
@@ -34,6 +35,7 @@ def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
     files[f"{PACKAGE}/py.typed"] = ""
     files[f"{PACKAGE}/_nodes.py"] = nodes_source(NODE_COUNTS)
+    files[f"{PACKAGE}/_kernels.py"] = kernels_source()
     files[f"{PACKAGE}/normal/__init__.py"] = _environment().get_template("physics.py.j2").render(names=names)
     for name in names:
         files[f"{PACKAGE}/normal/{name}.py"] = module_source(derived[name])

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..abel.masters import Dawson, StruveH
-from ..notation import a
+from ..notation import a, n
 from .opaque import Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
 from .powers import power_integrals
 from .signs import Facts, cancels, difference, sign, squares
@@ -40,7 +40,7 @@ def evaluation_form(expr: sp.Expr, facts: Facts) -> EvaluationForm:
     value = work.named(work.with_named_ratio(gamma_ratios(power_integrals(expr))))
     if cancels(value, work.facts):
         value = work.rewritten(value)
-    value = work.with_named_arguments(value)
+    value = work.with_named_powers(work.with_named_arguments(value))
     steps = work.steps(value)
     loses = any(cancels(part, work.facts) for part in (value, *(expr for _, expr in steps)))
     return EvaluationForm(steps, value, loses)
@@ -217,6 +217,15 @@ class Rewriting:
         (argument,), symbol = arguments, named("z")
         self.definitions[symbol] = argument
         return value.replace(lambda e: isinstance(e, (StruveH, Dawson)), lambda e: e.func(*e.args[:-1], symbol))
+
+    def with_named_powers(self, value: sp.Expr) -> sp.Expr:
+        """What is raised to a power of the exponent n that is split when printed, as `ratio`."""
+        for power in sorted(value.atoms(sp.Pow), key=sp.default_sort_key):
+            if power.exp.has(n) and power.exp != n and not power.base.is_Symbol and not power.base.is_number:
+                symbol = named("ratio")
+                self.definitions[symbol] = power.base
+                value = value.subs(power, symbol**power.exp)
+        return value
 
     def with_named_logarithms(self, value: sp.Expr) -> sp.Expr:
         return value.replace(lambda e: isinstance(e, sp.log), self._logarithm)

@@ -18,8 +18,6 @@ from ..private import Private, PrivateFunctions
 from .exponents import exponents
 from .forms import form_of, lines_of, moved, regions, told_apart
 
-GRADED = 128
-
 
 @dataclass
 class Compact:
@@ -88,15 +86,13 @@ class Compact:
             lines_of(self.functions, "tip", form, lines)
             needs |= self.functions.needs(form, ("inner",))
             parts.append(f"np.where({field} < inner, tip, 0.0)" if suffix == "p" else "tip")
-        lines.append(f"beyond = {rule}({growth.growth('t', 'root')}, {field}, a, {self._end(rule)})")
+        strips = growth.with_parameters() if rule == "pressure_integral_beyond" else growth.growth("t", "root")
+        lines.append(f"beyond = {rule}({strips}, {field}, a, {self.b})")
         needs |= {str(symbol) for symbol in scale.free_symbols}
         sign, size = ("-", -scale) if scale.could_extract_minus_sign() else ("", scale)
-        strips = f"{python(size)} * beyond"
-        value = f"{parts[0]} {sign or '+'} {strips}" if parts else f"{sign}{strips}"
+        added = f"{python(size)} * beyond"
+        value = f"{parts[0]} {sign or '+'} {added}" if parts else f"{sign}{added}"
         return [*lines, f"value = {value}"], needs
-
-    def _end(self, rule: str) -> str:
-        return f"{self.b}, {GRADED}" if rule == "pressure_integral_beyond" else str(self.b)
 
     def _add(self, suffix: str, lines: list[str], needs: set[str]) -> Private:
         quantity = self.entries[suffix].quantity

@@ -9,7 +9,7 @@ import numpy as np
 from ._elementwise import Array
 
 Curve = Callable[[Array], tuple[Array, Array]]
-ITERATIONS, PATIENCE, SETTLED = 120, 12, 1e-9
+ITERATIONS, PATIENCE, SETTLED = 120, 12, 1e-12
 
 
 def inverse(

@@ -1,0 +1,88 @@
+"""Plane contact: fields on both sides of the middle, and integrals over flat strips of growing half-width.
+
+A contact of half-width a is the sum of flat strips of half-width t < a under
+the loads P'(t) dt.  `growth` gives P'(t) beyond a break b of the profile, from
+t and sqrt(t**2 - b**2).  All integrands are positive, and the substitutions
+keep their singularities pi/2 away from the path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ._domain import numbers
+from ._elementwise import Array, Result, elementwise
+from ._integrals import difference_root, integral, integral_by_panels
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+Growth = Callable[[Array, Array], Array]
+NODES = 128
+WIDTH = 16.0
+"""What so many nodes span to 2e-15: ratios of lengths beyond some 1e6 take another panel."""
+
+
+def even(function: Callable[..., Array], x: ArrayLike, *fields: ArrayLike, **parameters: ArrayLike) -> Result:
+    """Values of a field that is the same at x and -x; `function` takes the distance from the middle."""
+    return elementwise(function, np.abs(numbers("x", x)), *fields, **parameters)
+
+
+def odd(function: Callable[..., Array], x: ArrayLike, *fields: ArrayLike, **parameters: ArrayLike) -> Result:
+    """Values of a field that changes its sign with x; `function` takes the distance from the middle."""
+    values = even(function, x, *fields, **parameters)
+    signed = np.copysign(1.0, numbers("x", x)) * values + 0.0  # no negative zeros
+    return float(signed) if isinstance(values, float) else signed
+
+
+def turned(x: ArrayLike, e: ArrayLike) -> Array:
+    """The eccentricity as seen from the side of x: the pressure at -x is that at x under a load at -e."""
+    return np.copysign(1.0, numbers("x", x)) * numbers("e", e)
+
+
+def require_eccentricity(a: ArrayLike, e: ArrayLike) -> None:
+    """Raise ValueError if the load does not act between the edges of the punch."""
+    half_width, place = np.broadcast_arrays(numbers("a", a), numbers("e", e))
+    outside = ~(np.abs(place) < half_width)
+    if outside.any():
+        message = (
+            f"e = {float(place[outside].flat[0])!r}, a = {float(half_width[outside].flat[0])!r}: abs(e) < a is "
+            "violated; a load at the edge or beyond overturns the punch, move it inside"
+        )
+        raise ValueError(message)
+
+
+def load_beyond(growth: Growth, root: Array, b: Array) -> Array:
+    """Integral of P'(t) from b to a = sqrt(b**2 + root**2)."""
+    stop = np.arcsinh(root / b)
+    return b * integral(lambda v: growth(b * np.cosh(v), b * np.sinh(v)) * np.sinh(v), stop, NODES)
+
+
+def slope_beyond(growth: Growth, x: Array, a: Array, b: Array) -> Array:
+    """Integral of P'(t)/sqrt(x**2 - t**2) from b to a < x."""
+    return _strips_beyond(growth, lambda t, rest: np.ones_like(t), x, a, b)
+
+
+def depth_beyond(growth: Growth, L: Array, a: Array, b: Array) -> Array:
+    """Integral of P'(t) arcosh(L/t) from b to a < L."""
+    return _strips_beyond(growth, lambda t, rest: rest * np.arcsinh(rest / t), L, a, b)
+
+
+def _strips_beyond(growth: Growth, weight: Growth, x: Array, a: Array, b: Array) -> Array:
+    """Integral of P'(t) weight(t, rest)/rest from b to a < x, with rest = sqrt(x**2 - t**2)."""
+    reach = difference_root(x, b)
+
+    def integrand(v: Array) -> Array:
+        tangent = b / x * np.sinh(v)
+        square = 1.0 + tangent * tangent
+        secant = np.sqrt(square)
+        root = reach * tangent / secant
+        t = np.sqrt(b * b + root * root)
+        return growth(t, root) * root / t * weight(t, reach / secant) * np.cosh(v) / square
+
+    stop = np.arcsinh(x / b * difference_root(a, b) / difference_root(x, a))
+    total = integral_by_panels(integrand, stop, np.full_like(stop, WIDTH), NODES)
+    return np.where(a > b, b / x * total, 0.0)

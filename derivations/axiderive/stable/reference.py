@@ -1,0 +1,104 @@
+"""What an entry is worth at a point in double precision: Arb enclosures, far beyond a double."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from flint import acb, arb, ctx
+
+from .. import notation as nt
+from ..entry import Case, Entry
+from ..proof.balls import Ball, NotAvailableError
+from ..proof.shape import coefficient, concrete
+from .samples import TERMS, Floats
+
+BITS, HIGHEST, WANTED = 160, 1 << 13, 70
+CURVES = {"ad": ("d", None), "aF": ("F", None), "Fd": ("d", "F"), "dF": ("F", "d")}
+"""Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
+
+
+class UnknownError(ArithmeticError):
+    """No enclosure, or no region of the entry that surely holds the point."""
+
+
+def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[Floats, arb]:
+    """The arguments of the emitted function by symbol, and the exact value it stands for.
+
+    For an inverse the point holds the contact radius; the depth or force is
+    rounded to a double there, and the radius that belongs to it found again.
+    """
+    entry = entries[suffix]
+    if suffix not in CURVES or entry.profile.contact == "complete":
+        return values, enclosed(entry, values, ())
+    given, asked = CURVES[suffix]
+    symbol = entry.quantity.arguments[0]
+    target = float(enclosed(entries[given], values, ()))
+    if not 2.3e-308 < target < 1.7e308:
+        message = f"{entry.key}: the argument {target} is no normal number"
+        raise UnknownError(message)
+    radius = _root(entries[given], values, target)
+    result = radius if asked is None else enclosed(entries[asked], values, ((nt.a, radius),))
+    return {**values, symbol: target}, result
+
+
+def _root(curve: Entry, values: Floats, target: float) -> arb:
+    """Newton's iteration from the radius that was rounded away, its slope from a difference."""
+    before, ctx.prec = ctx.prec, 4 * BITS
+    try:
+        radius = arb(values[nt.a])
+        for _ in range(4):
+            step = radius * arb(2) ** (-2 * BITS)
+            value, ahead = (enclosed(curve, values, ((nt.a, x),), 2 * BITS + WANTED) for x in (radius, radius + step))
+            radius = (radius - (value - target) * step / (ahead - value)).mid()
+        return radius
+    finally:
+        ctx.prec = before
+
+
+def enclosed(entry: Entry, values: Floats, exact: tuple[tuple[sp.Symbol, arb], ...], wanted: int = WANTED) -> arb:
+    """A ball with `wanted` correct bits around the value of the entry."""
+    bits, before = max(BITS, 2 * wanted), ctx.prec
+    try:
+        while bits <= HIGHEST:
+            ctx.prec = bits
+            point = _balls(entry, values) | {symbol: acb(value) for symbol, value in exact}
+            value = Ball(point, False)(_plain(_case(entry, point).expr))
+            if value.is_finite() and value.real.rel_accuracy_bits() >= wanted and value.imag.contains(0):
+                return value.real
+            bits *= 2
+    except NotAvailableError as error:
+        raise UnknownError(str(error)) from error
+    finally:
+        ctx.prec = before
+    message = f"{entry.key}: no enclosure below {HIGHEST} bits at {values}"
+    raise UnknownError(message)
+
+
+def _balls(entry: Entry, values: Floats) -> dict[Any, acb]:
+    point: dict[Any, acb] = {}
+    for symbol, value in values.items():
+        if isinstance(value, tuple):
+            point |= {coefficient(j): acb(number) for j, number in enumerate(value, 1)}
+        else:
+            point[symbol] = acb(value)
+    for symbol, expr in entry.profile.abbreviations:
+        point[symbol] = Ball(point, False)(expr)
+    return point
+
+
+def _case(entry: Entry, point: dict[Any, acb]) -> Case:
+    for case in entry.cases:
+        sizes = [Ball(point, False)(_plain(sp.sympify(x))).real for x in case.chain]
+        if all(low < high for low, high in zip(sizes, sizes[1:], strict=False)):
+            return case
+    message = f"{entry.key}: no region surely holds the point"
+    raise UnknownError(message)
+
+
+@lru_cache(maxsize=4096)
+def _plain(expr: sp.Expr) -> sp.Expr:
+    """Floats of the profile as the doubles they are, sums written out."""
+    expr = concrete(expr, {nt.N: sp.Integer(TERMS)})
+    return expr.xreplace({x: sp.Rational(float(x)) for x in expr.atoms(sp.Float)})
