@@ -8,10 +8,13 @@ import pytest
 import sympy as sp
 
 from axiderive import notation as nt
+from axiderive.contact import adhesive, loads, normal, tangential, viscoelastic
+from axiderive.contact.medium import GRADED, HOMOGENEOUS
 from axiderive.contact.normal import derive
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
-from axiderive.proof import identities, limits
+from axiderive.profiles.loads import LOADS
+from axiderive.proof import adhesive_identities, identities, limits, physics_identities
 
 SEED = 1
 
@@ -72,3 +75,88 @@ def test_a_limit_to_the_wrong_profile_is_noticed() -> None:
     assert limits.check_limit(profile, entry, limit, target, simpler, digits=50, seed=SEED).passed
     wrong = limits.check_limit(profile, entry, limit, target, scaled(simpler), digits=50, seed=SEED)
     assert wrong.outcome == "failed"
+
+
+# the other physics
+
+
+def changed(entries: dict[str, Entry], suffixes: str, change) -> dict[str, Entry]:
+    new = {
+        s: replace(entries[s], cases=tuple(replace(case, expr=change(case.expr)) for case in entries[s].cases))
+        for s in suffixes.split()
+    }
+    return {**entries, **new}
+
+
+def failed(checks) -> set[tuple[str, str]]:
+    return {(check.key, check.compared) for check in checks if check.outcome == "failed"}
+
+
+@pytest.mark.parametrize("medium", [HOMOGENEOUS, GRADED], ids=["homogeneous", "graded"])
+def test_a_retraction_of_twice_the_energy_is_noticed_by_the_crack(medium) -> None:
+    """Consistent in all entries, so that neither stationarity nor the limit without adhesion is violated."""
+    profile = load("paraboloid")
+    plain, entries = normal.derive(profile, medium), adhesive.derive(profile, medium)
+    assert failed(adhesive_identities.check_profile(profile, entries, plain, seed=SEED)) == set()
+    more = changed(entries, "Dl d F p w ac Fc dc am Fm dm", lambda x: x.subs(nt.dgamma, 2 * nt.dgamma))
+    found = failed(adhesive_identities.check_profile(profile, more, plain, seed=SEED))
+    assert {compared.split(",")[0].split(" -")[0] for _, compared in found} >= {"work of closing the crack"}
+    assert not any("da = 0" in compared or "symbolically" in compared for _, compared in found)
+    assert any(compared.startswith("known value") for _, compared in found)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "compared"), [("ac", "dF/da = 0"), ("am", "dd/da = 0"), ("Fc", "F at ac"), ("dm", "d at am")]
+)
+def test_a_wrong_pull_off_is_noticed(suffix: str, compared: str) -> None:
+    profile = load("truncated_cone")
+    plain, entries = normal.derive(profile), adhesive.derive(profile)
+
+    def wrong(expr: sp.Expr) -> sp.Expr:
+        return sp.Eq(expr.lhs * TWICE, expr.rhs) if isinstance(expr, sp.Eq) else expr * TWICE
+
+    found = failed(adhesive_identities.check_profile(profile, changed(entries, suffix, wrong), plain, seed=SEED))
+    assert (entries[suffix].key, compared) in found
+
+
+TWICE = 1 + sp.Rational(1, 10**30)
+
+
+@pytest.mark.parametrize("suffix", ["F", "u", "us", "tau"])
+def test_a_wrong_partial_slip_is_noticed(suffix: str) -> None:
+    profile = load("paraboloid")
+    plain, entries = normal.derive(profile), tangential.derive(profile)
+    assert failed(physics_identities.slip(profile, entries, plain, seed=SEED)) == set()
+    wrong = changed(entries, suffix, lambda x: x * (1 + sp.Rational(1, 10**15)))
+    assert failed(physics_identities.slip(profile, wrong, plain, seed=SEED))
+
+
+def test_another_homogeneous_limit_is_noticed() -> None:
+    profile = load("capped_paraboloid")
+    plain, entries = normal.derive(profile), normal.derive(profile, GRADED)
+    assert failed(physics_identities.homogeneous(profile, entries, plain, "graded", seed=SEED)) == set()
+    assert physics_identities.stiffness(profile, entries, seed=SEED).passed
+    for suffix in ("d", "F", "k", "pm"):
+        wrong = changed(entries, suffix, lambda x: x * TWICE)
+        found = failed(physics_identities.homogeneous(profile, wrong, plain, "graded", seed=SEED))
+        assert found == {(entries[suffix].key, f"k -> 0: {plain[suffix].key}")}
+    assert not physics_identities.stiffness(profile, changed(entries, "d", lambda x: x * TWICE), seed=SEED).passed
+
+
+def test_another_elastic_limit_is_noticed() -> None:
+    profile = load("cone")
+    plain, entries = normal.derive(profile), viscoelastic.derive(profile)
+    assert failed(physics_identities.elastic(profile, entries, plain, seed=SEED)) == set()
+    for suffix, entry in entries.items():
+        found = failed(physics_identities.elastic(profile, changed(entries, suffix, lambda x: x * TWICE), plain))
+        assert {key for key, _ in found} == {entry.key}
+
+
+@pytest.mark.parametrize("own", LOADS, ids=lambda own: own.name)
+def test_reciprocity_notices_both_sides_of_the_edge(own) -> None:
+    entries = loads.derive(own)
+    assert physics_identities.reciprocity(own, entries, seed=SEED).passed
+    for place in (0, 1):
+        cases = list(entries["w"].cases)
+        cases[place] = replace(cases[place], expr=cases[place].expr * TWICE)
+        assert not physics_identities.reciprocity(own, {"w": replace(entries["w"], cases=tuple(cases))}).passed

@@ -15,12 +15,13 @@ import sympy as sp
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact import adhesive, loads, normal, tangential, viscoelastic
+from axiderive.contact import adhesive, loads, normal, systems, tangential, viscoelastic
 from axiderive.contact.medium import GRADED
 from axiderive.entry import Case, Entry
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
-from axiderive.proof import physics_quadrature, units
+from axiderive.proof import certificate, physics_quadrature, plane, status, units
+from axiderive.proof.checks import check_problem
 from axiderive.proof.viscoelastic_quadrature import material
 
 DERIVE = {
@@ -184,3 +185,63 @@ def test_unknown_physics_is_named():
     profile, entries = derived("graded", "cone")
     with pytest.raises(ValueError, match="use one of graded"):
         physics_quadrature.check_profile(profile, entries, "plastic")
+
+
+# every check of a problem, as the build calls them
+
+SAMPLE = (
+    "cone.adh", "cone.tan", "cone.fgm", "paraboloid.fgm.adh", "cone.fgm.tan", "concave_paraboloid.fgm",
+    "cone.vis", "plane.parabola", "plane.eccentric_punch", "loads.power",
+)  # fmt: skip
+EVIDENCE = {"digits": 50, "points": 2, "seed": 5}
+
+
+def all_evidence(key: str) -> None:
+    """Every entry has a certificate or the reason why not, a comparison that passed, and none that failed."""
+    problem = systems.problem(key)
+    entries = problem.derive()
+    prover = plane if problem.system.name == "plane" else certificate
+    certificates = prover.certify_profile(problem.profile, entries)
+    checks = check_problem(problem, entries, **EVIDENCE)
+    assert [check for check in checks if check.outcome == "failed"] == []
+    for suffix, entry in entries.items():
+        own = [check for check in checks if check.key == entry.key]
+        assert certificates[suffix].steps if certificates[suffix].proved else certificates[suffix].reason
+        words = status.status(entry, certificates[suffix], own)
+        assert words != status.NOT_CHECKED, entry.key
+        assert ("certified" in words) == (certificates[suffix].proved and entry.status != "integral")
+
+
+@pytest.mark.parametrize("key", SAMPLE)
+def test_evidence_of_a_problem(key):
+    all_evidence(key)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("key", [problem.key for problem in systems.problems()])
+def test_evidence_of_every_problem(key):
+    all_evidence(key)
+
+
+@pytest.mark.parametrize(
+    ("key", "suffix"),
+    [
+        ("cone.adh", "am"), ("cone.tan", "us"), ("cone.fgm", "k"), ("cone.fgm.adh", "Dl"), ("cone.fgm.tan", "u"),
+        ("cone.vis", "step_sls"), ("plane.wedge", "s"), ("plane.eccentric_punch", "phi"),
+        ("plane.eccentric_punch", "cw"), ("loads.uniform", "w"),
+    ],
+)  # fmt: skip
+def test_a_corrupted_formula_fails_the_problem(key, suffix):
+    problem = systems.problem(key)
+    entries = problem.derive()
+    entry = entries[suffix]
+    wrong = tuple(Case(case.chain, case.expr * (1 + sp.Rational(1, 10**25))) for case in entry.cases)
+    checks = check_problem(problem, {**entries, suffix: replace(entry, cases=wrong)}, **EVIDENCE)
+    assert entry.key in {check.key for check in checks if check.outcome == "failed"}
+
+
+def test_words_of_a_problem():
+    words = {"d": "certified closed form", "ac": "root, certified equation", "p": status.word("integral", False, 30)}
+    assert status.summary(words) == "2 certified, p one integral (30 digits)"
+    assert status.word("closed", True, 0) == status.NOT_CHECKED
+    assert status.word("closed", False, 40) == "closed form checked to 40 digits"

@@ -60,6 +60,7 @@ def printed(one: Row, profile_id: str) -> dict[str, Any]:
         "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
         "suffix": ending(one.entry, profile_id),
         "also": [ending(entry, profile_id) for entry in one.also],
+        "shown": ", ".join([ending(one.entry, profile_id), *(e.suffix.partition("_")[2] for e in one.also)]),
         "label": label,
         "small": small,
         "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .. import __version__
-from . import front, laws, references
-from .prose import escaped
+from . import front, laws, page, references
+from .prose import escaped, prose
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
 PLACES = {"plane": 2, "loads": 3, "materials": 4}
@@ -27,7 +27,7 @@ def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] |
         "laws": laws.laws(),
         "rules": front.rule_rows(),
         "matrix": front.matrix(summaries),
-        "chapter11": chapter11,
+        "chapter11": chapter11 and _chapter(chapter11),
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],
@@ -35,3 +35,20 @@ def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] |
         "keys_count": {"profiles": len(summaries), "entries": len(keys)},
         "version": __version__,
     }
+
+
+def _chapter(record: Mapping[str, Any]) -> dict[str, Any]:
+    """The record of the chapter with its words as LaTeX; formulas of the errata stay as they are written."""
+    rows = [
+        row | {"title": prose(row["title"]), "residual": page.power_of_ten(row["residual"])} for row in record["rows"]
+    ]
+    errata = [
+        erratum
+        | {
+            "place": escaped(erratum["place"]),
+            "reason": prose(erratum["reason"]),
+            "evidence": prose(erratum["evidence"]),
+        }
+        for erratum in record["errata"]
+    ]
+    return {"rows": rows, "errata": errata}

@@ -16,7 +16,7 @@ from ..entry import COMPACT, COMPLETE, Entry
 from . import blocks, rules
 from .printer import MASTER_NAMES, Printer
 from .prose import prose
-from .rows import LEFT
+from .rows import LEFT, label_of
 from .shorthand import with_kappa
 from .width import width
 
@@ -147,9 +147,9 @@ def _rule_row(system: str, suffix: str) -> dict[str, str]:
     found = rules.rule(system, suffix)
     assert found is not None
     tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
-    label = tables[system.rpartition(".")[2]][suffix].label
+    label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
     group = BY_NAME[system].group
-    return {"suffix": f"{group}.{suffix}", "label": label, "tex": found.tex, "remark": found.remark}
+    return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
 
 
 SHOWN = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential", "viscoelastic")

@@ -235,6 +235,8 @@ def _agreement(checks: list[Any]) -> str:
 def power_of_ten(text: str) -> str:
     """2.7e-51 as 2.7 x 10^-51."""
     mantissa, _, exponent = text.partition("e")
+    if exponent and float(mantissa) == 0:
+        return "0"
     return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
 
 

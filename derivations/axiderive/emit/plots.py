@@ -15,6 +15,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
+from .strips import StripNumbers
 from .values import Numbers
 
 Rows = list[tuple[float, float]]
@@ -72,6 +73,9 @@ def _scaled(rows: Rows, factor: float) -> Rows:
 
 def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
     """The same profile at several values of one dimensionless ratio."""
+    if isinstance(numbers, StripNumbers) and "Pmin" in numbers.entries:
+        loads = ("1", "2", "4")
+        return [(v, numbers.at(P=numbers.least * int(v))) for v in loads], r"$P/P_{\mathrm{min}}=1, 2, 4$"
     if profile.breaks:
         b = profile.breaks[0]
         size = numbers.values[b]

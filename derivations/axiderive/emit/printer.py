@@ -39,6 +39,9 @@ MASTER_NAMES = {
 }  # fmt: skip
 
 
+EXPONENTS_OF_GRADING = (sp.Rational(-99, 100), sp.Rational(99, 100))
+
+
 class Printer:
     """Prints SymPy expressions; `chain` is the ascending order of lengths that is known to hold."""
 
@@ -53,6 +56,8 @@ class Printer:
 
     def positive(self, expr: sp.Expr) -> bool:
         """Whether the chain makes the expression positive."""
+        if expr.free_symbols == {nt.k}:
+            return all(_is_positive(expr.xreplace({nt.k: end})) for end in EXPONENTS_OF_GRADING)
         if not self.samples or expr.free_symbols - set(self.samples[0]):
             return False
         return all(_is_positive(expr.xreplace(sample)) for sample in self.samples)
@@ -83,7 +88,7 @@ class Printer:
             return 1, "", self.terms(expr)
         parts = taken_apart(expr, self.positive)
         sums = [base for base, exponent in parts.factors if base.is_Add and exponent == 1]
-        if len(sums) != 1 or any(is_function(base) for base, e in parts.factors if base is not sums[0] and e == 1):
+        if len(sums) != 1 or any(_stands_behind(base) for base, e in parts.factors if base is not sums[0] and e == 1):
             return None
         rest = tuple((b, e) for b, e in parts.factors if b is not sums[0])
         scale = Product(1, parts.number, rest, parts.root)
@@ -288,6 +293,11 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
+
+
+def _stands_behind(base: sp.Expr) -> bool:
+    """A function that is no scale of a sum; cos(pi k/2) is one."""
+    return is_function(base) and not isinstance(base, TRIGONOMETRIC)
 
 
 def _is_small_fraction(argument: sp.Expr) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,6 +12,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..proof.evaluate import case_at, decades, evaluate
+from ..proof.evaluate import holds as holds_at
 from ..proof.sampling import points
 from . import laws
 from .printed import Printed, holding, holds, name_in_print
@@ -70,8 +72,7 @@ def _points(entry: Entry, kind: str, entries: Entries, count: int, seed: int) ->
 
 def _lengths(case: Case) -> tuple[sp.Expr, ...]:
     """The chain to draw from; numbers around an exponent and the side of a load are seen to afterwards."""
-    chain = tuple(x.xreplace({nt.k: _grading(case)}) for x in case.chain)
-    return () if any(x.is_number or x.has(sp.Abs) for x in chain) else chain
+    return () if any(x.is_number or x.has(sp.Abs, nt.k) for x in case.chain) else case.chain
 
 
 def _grading(case: Case) -> sp.Rational:
@@ -82,11 +83,13 @@ def _grading(case: Case) -> sp.Rational:
 SEPARATE = {nt.k, nt.e, nt.E_star, nt.n}
 """Symbols that are not drawn as lengths or stresses are."""
 EXPONENT_OF_GRADING = (sp.Rational(3, 5), sp.Rational(-2, 5))
+POISSON = sp.Rational(2, 7)
 STABLE_EXPONENT = sp.Rational(17, 10)
 
 
 def _fields(entry: Entry, case: Case, kind: str) -> tuple[sp.Symbol, ...]:
-    own = {*entry.quantity.arguments, *entry.parameters, *case.expr.free_symbols}
+    lengths = {s for x in case.chain for s in x.free_symbols}
+    own = {*entry.quantity.arguments, *entry.parameters, *case.expr.free_symbols, *lengths}
     own -= {nt.F, nt.d} if kind in ("root", "composition") else set()
     fixed = {*entry.profile.parameters, *SEPARATE, nt.coefficients, nt.j, nt.N}
     integrated = {integral.limits[0][0] for integral in case.expr.atoms(sp.Integral)}
@@ -99,6 +102,9 @@ def _completed(entry: Entry, case: Case, values: Values) -> Values:
     system = system_of(entry)
     if nt.k in entry.parameters:
         fixed[nt.k] = _grading(case)
+    fixed |= {ratio: POISSON for ratio in (nt.nu, nt.nu_1, nt.nu_2) if ratio in fixed}
+    fixed |= {symbol: expr.xreplace(fixed) for symbol, expr in entry.profile.abbreviations if expr.has(nt.k)}
+    fixed = {symbol: value for symbol, value in fixed.items() if not sp.sympify(value).free_symbols}
     if nt.alpha in fixed:
         fixed[nt.alpha] = sp.Rational(2, 5)
     if nt.n in fixed and system.endswith(("adhesive", "tangential", "viscoelastic")):
@@ -112,10 +118,27 @@ def _completed(entry: Entry, case: Case, values: Values) -> Values:
             fixed[ring] = fixed[nt.a] * sp.Rational(7, 11)
     if nt.F_x in fixed and nt.F in fixed:
         fixed[nt.F_x] = fixed[nt.F] * fixed[nt.mu] * sp.Rational(3, 7)
+    if any(x.has(nt.k) and not x.is_Symbol for x in case.chain) and nt.n not in fixed:
+        return _moved_into(case, fixed)
     if nt.e in entry.profile.parameters:
         fixed[nt.e] = -fixed[nt.a] * sp.Rational(*((2, 7) if case.chain[0] != nt.a / 2 else (5, 7)))
         fixed[nt.x] = -fixed[nt.a] * sp.Rational(8, 9)
     return fixed
+
+
+def _moved_into(case: Case, values: Values) -> Values:
+    """A depth or force, and a radius, that lie in the region; its border has no inverse in closed form."""
+    load = next(s for s in (nt.F, nt.d) if s in values)
+    for power, share in itertools.product(
+        range(-6, 7), (sp.Rational(1, 9), sp.Rational(8, 9), sp.Integer(2), sp.Integer(9))
+    ):
+        moved = {**values, load: values[load] * sp.Integer(4) ** power}
+        if nt.r in values:
+            moved[nt.r] = values[nt.a] * share
+        if holds_at(case, moved):
+            return moved
+    message = f"no point found in {case.chain}"
+    raise LookupError(message)
 
 
 def _value(expr: sp.Expr, values: Values) -> Any:

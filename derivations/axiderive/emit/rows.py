@@ -89,12 +89,7 @@ class Row:
     @property
     def label(self) -> tuple[str, str]:
         """Label and the grey words under it: Contact radius, from force."""
-        text = LABELS.get(self.suffix, self.entry.quantity.label)
-        for word in (" from ", ": ", ", ", " relative to "):
-            if word in text:
-                first, _, second = text.partition(word)
-                return _short(first), f"{word.strip(' :,')} {second}".strip()
-        return _short(text), ""
+        return label_of(self.suffix, self.entry.quantity.label)
 
     @property
     def narrow(self) -> bool:
@@ -107,7 +102,19 @@ LABELS = {
     "Fc": "Pull-off force", "dc": "Depth: at fixed force", "Fm": "Force: at fixed depth", "dm": "Least depth",
     "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
     "rz": "Ring: of first zero pressure", "aP": "Half-width: from load",
+    "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
 }  # fmt: skip
+"""Labels that say it shorter than those of the quantities."""
+
+
+def label_of(suffix: str, text: str) -> tuple[str, str]:
+    """Label of a quantity and the grey words under it."""
+    text = LABELS.get(suffix.partition("_")[0], text).removesuffix(", stable branch")
+    for word in (" from ", ": ", " relative to ", " of the "):
+        if word in text:
+            first, _, second = text.partition(word)
+            return _short(first), f"{word.strip(' :')} {second}".strip()
+    return _short(text), ""
 
 
 def _short(label: str) -> str:
@@ -198,11 +205,16 @@ def _superposed(entry: Entry, system: str) -> Row:
     if entry.suffix == "Dl" and not graded:
         return _formula(entry)
     spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
-    if spelled and not (graded and entry.suffix not in PULLED_OFF):
+    if spelled and _is_power(entry.cases[0].expr, a_c) and not (graded and entry.suffix not in PULLED_OFF):
         plain = _formula(entry)
         if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
             return replace(plain, regions=(replace(plain.regions[0], condition=""),))
     return _ruled(entry, system, listed=graded)
+
+
+def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether the symbol enters as one power at most; what is longer is read better from the rule."""
+    return expr.as_independent(symbol, as_Add=False)[1].as_base_exp()[0] in (symbol, 1)
 
 
 PULLED_OFF = ("ac", "Fc", "dc", "am", "Fm", "dm")
@@ -215,6 +227,7 @@ def _names(entry: Entry) -> dict[sp.Symbol, str]:
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
     own = _names(entry)
+    expr = expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp))
     if isinstance(expr, sp.Equality):
         printer = Printer(chain, with_kappa(expr).names | own)
         return Region(condition(entry, pairs, chain, printer), (printer(expr),))
@@ -223,6 +236,11 @@ def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     printer = Printer(chain, short.names | own)
     lines = _broken(left, short.expr, printer)
     return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer)))
+
+
+def _is_inverse_power(expr: sp.Expr) -> bool:
+    """(u/v)**(-2/(1 + k)), which is read as (v/u)**(2/(1 + k))."""
+    return bool(expr.is_Pow and expr.base.is_Mul and expr.exp.free_symbols and expr.exp.could_extract_minus_sign())
 
 
 def _broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
@@ -294,12 +312,18 @@ def _place(one: Row, wide: bool) -> float:
 
 
 HALF = 122.0
-"""Points for the formula of half a row."""
+"""Points for the formula of half a row, beside a key of two letters."""
+LETTER = 3.3
+"""Points of a letter of the key."""
 
 
 def _half(one: Row) -> bool:
-    remark = 12 + 3.7 * len(one.remark.replace("$", "")) + (12 if one.uses else 0) if one.remark else 0
-    return one.regions[0].width + remark <= HALF
+    parts = one.remark.split("$")
+    remark = sum(0.84 * width(part) if i % 2 else 3.7 * len(part) for i, part in enumerate(parts))
+    behind = 12 + remark + (12 if one.uses else 0) if one.remark else 0
+    first, *ends = one.key.split(".")
+    key = ".".join(ends[1:] if first in PREFIXES else ends)
+    return one.regions[0].width + behind + LETTER * max(0, len(key) - 2) <= HALF
 
 
 ORDER = (

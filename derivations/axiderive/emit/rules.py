@@ -49,8 +49,8 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
         "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
         "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}"),
         "w": Rule(rf"w{ADH}(r)=w(r)-{surface}"),
-        "ad": Rule(rf"d{ADH}(a)=d", r"solved for $a\ge a_{\mathrm m}$"),
-        "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"solved for $a\ge a_{\mathrm c}$"),
+        "ad": Rule(rf"d{ADH}(a)=d", r"for $a\ge a_{\mathrm m}$"),
+        "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
     }
     for control, xi in adhesive.pull_off_number(medium).items():
         letter = next(letter for letter, name in PULL_OFF.items() if name == control)

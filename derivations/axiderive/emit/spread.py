@@ -10,12 +10,14 @@ from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
 from ..profiles.profile import Profile
 from . import blocks, front, page, references
+from .curves import curves
 from .panel import panel
 from .plots import plots
 from .prose import prose
 from .sketch import sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
+from .worked import worked
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
@@ -93,7 +95,15 @@ def _order(text: str) -> tuple[int, ...]:
     return tuple(int(x) for x in text.strip("()").split("."))
 
 
-NOTHING = {"picture": None, "plots": None, "checks": None, "calls": [], "derivation": "", "complete": False}
+NOTHING = {
+    "worked": None,
+    "picture": None,
+    "plots": None,
+    "checks": None,
+    "calls": [],
+    "derivation": "",
+    "complete": False,
+}
 
 
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
@@ -109,6 +119,8 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     else:
         rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
     return texts | {
+        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
+        "worked": worked(profile_id, profile, main, type(rough)),
         "picture": sketch(profile, rough),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),

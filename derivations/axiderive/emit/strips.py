@@ -11,6 +11,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
+from ..proof.evaluate import at_precision
 from .values import DIGITS, Numbers, Values
 
 REACH = sp.Rational(27, 10)
@@ -29,24 +30,24 @@ class StripNumbers(Numbers):
     def _load(self) -> Any:
         """A load under which the whole face presses: the depth of the sketch says how far beyond the least load."""
         share = sp.Rational(str(self.profile.sketch.d or 1)) + 1
-        if "Pmin" not in self.entries:
-            return share * sp.Rational(1, 2)
+        return share * (self.least if "Pmin" in self.entries else sp.Rational(1, 2))
+
+    @property
+    def least(self) -> sp.Rational:
+        """The least load of complete contact."""
         ring = self("xz") if self.entries["xz"].status == "closed" else self._ring()
-        return sp.nsimplify(Numbers.__call__(self._with(ring), "Pmin"), rational=True) * share
+        values = self.values | {nt.x_zero: ring}
+        found = Numbers(self.profile, self.entries, values, self.digits)("Pmin")
+        return sp.nsimplify(found, rational=True)
 
     def _ring(self) -> Any:
         case = next(c for c in self.entries["xz"].cases if c.expr.has(nt.x_zero))
         equation = case.expr.lhs - case.expr.rhs
-        from ..proof.evaluate import at_precision
-
         with mp.workdps(self.digits):
             a = self["a"]
             return mp.findroot(
                 lambda x: at_precision(equation, {**self.values, nt.x_zero: x}), (a / 3, 2 * a / 3), solver="anderson"
             )
-
-    def _with(self, ring: Any) -> Numbers:
-        return Numbers(self.profile, self.entries, self.values | {nt.x_zero: ring}, self.digits)
 
     def at(self, **changed: Any) -> Numbers:
         values = self.values | {nt.describe(name).symbol: value for name, value in changed.items()}

@@ -15,7 +15,8 @@ from .evaluate import at_precision, case_at, decades, evaluate
 from .evidence import Evidence, judge, not_available, residual
 from .identities import over_contact
 from .integrals import GUARD
-from .physics_quadrature import Entries, drawn_points, formula_value
+from .physics_quadrature import formula_value
+from .physics_sampling import Entries, drawn_points
 from .quadrature import LOST
 from .rules import integrate
 from .sampling import points
@@ -106,7 +107,7 @@ def homogeneous(
             if asked - set(values) - {nt.coefficients.label, nt.j, nt.N}:
                 continue  # an inverse: the force or depth is not drawn
             with mp.workdps(digits + GUARD):
-                got, want = (formula_value(x, values, digits, x is entry) for x in (entry, own))
+                got, want = (formula_value(x, values, digits) for x in (entry, own))
                 rows.append((values, residual(got, want)))
         if rows:
             found.append(_judge(entry, f"k -> 0: {own.key}", rows, digits, seed))
@@ -116,7 +117,7 @@ def homogeneous(
 def _pull_off(plain: Entries, suffix: str, values: Values, digits: int) -> Number:
     """The radius at pull-off where it is closed, because one of both formulas may have it put in."""
     names = next((names for names in CONTROLS.values() if suffix in names), None)
-    if names is None or plain[names[0]].status != "closed":
+    if names is None or names[0] not in plain or plain[names[0]].status != "closed":
         return values[nt.a]
     return evaluate(case_at(plain[names[0]], values).expr, values, digits + GUARD)
 

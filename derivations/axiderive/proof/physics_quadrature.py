@@ -6,9 +6,6 @@ at a chosen contact radius, the entry must lead back to it.
 
 from __future__ import annotations
 
-import random
-from collections.abc import Mapping
-
 import mpmath as mp
 import sympy as sp
 
@@ -21,30 +18,17 @@ from .evaluate import case_at, evaluate
 from .evidence import Evidence, judge, residual
 from .half_space import HalfSpace
 from .integrals import GUARD
+from .physics_sampling import PULL_OFF, Entries, drawn_points
 from .quadrature import INVERSES, KNOWN, LOST, inverse, root
-from .sampling import Point, points
 from .shape import Number, Values, number, shape
 from .unevaluated import evaluate_case, evaluate_integral
 
-Entries = Mapping[str, Entry]
-
 PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
-EXPONENTS = tuple(sp.Rational(x) for x in ("-7/10", "-3/10", "1/5", "3/5", "1/2"))
-"""Exponents of grading; every sixth point gets a random one."""
 NESTED = 30
 """Digits of a pressure on the graded half space, which is an integral of integrals."""
 NESTED_LOST = 6
 ILL = 60
 """Digits carried beyond those asked for where a small stick zone is the root of a difference of two forces."""
-PULL_OFF = {
-    "ac": ("force", "a"), "Fc": ("force", "F"), "dc": ("force", "d"),
-    "am": ("depth", "a"), "Fm": ("depth", "F"), "dm": ("depth", "d"),
-}  # fmt: skip
-FIELDS = {
-    "graded": (nt.H,),
-    "adhesive": (nt.dgamma, nt.H),
-    "tangential": (nt.mu, nt.G_star, nt.H, nt.H_x),
-}
 
 
 def check_profile(
@@ -126,59 +110,6 @@ def _is_round_trip(suffix: str, physics: str) -> bool:
     return suffix in INVERSES or suffix in ("ac", "am") or (physics == "tangential" and suffix == "c")
 
 
-def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, count: int, seed: int) -> list[Point]:
-    """Points spread over the cases, those of an inverse over the cases of what it inverts."""
-    source = entries[suffix]
-    graded = nt.k in source.parameters
-    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
-        source = entries["d"]
-    elif suffix in INVERSES and profile.contact == "compact":
-        source = entries[INVERSES[suffix][0]]
-    elif (suffix == "dF" and profile.contact == "complete") or (physics == "tangential" and suffix == "c"):
-        source = entries["F"]
-    elif suffix in ("k", "pm", "Dl") and "d" in entries:
-        source = entries["d"]
-    fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
-    # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
-    tame = graded and (suffix in ("p", "tau") or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
-    each = max(1 if tame else 2, -(-count // len(source.cases)))
-    out: list[Point] = []
-    for chain in [case.chain for case in source.cases]:
-        i = 0
-        while len(out) % each or i == 0:
-            point = _point(profile, chain, i, len(out), seed, fields, graded, tame)
-            i += 1
-            if suffix not in PULL_OFF or _grows(profile, point.values, graded):
-                out.append(point)
-    return out
-
-
-def _grows(profile: Profile, values: Values, graded: bool) -> bool:
-    """Whether the depth grows with the contact: the largest radius that a profile names is that for k = 0."""
-    with mp.workdps(20):
-        return bool(HalfSpace(profile, values, 10, graded).rates(number(values[nt.a]))[0] > 0)
-
-
-def _point(
-    profile: Profile, chain: tuple[sp.Expr, ...], i: int, index: int, seed: int, fields: tuple[sp.Symbol, ...],
-    graded: bool, tame: bool,
-) -> Point:  # fmt: skip
-    """The i-th point of a case; on the graded half space the exponent comes first, because chains may contain it."""
-    exponents = {nt.k: _exponent(index, profile.name, seed)} if graded else {}
-    chain = tuple(length.subs(exponents) for length in chain)
-    drawn = [p for p in points(profile, chain, i + 1 + (12 if tame else 0), seed, fields) if not (tame and p.extreme)]
-    values = {**drawn[i].values, **exponents}
-    if nt.dgamma in fields and nt.n in values and 2 * values[nt.n] + values.get(nt.k, 0) == 1:
-        values[nt.n] = sp.Rational(37, 10)  # g and Dl are the same power of a: nothing is stationary
-    return Point(values, drawn[i].extreme)
-
-
-def _exponent(index: int, name: str, seed: int) -> sp.Rational:
-    shift = random.Random(f"{seed} {name}").randrange(len(EXPONENTS))
-    random_one = sp.Rational(random.Random(f"{seed} {name} {index}").randint(-89, 89), 100)
-    return (*EXPONENTS, random_one)[(index + shift) % (len(EXPONENTS) + 1)]
-
-
 def _residual(
     profile: Profile, entries: Entries, suffix: str, physics: str, values: Values, digits: int, graded: bool
 ) -> Number:
@@ -189,13 +120,11 @@ def _residual(
         return _adhesive(here, entries, suffix, a, digits)
     if physics == "tangential":
         if suffix != "c":
-            return residual(formula_value(entries[suffix], values, digits, here.graded), here.tangential(suffix, a))
+            return residual(formula_value(entries[suffix], values, digits), here.tangential(suffix, a))
         return _stick_radius(here, entries["c"], a, digits)
     radius, free_depth = contact(here, a)
     if suffix not in INVERSES:
-        return residual(
-            formula_value(entries[suffix], values, digits, here.graded), here.normal(suffix, radius, free_depth)
-        )
+        return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
     given, target = INVERSES[suffix]
     known = {**values, KNOWN[given]: here.normal(given, radius, free_depth)}
     wanted = radius if target == nt.a else here.normal(str(target), radius, free_depth)
@@ -218,10 +147,10 @@ def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
     return mp.findroot(gap, (start, start * mp.mpf("1.001")), solver="secant", tol=tolerance, verify=False), None
 
 
-def formula_value(entry: Entry, values: Values, digits: int, graded: bool) -> Number:
+def formula_value(entry: Entry, values: Values, digits: int) -> Number:
     """A formula of the catalogue at a point; an enclosure where Arb has all its functions, which is faster."""
     case = case_at(entry, values)
-    if graded and case.expr.has(sp.Integral):
+    if case.expr.has(sp.Integral):
         stretches = shape(entry.profile, values).stretches
         radii = {z for piece in stretches for z in piece.singular} | {complex(piece.hi) for piece in stretches[:-1]}
         ordered = tuple(sorted(radii | {0j}, key=lambda z: (abs(z), z.imag)))
@@ -236,7 +165,7 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
     entry, values = entries[suffix], here.values
     if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
         defined = here.adhesive({"Fc": "F", "dc": "d"}.get(suffix, suffix), a)
-        return residual(formula_value(entry, values, digits, here.graded), defined)
+        return residual(formula_value(entry, values, digits), defined)
     if suffix in PULL_OFF:
         control, sought = PULL_OFF[suffix]
         stationary = {**values, nt.dgamma: here.separation(control, a), nt.a_c: a}
@@ -249,7 +178,7 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
         given = INVERSES[suffix][0]
         known = {**values, KNOWN[given]: here.adhesive(given, a)}
         return residual(_radius(entry, nt.a, known, digits), a)
-    return residual(formula_value(entry, values, digits, here.graded), here.adhesive(suffix, a))
+    return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
 def _stick_radius(here: HalfSpace, entry: Entry, a: Number, digits: int) -> Number:

@@ -1,0 +1,91 @@
+"""Two more plots of a compact contact: force over depth with adhesion, tangential force over displacement."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+
+from ..profiles.profile import Profile
+from .values import Numbers
+
+SHARE = "0.6"
+"""Retraction of the sketched contact over its depth, which fixes the work of separation of the plot."""
+LARGEST = "2"
+
+
+@dataclass(frozen=True)
+class Adhesion:
+    """Coordinates of the branches by stability, and the two points of pull-off."""
+
+    stable: str
+    grips: str
+    unstable: str
+    force: tuple[float, float]
+    depth: tuple[float, float]
+    without: str
+
+
+@dataclass(frozen=True)
+class Curves:
+    adhesion: Adhesion
+    slip: str
+
+
+def curves(profile: Profile, numbers: Numbers) -> Curves:
+    """Both plots at the values of the sketch, in units of its depth and force."""
+    return Curves(_adhesion(profile, numbers), _slip(profile, numbers))
+
+
+def _radii(profile: Profile, numbers: Numbers, largest: Any) -> list[Any]:
+    """Contact radii from the tip or the first break on, dense at the start."""
+    low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else numbers["a"] / 1000
+    high = largest
+    if profile.chain:
+        high = min(high, numbers[profile.chain[-1].name] * mp.mpf("0.999"))
+    return [low + (high - low) * (mp.mpf(i) / 60) ** 2 for i in range(61)]
+
+
+def _states(profile: Profile, numbers: Numbers, largest: Any) -> list[tuple[Any, Any, Any]]:
+    """Radius, depth and force of the contact without adhesion."""
+    members = [(radius, numbers.at(a=radius)) for radius in _radii(profile, numbers, largest)]
+    return [(radius, member("d"), member("F")) for radius, member in members]
+
+
+def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
+    """The rule of Hess with E_star = 1; stability follows from where force and depth are least."""
+    radius, depth, force = numbers["a"], numbers.depth, numbers("F")
+    largest = radius * mp.mpf(LARGEST) if profile.largest is None else radius * mp.mpf("1.3")
+    scale = mp.mpf(SHARE) * depth / mp.sqrt(radius)
+    rows, plain = [], []
+    for a, d, load in _states(profile, numbers, largest):
+        shift = scale * mp.sqrt(a)
+        rows.append((float((d - shift) / depth), float((load - 2 * a * shift) / force)))
+        plain.append((float(d / depth), float(load / force)))
+    least_force = min(range(len(rows)), key=lambda i: rows[i][1])
+    least_depth = min(range(len(rows)), key=lambda i: rows[i][0])
+    first, last = sorted((least_depth, least_force))
+    return Adhesion(
+        _coordinates(rows[last:]),
+        _coordinates(rows[first : last + 1]),
+        _coordinates(rows[: first + 1]),
+        _point(rows[least_force]),
+        _point(rows[least_depth]),
+        _coordinates(plain),
+    )
+
+
+def _slip(profile: Profile, numbers: Numbers) -> str:
+    """(11.78), (11.80): F_x/(mu F) over u/u_s, both 0 in full stick."""
+    depth, force = numbers.depth, numbers("F")
+    rows = [(float(1 - d / depth), float(1 - load / force)) for _, d, load in _states(profile, numbers, numbers["a"])]
+    return _coordinates(sorted(rows))
+
+
+def _point(row: tuple[float, float]) -> tuple[float, float]:
+    return float(f"{row[0]:.4g}"), float(f"{row[1]:.4g}")
+
+
+def _coordinates(rows: list[tuple[float, float]]) -> str:
+    return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)
