@@ -18,7 +18,7 @@ from ..proof.balls import NotAvailableError, enclose_value
 from ..proof.quadrature import inverse
 from .naive import naive
 from .report import relative
-from .subject import Array, emitted, entries
+from .subject import Array, Function, emitted, entries
 
 Point = dict[sp.Symbol, float]
 DIGITS = 22
@@ -73,20 +73,27 @@ def _at_root(known: dict[str, Entry], suffix: str, point: Point) -> mp.mpf:
 
 
 def judged(problem: str, suffix: str, points: Sequence[Point], exact: Sequence[mp.mpf]) -> dict[str, list[Judged]]:
-    """The emitted and the naive values at all points, each function called once with arrays."""
+    """The emitted and the naive values: of many points with arrays, of one point with numbers."""
     known = entries(problem)
     entry = known[suffix]
-    columns = {symbol: np.array([point[symbol] for point in points]) for symbol in points[0]}
     found = {}
     for name, function in (("emitted", emitted(entry, problem)), ("naive", naive(entry, known))):
-        values = _values(function, columns, points, alone=name == "naive" and entry.status == "root")
+        iterated = name == "naive" and entry.status == "root"  # one set of numbers at a time
+        alone = len(points) == 1 or iterated
+        values = [_value(function, point) for point in points] if alone else _values(function, points)
         found[name] = [judge(float(got), wanted) for got, wanted in zip(values, exact, strict=True)]
     return found
 
 
-def _values(function: Any, columns: dict[sp.Symbol, Array], points: Sequence[Point], *, alone: bool) -> Array:
-    if alone:  # an iteration takes one set of parameters
-        return np.concatenate([np.atleast_1d(function(point)) for point in points])
+def _value(function: Function, point: Point) -> float:
+    try:
+        return float(np.squeeze(function(point)))
+    except (ArithmeticError, ValueError):  # a power of Python numbers that overflows, an argument that is refused
+        return math.nan
+
+
+def _values(function: Function, points: Sequence[Point]) -> Array:
+    columns = {symbol: np.array([point[symbol] for point in points]) for symbol in points[0]}
     return np.broadcast_to(function(columns), len(points))
 
 

@@ -1,4 +1,4 @@
-"""Pressures by the boundary element method, where tamaas is installed: prescribed force on a square three radii wide."""
+"""Pressures by the boundary element method, where tamaas is installed: prescribed force, a square three radii wide."""
 
 from __future__ import annotations
 

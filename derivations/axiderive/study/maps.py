@@ -12,7 +12,6 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt

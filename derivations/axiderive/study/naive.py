@@ -1,4 +1,4 @@
-"""The printed closed form handed to sympy.lambdify, as a first script does it, with scipy.special where it asks for it."""
+"""The printed closed form handed to sympy.lambdify, as a first script does it, with scipy.special."""
 
 from __future__ import annotations
 
