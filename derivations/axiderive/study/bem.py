@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from importlib.util import find_spec
 
 import numpy as np
@@ -20,9 +21,8 @@ def missing() -> str:
 
 
 def pressure(subject: Subject, force: float, count: int) -> tuple[Array, Array]:
-    """Radii and pressures of the cells that touch one half of an axis of the square."""
-    import tamaas
-
+    """Radii and pressures of the cells whose centres are in contact."""
+    tamaas = import_module("tamaas")
     tamaas.set_log_level(tamaas.LogLevel.error)
     side = WIDTH * RADIUS
     centres = (np.arange(count) - count // 2 + 0.5) * side / count
@@ -30,10 +30,11 @@ def pressure(subject: Subject, force: float, count: int) -> tuple[Array, Array]:
     model = tamaas.Model(tamaas.model_type.basic_2d, [side, side], [count, count])
     model.E, model.nu = subject.modulus, 0.0
     tamaas.ModelFactory.registerNonPeriodic(model, "dcfft")
-    solver = tamaas.PolonskyKeerRey(model, -subject.height(r), TOLERANCE)
+    # a sphere ends at its equator, the square beyond it is far from contact
+    solver = tamaas.PolonskyKeerRey(model, -subject.height(np.minimum(r, subject.largest)), TOLERANCE)
     solver.setIntegralOperator("dcfft")
     solver.max_iter = ITERATIONS
     solver.solve(force / side**2)
     traction = np.array(model.traction).reshape(count, count)
-    line = (slice(count // 2, None), count // 2)
-    return r[line], traction[line]
+    inside = r < RADIUS
+    return r[inside], traction[inside]

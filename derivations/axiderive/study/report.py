@@ -7,16 +7,16 @@ import math
 import statistics
 from collections.abc import Sequence
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
 
 import mpmath as mp
 
 from ..work import project_root
-from ..writing import write_atomic
+from ..writing import STUDIES, write_atomic
 
 Record: TypeAlias = dict[str, Any]
-FOLDER = Path("catalogue") / "evidence" / "study"
 CARRIED = 60
 
 
@@ -45,7 +45,8 @@ def summary(errors: Sequence[float]) -> Record:
 
 def versions() -> dict[str, str]:
     """What was compared."""
-    return {name: version(name) for name in ("numpy", "scipy", "sympy", "mpmath", "python-flint")}
+    packages = ("numpy", "scipy", "sympy", "mpmath", "python-flint", "tamaas")
+    return {name: version(name) for name in packages if find_spec(name.removeprefix("python-"))}
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
@@ -75,6 +76,6 @@ def to_json(record: Record) -> str:
 
 def store(record: Record) -> Path:
     """Write the record to the evidence; a build neither makes nor removes it."""
-    path = project_root() / FOLDER / f"{record['study']}.json"
+    path = project_root() / "catalogue" / STUDIES / f"{record['study']}.json"
     write_atomic(path, to_json(record).encode())
     return path
