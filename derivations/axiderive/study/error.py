@@ -1,8 +1,8 @@
 """Error against run time of p(r), F(d) and w(r): the emitted function beside every other way.
 
 Each method runs in turn with the emitted function, repeated; only the median
-of the ratios of their times per point is kept, because times belong to a
-machine.
+of the ratios of their processor times per point is kept, because times belong
+to a machine.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ LONGEST = 1.0
 """Seconds beyond which a method is timed three times and no more."""
 FLOOR = 2.0**-53
 NOTE = (
-    "ratio: median over interleaved repeats in one run of (time per point of the method)/(of the emitted function), "
+    "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
+    "function, over settings.vector points), "
     "two digits; no times are kept, they differ from machine to machine and so, less, do the ratios. "
     "Errors are relative to the defining integral at the doubles given, at `points` points. "
     "Rivals are given f', g and g' in closed form. Grid methods are compared at their nodes next to the points. "
@@ -43,11 +44,15 @@ def measure(names: Sequence[str] = NAMES, *, quick: bool = False, plan: Plan | N
     return {
         "study": "error",
         "note": NOTE,
-        "settings": {**asdict(plan), "reference_digits": DIGITS, "parameters": parameters, "versions": versions()},
+        "settings": {**_plain(plan), "reference_digits": DIGITS, "parameters": parameters, "versions": versions()},
         "rows": rows,
         "skipped": missing,
         "plots": _plots(rows),
     }
+
+
+def _plain(plan: Plan) -> Record:
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in asdict(plan).items()}
 
 
 def _rows(subject: Subject, suffix: str, plan: Plan) -> Iterator[Record]:
@@ -83,10 +88,10 @@ def _ratio(method: Method, own: Method, rounds: int) -> float:
 
 
 def _seconds(method: Method, repeats: int) -> float:
-    start = time.perf_counter()
+    start = time.process_time()
     for _ in range(repeats):
         method.run()
-    return (time.perf_counter() - start) / repeats
+    return (time.process_time() - start) / repeats
 
 
 def _plots(rows: list[Record]) -> dict[str, dict[str, list[list[float]]]]:

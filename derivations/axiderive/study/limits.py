@@ -18,7 +18,7 @@ FAR = (*NEAR, 100, 300)
 SCALES = (-300, -150, -30, 30, 150, 300)
 EXPONENTS = (1e-3, 1e-2, 0.1, 40.0, 100.0, 1000.0)
 WHOLE = (-1, 0, 1)
-QUICK = 2
+QUICK = 1
 """Steps of each limit in the quick mode."""
 RADIUS = 2.0
 BREAKS = ("rounded_punch", "truncated_cone")
