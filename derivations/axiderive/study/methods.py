@@ -36,7 +36,7 @@ class Plan:
     bem: tuple[int, ...] = (64, 128, 256)
 
 
-QUICK = Plan(3, 200, 2, 1, rule=(16,), jacobi=(16,), trapezoid=(100,), table=(100,), fft=(1000,), digits=(15,), bem=())
+QUICK = Plan(4, 200, 2, 1, rule=(16,), jacobi=(16,), trapezoid=(100,), table=(100,), fft=(1000,), digits=(15,), bem=())
 
 
 @dataclass(frozen=True)
