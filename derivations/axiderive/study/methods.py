@@ -118,10 +118,10 @@ class _Setup:
         ):
             yield self.over(name, "", partial(_at_values, function, subject.values, symbol), points)
 
-    def digits(self, function: Callable[..., Any]) -> Iterator[Method]:
+    def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
         for digits in self.plan.digits:
             run = partial(_with_count, function, self.subject, digits)
-            yield self.over("mpmath", f"{digits} digits", run, self.few)
+            yield self.over(name, f"{digits} digits", run, self.few)
 
 
 def _with_count(function: Callable[..., Any], subject: Subject, count: int, x: Array) -> Any:
@@ -136,11 +136,12 @@ def _pressure(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
     yield from setup.sized("generated rule", rule.pressure, plan.rule, setup.many)
     yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
-    for name, substituted in (("quad", False), ("quad, substituted", True)):
-        yield setup.over(name, "", partial(rivals.quad_pressure, subject, substituted=substituted), setup.points)
+    for suffix, substituted in (("", False), (", substituted", True)):
+        quad = partial(rivals.quad_pressure, subject, substituted=substituted)
+        yield setup.over(f"quad{suffix}", "", quad, setup.points)
+        yield from setup.digits(partial(rivals.mpmath_pressure, substituted=substituted), f"mpmath{suffix}")
     yield from setup.gridded("trapezoid MDR", rivals.trapezoid_pressure, plan.trapezoid)
     yield from setup.gridded("FFT MDR", rivals.fft_pressure, plan.fft)
-    yield from setup.digits(rivals.mpmath_pressure)
     if not bem.missing():
         force = float(defined(subject, RADIUS).quantity("F"))
         for count in plan.bem:

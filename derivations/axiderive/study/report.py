@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import statistics
@@ -43,10 +44,22 @@ def summary(errors: Sequence[float]) -> Record:
     }
 
 
+def measured_files() -> str:
+    """Digest of the catalogue's modules: which functions a record speaks of."""
+    import axicontact
+
+    content = hashlib.sha256()
+    for path in sorted(Path(axicontact.__file__).parent.rglob("*.py")):
+        content.update(path.read_bytes())
+    return content.hexdigest()[:16]
+
+
 def versions() -> dict[str, str]:
-    """What was compared."""
+    """What was compared: the modules of the catalogue by their digest, packages by their version."""
     packages = ("numpy", "scipy", "sympy", "mpmath", "python-flint", "tamaas")
-    return {name: version(name) for name in packages if find_spec(name.removeprefix("python-"))}
+    return {"axicontact": measured_files()} | {
+        name: version(name) for name in packages if find_spec(name.removeprefix("python-"))
+    }
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:

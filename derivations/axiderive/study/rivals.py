@@ -116,7 +116,7 @@ def trapezoid_displacement(subject: Subject, r: Array, count: int) -> Array:
     """Trapezoids over w_1D/sqrt(r**2 - x**2) on the same grid."""
     x = np.linspace(0.0, a, count + 1)
     sunk = subject.depth(np.float64(a)) - subject.depth(x)
-    return 2 / np.pi * np.trapezoid(sunk / np.sqrt((r[:, None] - x) * (r[:, None] + x)), x, axis=1)
+    return 2 / np.pi * integrate.trapezoid(sunk / np.sqrt((r[:, None] - x) * (r[:, None] + x)), x, axis=1)
 
 
 def trapezoid_force(subject: Subject, d: Array, count: int) -> Array:
@@ -130,16 +130,19 @@ def trapezoid_force(subject: Subject, d: Array, count: int) -> Array:
 
 
 def fft_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
-    """Convolution over r**2 with exact weights for a density that is linear in each cell: radii and pressures."""
+    """Convolution over r**2 with exact weights in each cell: radii and pressures.
+
+    The density g'/(2x) is linear in a cell, or constant where it is infinite at a break.
+    """
     squares = np.linspace(0.0, a * a, count + 1)
     x = np.sqrt(squares)
-    with np.errstate(all="ignore"):
-        density = subject.rate(x) / (2 * x)
     rise = np.diff(subject.depth(x)) / squares[1]
-    # the rate is infinite at a break and 0/0 on the axis: the mean over the next cell
-    density = np.where(np.isfinite(density), density, np.append(rise, rise[-1]))
-    pressure = subject.modulus / np.pi * _convolution(density[::-1], squares[1], count + 1)[::-1]
-    return x[1:-1], pressure[1:-1]
+    if subject.edge and not np.isfinite(_silent(subject.rate_scalar, subject.edge)):
+        total = _convolution_of_steps(rise[::-1], squares[1])[::-1]
+    else:
+        density = np.append(rise[0], subject.rate(x[1:]) / (2 * x[1:]))
+        total = _convolution(density[::-1], squares[1], count + 1)[::-1]
+    return x[1:-1], subject.modulus / np.pi * total[1:-1]
 
 
 def fft_displacement(subject: Subject, count: int) -> tuple[Array, Array]:
@@ -166,15 +169,31 @@ def _convolution(density: Array, cell: float, size: int) -> Array:
     return math.sqrt(cell) * total
 
 
-def mpmath_pressure(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
-    """The integral (11.23) given to mpmath.quad as it stands, from the break on."""
+def _convolution_of_steps(density: Array, cell: float) -> Array:
+    """The same for a density that is constant in each cell."""
+    weights = np.diff(2 * np.sqrt(np.arange(len(density) + 1, dtype=np.float64)))
+    total = signal.fftconvolve(density, weights)[: len(density)]
+    return math.sqrt(cell) * np.append(0.0, total)
+
+
+def _silent(function: Callable[[float], float], x: float) -> float:
+    try:
+        return function(x)
+    except ZeroDivisionError:
+        return math.inf
+
+
+def mpmath_pressure(subject: Subject, r: Array, digits: int, *, substituted: bool) -> list[mp.mpf]:
+    """The integral (11.23) given to mpmath.quad from the break on, as it stands or in t = r cosh(v)."""
+
+    def one(r: mp.mpf) -> mp.mpf:
+        low = max(r, mp.mpf(subject.edge))
+        if substituted:
+            return mp.quad(lambda v: subject.rate_mp(r * mp.cosh(v)), [mp.acosh(low / r), mp.acosh(a / r)])
+        return mp.quad(lambda t: subject.rate_mp(t) / mp.sqrt(t * t - r * r), [low, a])
+
     with mp.workdps(digits):
-        return [_mpmath_pressure(subject, mp.mpf(float(x))) for x in r]
-
-
-def _mpmath_pressure(subject: Subject, r: mp.mpf) -> mp.mpf:
-    integral = mp.quad(lambda t: subject.rate_mp(t) / mp.sqrt(t * t - r * r), [max(r, mp.mpf(subject.edge)), a])
-    return subject.modulus * integral / mp.pi
+        return [subject.modulus * one(mp.mpf(float(x))) / mp.pi for x in r]
 
 
 def mpmath_displacement(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
