@@ -186,10 +186,14 @@ def _silent(function: Callable[[float], float], x: float) -> float:
 def mpmath_pressure(subject: Subject, r: Array, digits: int, *, substituted: bool) -> list[mp.mpf]:
     """The integral (11.23) given to mpmath.quad from the break on, as it stands or in t = r cosh(v)."""
 
+    def rate(t: mp.mpf, low: mp.mpf) -> mp.mpf:
+        # rounding takes the first nodes to a break or below it
+        return subject.rate_mp(t) if t > low or low > subject.edge else mp.mpf(0)
+
     def one(r: mp.mpf) -> mp.mpf:
         low = max(r, mp.mpf(subject.edge))
         if substituted:
-            return mp.quad(lambda v: subject.rate_mp(r * mp.cosh(v)), [mp.acosh(low / r), mp.acosh(a / r)])
+            return mp.quad(lambda v: rate(r * mp.cosh(v), low), [mp.acosh(low / r), mp.acosh(a / r)])
         return mp.quad(lambda t: subject.rate_mp(t) / mp.sqrt(t * t - r * r), [low, a])
 
     with mp.workdps(digits):
