@@ -172,6 +172,19 @@ def test_extremes_judge_both_ways():
     assert found["emitted"][0].ulps < 10 < 1e6 < found["naive"][0].ulps
 
 
+def test_limits_of_other_systems_have_their_references():
+    """Grading and pull-off: two ways to the same numbers, whether or not the catalogue has their modules yet."""
+    for limit, tolerance in ((limits.grading, 1e-12), (limits.pull_off, 1e-10)):
+        cases = list(limit(quick=True))
+        assert cases
+        for case in cases:
+            known = accuracy.entries(case.problem)
+            value = accuracy.reference(case.problem, case.suffix, case.point)
+            assert value is not None, case
+            got = np.squeeze(accuracy.naive(known[case.suffix], known)(case.point))
+            assert relative(got, value) < tolerance, case
+
+
 def test_values_that_are_lost_or_refused_count_as_such():
     assert accuracy.judge(math.nan, mp.mpf(1)).lost
     assert accuracy.judge(math.inf, mp.mpf(1)).lost

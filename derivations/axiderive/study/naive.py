@@ -10,6 +10,7 @@ import sympy as sp
 from scipy import integrate, optimize, special
 
 from .. import notation as nt
+from ..abel.masters import C0
 from ..entry import Entry
 from .subject import Array, Function
 
@@ -42,9 +43,12 @@ _FUNCTIONS: dict[str, Any] = {
 }
 
 
+Values = dict[sp.Symbol, Any]
+
+
 def per_point(entry: Entry) -> bool:
     """Whether the naive form takes its points one by one."""
-    return entry.status == "root" or any("C0" in str(case.expr) for case in entry.cases)
+    return entry.status == "root" or any(case.expr.has(C0) for case in entry.cases)
 
 
 def naive(entry: Entry, entries: dict[str, Entry]) -> Function:
@@ -61,7 +65,7 @@ def _direct(entry: Entry) -> Function:
     symbols = sorted(expr.free_symbols, key=str)
     function = sp.lambdify(symbols, expr, [_FUNCTIONS, "numpy"])
 
-    def call(values: dict[sp.Symbol, Array]) -> Array:
+    def call(values: Values) -> Array:
         with np.errstate(all="ignore"):
             try:
                 return function(*(values[symbol] for symbol in symbols)) + 0.0
@@ -72,25 +76,31 @@ def _direct(entry: Entry) -> Function:
 
 
 def _at_root(entry: Entry, entries: dict[str, Entry]) -> Function:
-    if entry.composed is None:
-        message = f"{entry.key}: a root that leads to no other quantity has no naive form here; study Fd or dF"
-        raise ValueError(message)
-    outer, inner = entry.composed
-    curve, result = _direct(entries[entries[inner].quantity.arguments[0].name]), _direct(entries[outer])
-    argument = entry.quantity.arguments[0]
+    """Brentq on the naive curve, then the naive outer formula; the stable branch begins at pull-off."""
+    outer, inner = entry.composed or ("", entry.suffix)
+    argument = entries[inner].quantity.arguments[0]
+    curve, result = _direct(entries[argument.name]), _direct(entries[outer]) if outer else _radius
+    pull_off = entries.get({nt.F: "ac", nt.d: "am"}[argument])
     chain = entry.cases[0].chain
-    place = chain.index(nt.a)
+    place = chain.index(nt.a) if nt.a in chain else 0
+    bounded = place + 1 < len(chain)
 
-    def one(values: dict[sp.Symbol, float], given: float) -> float:
+    def one(values: Values, given: float) -> float:
         low = values[chain[place - 1]] * (1 + 1e-15) if place else 1e-12
-        high = values[chain[place + 1]] * (1 - 1e-15) if place + 1 < len(chain) else 1e6
+        if pull_off is not None:
+            low = max(low, float(_direct(pull_off)(values)))
+        high = values[chain[place + 1]] * (1 - 1e-15) if bounded else 1e6
         try:
             a = optimize.brentq(lambda a: curve({**values, nt.a: a}) - given, low, high, xtol=1e-300, rtol=1e-14)
-        except ValueError:  # no change of sign
+        except (RuntimeError, ValueError):  # no convergence, no change of sign
             return float("nan")
         return float(result({**values, nt.a: a}))
 
-    def call(values: dict[sp.Symbol, Array]) -> Array:
+    def call(values: Values) -> Array:
         return np.array([one(values, float(x)) for x in np.atleast_1d(values[argument])])
 
     return call
+
+
+def _radius(values: Values) -> Array:
+    return values[nt.a]
