@@ -156,16 +156,12 @@ def grading(quick: bool) -> Iterator[Case]:
 def pull_off(quick: bool) -> Iterator[Case]:
     """The stable contact next to pull-off under force control: a(F) at F = F_c (1 - x)."""
     for problem in ("paraboloid.adh", "cone.adh"):
-        known = entries(problem)
-        parameters = (*known["Fc"].parameters,)
-        base = {symbol: PARAMETERS.get(symbol, 1.0) for symbol in parameters}
-        force, radius = (reference(problem, suffix, base) for suffix in ("Fc", "ac"))
+        base = {symbol: PARAMETERS.get(symbol, 1.0) for symbol in entries(problem)["Fc"].parameters}
+        force, radius = (float(reference(problem, suffix, base)) for suffix in ("Fc", "ac"))
         for step in _some(NEAR, quick):
-            if force is not None and radius is not None:
-                # near pull-off the radius grows with the root of the distance
-                start = float(radius) * (1 + math.sqrt(_near(step)))
-                point = base | {nt.F: float(force) * (1 - _near(step)), nt.a: start}
-                yield Case("pull-off", problem, "aF", f"1 - F/F_c = 1e-{step}", point)
+            # the radius of the point is where its search starts: it grows with the root of the distance
+            point = base | {nt.F: force * (1 - _near(step)), nt.a: radius * (1 + math.sqrt(_near(step)))}
+            yield Case("pull-off", problem, "aF", f"1 - F/F_c = 1e-{step}", point)
 
 
 LIMITS = (
