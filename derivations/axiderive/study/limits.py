@@ -10,7 +10,8 @@ from typing import TypeVar
 import sympy as sp
 
 from .. import notation as nt
-from .accuracy import Point, reference
+from ..proof.evaluate import evaluate
+from .accuracy import Point
 from .subject import NAMES, PARAMETERS, entries
 
 NEAR = (3, 6, 9, 12, 15)
@@ -157,7 +158,7 @@ def pull_off(quick: bool) -> Iterator[Case]:
     """The stable contact next to pull-off under force control: a(F) at F = F_c (1 - x)."""
     for problem in ("paraboloid.adh", "cone.adh"):
         base = {symbol: PARAMETERS.get(symbol, 1.0) for symbol in entries(problem)["Fc"].parameters}
-        force, radius = (float(reference(problem, suffix, base)) for suffix in ("Fc", "ac"))
+        force, radius = (float(evaluate(entries(problem)[suffix].cases[0].expr, base, 30)) for suffix in ("Fc", "ac"))
         for step in _some(NEAR, quick):
             # the radius of the point is where its search starts: it grows with the root of the distance
             point = base | {nt.F: force * (1 - _near(step)), nt.a: radius * (1 + math.sqrt(_near(step)))}
