@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 GENERATED_FOLDERS = ("axicontact", "handbook", "evidence")
 GENERATED_SUFFIXES = frozenset({".py", ".pyi", ".typed", ".json", ".tex", ".sty", ".cls", ".html", ".css", ".svg"})
+STUDIES = "evidence/study/"
+"""Records of `axicontact study`: measured by a command of their own, neither made nor removed by a build."""
 INDEX = "axicontact/index.json"
 
 
@@ -84,7 +86,7 @@ def stale_files(files: Iterable[str], root: Path) -> list[str]:
         for path in (root / folder).rglob("*")
         if path.suffix in GENERATED_SUFFIXES and path.is_file()
     )
-    return sorted(set(found) - current)
+    return sorted(path for path in set(found) - current if not path.startswith(STUDIES))
 
 
 @contextmanager

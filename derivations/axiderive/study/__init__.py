@@ -1,19 +1,38 @@
-"""Comparisons that are not part of a build."""
+"""Comparisons that are not part of a build: `axicontact study corpus | error | maps | extremes`."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .report import Record
 
 LIMIT = 60.0
+SEED = 17
+TOPICS = {
+    "corpus": "63 Abel integrals of contact mechanics: the engine beside SymPy's integrate",
+    "error": "error against run time of p(r), F(d), w(r): the emitted functions beside other methods",
+    "maps": "stability maps: worst error over the dimensionless ratios, emitted beside naive",
+    "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
+}
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add `study corpus`; nothing heavy is imported before it runs."""
-    study = commands.add_parser("study", help="comparisons: the engine beside SymPy's integrate")
-    topics = study.add_subparsers(required=True, metavar="topic")
-    corpus = topics.add_parser("corpus", help="63 Abel integrals of contact mechanics")
-    add_corpus_arguments(corpus)
-    corpus.set_defaults(run=_corpus)
+    """Add `study` and its topics; nothing heavy is imported before one runs."""
+    study = commands.add_parser("study", help="comparisons: the engine and its functions beside other ways")
+    study.set_defaults(run=_topics)
+    topics = study.add_subparsers(metavar="topic")
+    parsers = {name: topics.add_parser(name, help=text) for name, text in TOPICS.items()}
+    add_corpus_arguments(parsers["corpus"])
+    for name, run in (("corpus", _corpus), ("error", _error), ("maps", _maps), ("extremes", _extremes)):
+        parsers[name].set_defaults(run=run)
+    for name in ("error", "maps"):
+        parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these profiles only")
+    parsers["maps"].add_argument("--seed", type=int, default=SEED, help="seed of the points (%(default)s)")
+    for name in ("error", "maps", "extremes"):
+        add_record_arguments(parsers[name])
 
 
 def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
@@ -22,6 +41,12 @@ def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--limit", type=_seconds, default=LIMIT, metavar="SECONDS", help="of the processor for each (%(default)g)"
     )
+
+
+def add_record_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--quick", action="store_true", help="few points and settings")
+    parser.add_argument("--json", action="store_true", help="for programs")
+    parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")
 
 
 def _seconds(text: str) -> float:
@@ -35,7 +60,78 @@ def _seconds(text: str) -> float:
     return seconds
 
 
+def _profiles(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def _topics(arguments: argparse.Namespace) -> int:
+    for name, text in TOPICS.items():
+        print(f"axicontact study {name:9s} {text}")
+    return 0
+
+
 def _corpus(arguments: argparse.Namespace) -> int:
     from .corpus import compare
 
     return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit)
+
+
+def _error(arguments: argparse.Namespace) -> int:
+    _ready(arguments)
+    from . import error
+
+    return _finish(arguments, error.measure(_names(arguments), quick=arguments.quick), error.text)
+
+
+def _maps(arguments: argparse.Namespace) -> int:
+    _ready(arguments)
+    from . import maps
+
+    record = maps.measure(_names(arguments), seed=arguments.seed, quick=arguments.quick)
+    return _finish(arguments, record, maps.text)
+
+
+def _extremes(arguments: argparse.Namespace) -> int:
+    _ready(arguments)
+    from . import extremes
+
+    return _finish(arguments, extremes.measure(quick=arguments.quick), extremes.text)
+
+
+def _ready(arguments: argparse.Namespace) -> None:
+    """Refuse before the work: SciPy is missing, or a part of a record would be kept."""
+    from importlib.util import find_spec
+
+    from ..exits import ENVIRONMENT, USAGE, CommandError
+
+    if find_spec("scipy") is None:
+        message = "the other methods are SciPy's; pip install 'axicontact[test]'"
+        raise CommandError(message, ENVIRONMENT)
+    if arguments.write and (arguments.quick or getattr(arguments, "only", [])):
+        message = "--write keeps whole records; leave out --quick and --only, or --write"
+        raise CommandError(message, USAGE)
+
+
+def _names(arguments: argparse.Namespace) -> list[str]:
+    """The profiles asked for, of those that the study knows."""
+    from .subject import NAMES
+
+    only: list[str] = arguments.only
+    for name in only:
+        if name not in NAMES:
+            from ..index import nearest
+
+            raise nearest(name, "profile of the study", NAMES)
+    return only or list(NAMES)
+
+
+def _finish(arguments: argparse.Namespace, record: Record, text: Callable[[Record], str]) -> int:
+    """Print the record and, where asked for, keep it."""
+    from .report import store, to_json
+
+    print(to_json(record).rstrip() if arguments.json else text(record))
+    if arguments.write:
+        path = store(record)
+        if not arguments.json:
+            print(f"wrote {path}")
+    return 0

@@ -1,0 +1,166 @@
+"""Every way to p(r), w(r) and F(d) at every setting, as the study of error against run time runs it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from .. import notation as nt
+from . import bem, rivals, rule
+from .naive import naive, per_point
+from .points import arguments, defined
+from .subject import RADIUS, Array, Subject, emitted
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How much is measured: points, repeats and settings."""
+
+    samples: int = 24
+    """Points at which errors are taken."""
+    vector: int = 10_000
+    """Points of one call of an array function."""
+    slow: int = 4
+    """Points of a script."""
+    rounds: int = 7
+    rule: tuple[int, ...] = (8, 16, 32, 64)
+    jacobi: tuple[int, ...] = (16, 64, 256)
+    trapezoid: tuple[int, ...] = (100, 400, 1600)
+    table: tuple[int, ...] = (100, 1000, 100_000)
+    fft: tuple[int, ...] = (1000, 10_000, 100_000)
+    digits: tuple[int, ...] = (15, 30, 50)
+    bem: tuple[int, ...] = (64, 128, 256)
+
+
+QUICK = Plan(4, 200, 2, 1, rule=(16,), jacobi=(16,), trapezoid=(100,), table=(100,), fft=(1000,), digits=(15,), bem=())
+
+
+@dataclass(frozen=True)
+class Method:
+    """One way at one setting: `run` gives its values, of which `pick` belong to the arguments `at`."""
+
+    name: str
+    setting: str
+    run: Callable[[], Any]
+    at: Array
+    pick: Array
+    count: int
+    """Points that a run computes."""
+
+
+def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
+    """The emitted function first, then the others."""
+    setup = _Setup(subject, suffix, plan)
+    yield from setup.closed()
+    match suffix:
+        case "p":
+            yield from _pressure(setup)
+        case "w":
+            yield from _displacement(setup)
+        case _:
+            yield from _force(setup)
+
+
+def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
+    """Methods that have nothing to run for a quantity, with the reason."""
+    reasons = {}
+    if suffix == "Fd":
+        reasons["generated rule"] = "depth and force are closed: no rule is generated"
+        reasons["FFT MDR"] = "a convolution gives fields, not F(d)"
+    if suffix != "p":
+        reasons["BEM"] = "its pressures are compared"
+    elif bem.missing():
+        reasons["BEM"] = bem.missing()
+    key = f"{subject.name}.{suffix}"
+    return [{"key": key, "method": method, "reason": reason} for method, reason in reasons.items()]
+
+
+class _Setup:
+    """The points of one quantity, and the methods made from functions over them."""
+
+    def __init__(self, subject: Subject, suffix: str, plan: Plan) -> None:
+        self.subject, self.suffix, self.plan = subject, suffix, plan
+        self.points = arguments(subject, suffix, plan.samples)
+        self.many = np.resize(self.points, max(plan.vector, plan.samples))
+        self.few = self.points[:: max(1, plan.samples // plan.slow)][: plan.slow]
+
+    def over(self, name: str, setting: str, function: Callable[..., Any], x: Array) -> Method:
+        """A method that takes any arguments."""
+        distinct = min(len(x), len(self.points))
+        return Method(name, setting, partial(function, x), x[:distinct], np.arange(distinct), len(x))
+
+    def on_grid(self, name: str, setting: str, function: Callable[[], tuple[Array, Array]]) -> Method:
+        """A method with radii of its own: those next to the points are compared."""
+        nodes, _ = function()
+        pick = np.unique(np.abs(nodes[:, None] - self.points).argmin(axis=0))
+        return Method(name, setting, lambda: function()[1], nodes[pick], pick, len(nodes))
+
+    def sized(self, name: str, function: Callable[..., Any], counts: tuple[int, ...], x: Array) -> Iterator[Method]:
+        """A method at several numbers of nodes."""
+        for count in counts:
+            yield self.over(name, f"N = {count}", partial(_with_count, function, self.subject, count), x)
+
+    def gridded(self, name: str, function: Callable[..., Any], counts: tuple[int, ...]) -> Iterator[Method]:
+        for count in counts:
+            yield self.on_grid(name, f"N = {count}", partial(function, self.subject, count))
+
+    def closed(self) -> Iterator[Method]:
+        subject, entry = self.subject, self.subject.entries[self.suffix]
+        symbol = nt.d if self.suffix == "Fd" else nt.r
+        x = self.points if per_point(entry) else self.many
+        for name, function, points in (
+            ("emitted", emitted(entry, subject.name), self.many),
+            ("lambdify", naive(entry, subject.entries), x),
+        ):
+            yield self.over(name, "", partial(_at_values, function, subject.values, symbol), points)
+
+    def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
+        for digits in self.plan.digits:
+            run = partial(_with_count, function, self.subject, digits)
+            yield self.over(name, f"{digits} digits", run, self.few)
+
+
+def _with_count(function: Callable[..., Any], subject: Subject, count: int, x: Array) -> Any:
+    return function(subject, x, count)
+
+
+def _at_values(function: Callable[..., Any], values: dict[Any, Any], symbol: Any, x: Array) -> Any:
+    return function({**values, symbol: x})
+
+
+def _pressure(setup: _Setup) -> Iterator[Method]:
+    subject, plan = setup.subject, setup.plan
+    yield from setup.sized("generated rule", rule.pressure, plan.rule, setup.many)
+    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
+    for suffix, substituted in (("", False), (", substituted", True)):
+        quad = partial(rivals.quad_pressure, subject, substituted=substituted)
+        yield setup.over(f"quad{suffix}", "", quad, setup.points)
+        yield from setup.digits(partial(rivals.mpmath_pressure, substituted=substituted), f"mpmath{suffix}")
+    yield from setup.gridded("trapezoid MDR", rivals.trapezoid_pressure, plan.trapezoid)
+    yield from setup.gridded("FFT MDR", rivals.fft_pressure, plan.fft)
+    if not bem.missing():
+        force = float(defined(subject, RADIUS).quantity("F"))
+        for count in plan.bem:
+            yield setup.on_grid("BEM", f"{count} x {count}", partial(bem.pressure, subject, force, count))
+
+
+def _displacement(setup: _Setup) -> Iterator[Method]:
+    subject, plan = setup.subject, setup.plan
+    yield from setup.sized("generated rule", rule.displacement, plan.rule, setup.many)
+    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
+    yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
+    yield from setup.sized("trapezoid MDR", rivals.trapezoid_displacement, plan.trapezoid, setup.points)
+    yield from setup.gridded("FFT MDR", rivals.fft_displacement, plan.fft)
+    yield from setup.digits(rivals.mpmath_displacement)
+
+
+def _force(setup: _Setup) -> Iterator[Method]:
+    subject, plan = setup.subject, setup.plan
+    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_force, plan.jacobi, setup.points)
+    yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
+    yield from setup.sized("trapezoid MDR", rivals.trapezoid_force, plan.table, setup.many)
+    yield from setup.digits(rivals.mpmath_force)

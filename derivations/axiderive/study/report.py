@@ -1,0 +1,94 @@
+"""Records of the study: numbers rounded for keeping, tables for reading, files beside the evidence."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import statistics
+from collections.abc import Sequence
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import mpmath as mp
+
+from ..work import project_root
+from ..writing import STUDIES, write_atomic
+
+Record: TypeAlias = dict[str, Any]
+CARRIED = 60
+
+
+def relative(got: Any, exact: mp.mpf) -> float:
+    """Relative error, infinite where `got` is no finite number."""
+    with mp.workdps(CARRIED):
+        number = got if isinstance(got, mp.mpf) else mp.mpf(float(got))
+        return float(abs(number / exact - 1)) if mp.isfinite(number) else math.inf
+
+
+def rounded(x: float, digits: int = 2) -> float | None:
+    """A few significant digits; None for what is no finite number, which JSON does not know."""
+    return float(f"{x:.{digits - 1}e}") if math.isfinite(x) else None
+
+
+def summary(errors: Sequence[float]) -> Record:
+    """Worst and median error of the finite values, how many there are, and how many values are no finite numbers."""
+    finite = [x for x in errors if math.isfinite(x)]
+    return {
+        "worst": rounded(max(finite, default=math.nan)),
+        "median": rounded(statistics.median(finite) if finite else math.nan),
+        "points": len(errors),
+        "lost": len(errors) - len(finite),
+    }
+
+
+def measured_files() -> str:
+    """Digest of the catalogue's modules: which functions a record speaks of."""
+    import axicontact
+
+    content = hashlib.sha256()
+    for path in sorted(Path(axicontact.__file__).parent.rglob("*.py")):
+        content.update(path.read_bytes())
+    return content.hexdigest()[:16]
+
+
+def versions() -> dict[str, str]:
+    """What was compared: the modules of the catalogue by their digest, packages by their version."""
+    packages = ("numpy", "scipy", "sympy", "mpmath", "python-flint", "tamaas")
+    return {"axicontact": measured_files()} | {
+        name: version(name) for name in packages if find_spec(name.removeprefix("python-"))
+    }
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+    """Columns of text."""
+    cells = [list(head), *([_cell(x) for x in row] for row in rows)]
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    return "\n".join("  ".join(x.ljust(n) for x, n in zip(row, widths, strict=True)).rstrip() for row in cells)
+
+
+def _cell(x: Any) -> str:
+    if x is None:
+        return "-"
+    return f"{x:.2g}" if isinstance(x, float) else str(x)
+
+
+def to_json(record: Record) -> str:
+    """Rows on lines of their own."""
+    parts = []
+    for name, value in record.items():
+        if isinstance(value, list) and value:
+            lines = ",\n".join(f"  {json.dumps(row)}" for row in value)
+            parts.append(f'"{name}": [\n{lines}\n ]')
+        else:
+            parts.append(f'"{name}": {json.dumps(value)}')
+    return "{\n " + ",\n ".join(parts) + "\n}\n"
+
+
+def store(record: Record) -> Path:
+    """Write the record to the evidence; a build neither makes nor removes it."""
+    path = project_root() / "catalogue" / STUDIES / f"{record['study']}.json"
+    write_atomic(path, to_json(record).encode())
+    return path

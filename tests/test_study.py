@@ -1,0 +1,216 @@
+"""The study: every method agrees with the definition, a wrong one is noticed, the records hold what they promise."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from axiderive import notation as nt
+from axiderive.cli import main
+from axiderive.exits import USAGE
+from axiderive.study import accuracy, bem, error, extremes, limits, maps, rivals, rule
+from axiderive.study.methods import QUICK, methods, skipped
+from axiderive.study.points import DIGITS, arguments, exact
+from axiderive.study.report import relative, rounded, to_json
+from axiderive.study.subject import NAMES, PARAMETERS, QUANTITIES, RADIUS, Subject, subject
+from axiderive.writing import stale_files
+
+# worst relative errors of the quick settings over cone.p and all of rounded_punch, with a margin of at least 1.5
+TOLERANCES = {
+    "emitted": 1e-14,
+    "generated rule": 1e-11,
+    "lambdify": 1e-10,
+    "Gauss-Jacobi": 1e-3,
+    "quad": 1e-10,
+    "quad, substituted": 1e-11,
+    "quad and root": 1e-9,
+    "trapezoid MDR": 2e-3,
+    "FFT MDR": 1e-3,
+    "mpmath": 1e-8,
+    "mpmath, substituted": 1e-9,
+}
+CASES = (("cone", "p"), ("rounded_punch", "p"), ("rounded_punch", "w"), ("rounded_punch", "Fd"))
+GIVEN = ("depth", "rate", "rate_scalar", "rate_mp", "slope", "slope_mp", "growth")
+OWN = ("emitted", "lambdify")
+NOTICED = 2 * max(TOLERANCES.values())
+
+
+@pytest.mark.parametrize(("name", "suffix"), CASES)
+def test_every_method_agrees_with_the_definition(name, suffix):
+    found = {m.name: max(error.errors(subject(name), suffix, m)) for m in methods(subject(name), suffix, QUICK)}
+    assert {method: worst for method, worst in found.items() if worst > TOLERANCES[method]} == {}
+
+
+@pytest.mark.parametrize(("name", "suffix"), CASES)
+def test_every_method_uses_the_profile_it_is_given(name, suffix):
+    """A profile 3 % too steep must show in each: a reference made from the same data would not see it."""
+    wrong = Subject(name)
+    for attribute in GIVEN:
+        function = getattr(wrong, attribute)
+        wrong.__dict__[attribute] = lambda x, function=function: function(x) * 1.03
+    rivals_only = [m for m in methods(wrong, suffix, QUICK) if m.name not in OWN]
+    assert rivals_only
+    for method in rivals_only:
+        assert max(error.errors(subject(name), suffix, method)) > NOTICED, method.name
+
+
+@pytest.mark.parametrize(
+    ("function", "counts", "order"),
+    [(rivals.trapezoid_pressure, (100, 400), 1.0), (rivals.fft_pressure, (1000, 4000), 0.9)],
+)
+def test_grids_converge(function, counts, order):
+    """Median errors next to four radii fall at least as fast as the order of the method."""
+    face, radii = subject("rounded_punch"), arguments(subject("rounded_punch"), "p", 4)
+    medians = []
+    for count in counts:
+        r, pressure = function(face, count)
+        near = np.abs(r[:, None] - radii).argmin(axis=0)
+        errors = [relative(pressure[i], exact(face, "p", float(r[i]))) for i in near]
+        medians.append(float(np.median(errors)))
+    assert medians[0] / medians[1] > (counts[1] / counts[0]) ** order
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rule_reaches_the_last_digits(name):
+    """With the substitution of the catalogue 48 nodes leave no more than rounding, on each side of a break."""
+    r = np.array([0.3, 1.7])
+    for x, value in zip(r, rule.pressure(subject(name), r, 48), strict=True):
+        assert relative(value, exact(subject(name), "p", float(x))) < 5e-14
+
+
+def test_reference_is_the_textbook_where_there_is_one():
+    with mp.workdps(DIGITS + 10):
+        tangent = mp.tan(mp.mpf(PARAMETERS[nt.theta]))
+        cone = tangent / 2 * mp.acosh(mp.mpf(RADIUS) / mp.mpf(0.3))
+        assert abs(exact(subject("cone"), "p", 0.3) / cone - 1) < mp.mpf(10) ** (5 - DIGITS)
+        hertz = mp.mpf(4) / 3 * mp.sqrt(PARAMETERS[nt.R]) * mp.mpf(0.7) ** 1.5
+        assert abs(exact(subject("paraboloid"), "Fd", 0.7) / hertz - 1) < mp.mpf(10) ** (5 - DIGITS)
+
+
+def test_error_record_holds_what_it_promises():
+    record = error.measure(["cone"], quick=True)
+    assert json.loads(to_json(record)) == record
+    assert {"note", "settings", "rows", "skipped", "plots"} <= set(record)
+    assert {row["key"] for row in record["rows"]} == {f"cone.{suffix}" for suffix in QUANTITIES}
+    for row in record["rows"]:
+        assert set(row) == {"key", "method", "setting", "ratio", "worst", "median", "points", "lost"}
+        assert row["ratio"] > 0
+        assert row["ratio"] == rounded(row["ratio"])
+    for key, curves in record["plots"].items():
+        of_key = [row for row in record["rows"] if row["key"] == key]
+        assert sum(map(len, curves.values())) == len(of_key)
+    assert "seconds" not in to_json(record)
+    assert "quad and root" in error.text(record)
+
+
+def test_skipped_methods_say_why(monkeypatch):
+    monkeypatch.setattr(bem, "find_spec", lambda name: None)
+    reasons = {row["method"]: row["reason"] for row in skipped(subject("cone"), "p")}
+    assert "pip install tamaas" in reasons["BEM"]
+    assert "BEM" not in {method.name for method in methods(subject("cone"), "p", QUICK)}
+
+
+def test_axes_are_the_lengths_that_the_formula_compares():
+    def names(problem, suffix):
+        return [axis.name for axis in maps.axes(accuracy.entries(problem)[suffix])]
+
+    assert names("cone", "p") == ["r/a"]
+    assert names("cone", "w") == ["a/r"]
+    assert names("rounded_punch", "p") == ["r/a", "b/a"]
+    assert names("sphere", "w") == ["a/r", "a/R"]
+    assert names("power_law", "p") == ["r/a", "n"]
+    assert names("paraboloid", "F") == []
+
+
+def test_map_tells_naive_from_emitted():
+    record = maps.measure(["rounded_punch"], quick=True, quantities=("d", "w"))
+    assert json.loads(to_json(record)) == record
+    depth, outside = record["maps"]
+    assert (len(depth["emitted"]["worst"]), len(outside["emitted"]["worst"])) == (1, maps.QUICK_CELLS)
+    assert [len(edges) for edges in outside["edges"]] == [maps.QUICK_CELLS + 1] * 2
+    assert depth["naive"]["worst_ulps"] > 1e3 > depth["emitted"]["worst_ulps"]
+    assert depth["naive"]["share"] > depth["emitted"]["share"] == 0
+    assert record == maps.measure(["rounded_punch"], quick=True, quantities=("d", "w"))
+    assert record != maps.measure(["rounded_punch"], seed=1, quick=True, quantities=("d", "w"))
+
+
+@pytest.mark.parametrize(("factor", "share", "lost"), [(1 + 1e-11, 1.0, 0), (math.nan, 1.0, 4), (1 + 1e-13, 0.0, 0)])
+def test_map_sees_a_wrong_function(monkeypatch, factor, share, lost):
+    from axicontact.normal import cone
+
+    right = cone.pressure
+    monkeypatch.setattr(cone, "pressure", lambda *fields, **parameters: right(*fields, **parameters) * factor)
+    (pressure,) = maps.measure(["cone"], quick=True, quantities=("p",))["maps"]
+    assert (pressure["emitted"]["share"], pressure["emitted"]["lost"]) == (share, lost)
+    assert (maps.LOST in pressure["emitted"]["worst"][0]) == bool(lost)
+
+
+def test_extremes_hold_every_limit():
+    record = extremes.measure(quick=True)
+    assert json.loads(to_json(record)) == record
+    for row in record["rows"]:
+        assert set(row) == {"limit", "key", "case", "emitted", "naive", "ulps"}
+    named = {row["limit"] for row in record["rows"]}
+    assert {"b -> 0", "b -> a", "R -> infinity", "a -> R", "n -> 0", "edge", "axis", "float range"} <= named
+    # what has no module in the catalogue is named, nothing is dropped in silence
+    measured = {limit.__name__ for limit in limits.LIMITS} - {row["limit"] for row in record["skipped"]}
+    assert {"grading", "pull_off"} & measured == {
+        name for name, limit in (("grading", "k -> 0"), ("pull_off", "pull-off")) if limit in named
+    }
+    assert "worst emitted case" in extremes.text(record)
+
+
+def test_extremes_judge_both_ways():
+    """Next to the edge the printed acosh(a/r) loses half of the digits, the emitted form none."""
+    (case,) = (c for c in limits.edges(quick=False) if c.problem == "cone" and c.suffix == "p" and "1e-15" in c.label)
+    value = accuracy.reference(case.problem, case.suffix, case.point)
+    found = accuracy.judged(case.problem, case.suffix, [case.point], [value])
+    assert found["emitted"][0].ulps < 10 < 1e6 < found["naive"][0].ulps
+
+
+def test_limits_of_other_systems_have_their_references():
+    """Grading and pull-off: two ways to the same numbers, whether or not the catalogue has their modules yet."""
+    for limit, tolerance in ((limits.grading, 1e-12), (limits.pull_off, 1e-10)):
+        cases = list(limit(quick=True))
+        assert cases
+        for case in cases:
+            known = accuracy.entries(case.problem)
+            value = accuracy.reference(case.problem, case.suffix, case.point)
+            assert value is not None, case
+            got = np.squeeze(accuracy.naive(known[case.suffix], known)(case.point))
+            assert relative(got, value) < tolerance, case
+
+
+def test_values_that_are_lost_or_refused_count_as_such():
+    assert accuracy.judge(math.nan, mp.mpf(1)).lost
+    assert accuracy.judge(math.inf, mp.mpf(1)).lost
+    assert accuracy.judge(1.0, mp.mpf(1)).ulps == 0
+    assert accuracy.judge(float(np.nextafter(1.0, 2.0)), mp.mpf(1)).ulps == 1
+
+
+def test_study_alone_lists_its_topics(capsys):
+    assert main(["study"]) == 0
+    assert [line.split()[2] for line in capsys.readouterr().out.splitlines()] == ["corpus", "error", "maps", "extremes"]
+
+
+def test_a_part_of_a_record_is_never_kept(capsys):
+    assert main(["study", "maps", "--quick", "--only", "cone", "--write"]) == USAGE
+    assert "--write keeps whole records" in capsys.readouterr().err
+
+
+def test_command_prints_a_table_or_json(capsys):
+    assert main(["study", "maps", "--quick", "--only", "cone"]) == 0
+    assert capsys.readouterr().out.splitlines()[1].startswith("cone.p")
+    assert main(["study", "maps", "--quick", "--only", "cone", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["study"] == "maps"
+
+
+def test_a_build_leaves_the_records_alone(tmp_path):
+    for path in ("evidence/study/error.json", "evidence/kone.json"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text("{}")
+    assert stale_files([], tmp_path) == ["evidence/kone.json"]
