@@ -65,7 +65,8 @@ def _points(entry: Entry, kind: str, entries: Entries, count: int, seed: int) ->
     if kind in ("root", "composition"):
         source = entries[{"ad": "d", "Fd": "d", "aP": "P"}.get(entry.suffix, "F")]
     drawn = [
-        (case, points(entry.profile, _lengths(case), count, seed, _fields(source, case, kind))) for case in source.cases
+        (case, points(entry.profile, _lengths(case), count, seed, _fields(entry, source, case)))
+        for case in source.cases
     ]
     return [(case, _completed(entry, case, point.values)) for case, found in drawn for point in found]
 
@@ -87,10 +88,10 @@ POISSON = sp.Rational(2, 7)
 STABLE_EXPONENT = sp.Rational(17, 10)
 
 
-def _fields(entry: Entry, case: Case, kind: str) -> tuple[sp.Symbol, ...]:
+def _fields(entry: Entry, source: Entry, case: Case) -> tuple[sp.Symbol, ...]:
     lengths = {s for x in case.chain for s in x.free_symbols}
-    own = {*entry.quantity.arguments, *entry.parameters, *case.expr.free_symbols, *lengths}
-    own -= {nt.F, nt.d} if kind in ("root", "composition") else set()
+    own = {*source.quantity.arguments, *source.parameters, *entry.parameters, *case.expr.free_symbols, *lengths}
+    own -= {nt.F, nt.d} if source is not entry else set()
     fixed = {*entry.profile.parameters, *SEPARATE, nt.coefficients, nt.j, nt.N}
     integrated = {integral.limits[0][0] for integral in case.expr.atoms(sp.Integral)}
     return tuple(s for s in sorted(own - fixed - integrated, key=str) if isinstance(s, sp.Symbol))
@@ -246,6 +247,8 @@ def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -
     if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
         values[nt.F] = values[nt.F] * evaluate(case.expr.lhs, values, DIGITS) / evaluate(case.expr.rhs, values, DIGITS)
     values[nt.E_star] = sp.Integer(3)
+    if nt.a not in values and entry.suffix.startswith("step") and "ad" in printed.base:
+        values[nt.a] = evaluate(case_at(printed.base["ad"], values).expr, values, DIGITS + 15)
     env = printed.environment(values)
     statements = read(one.regions[0].tex)
     env = environment(statements[1:], env)

@@ -309,7 +309,7 @@ def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
 
 def _place(one: Row, wide: bool) -> float:
     """The force follows the depth at once where they have lines of their own."""
-    return 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
+    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
 
 
 HALF = 122.0
