@@ -1,16 +1,10 @@
-"""The modules beyond the normal contact, as the catalogue holds them or written anew, and values to call them with."""
+"""The modules beyond the normal contact, and values to call them with."""
 
 from __future__ import annotations
 
-import atexit
 import inspect
-import shutil
-import sys
-import tempfile
 from functools import cache
 from importlib import import_module
-from importlib.util import find_spec
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -18,12 +12,9 @@ import sympy as sp
 
 from axiderive import notation as nt
 from axiderive.contact import systems
-from axiderive.emit import example, physics
-from axiderive.emit.modules import parameter_names
+from axiderive.emit import example
 from axiderive.emit.physics.text import name_of
-from axiderive.emit.symbols import symbols_source
 from axiderive.entry import Entry
-from axiderive.profiles import NAMES
 from axiderive.profiles.profile import Profile
 
 SYSTEMS = ("normal", "adhesive", "tangential", "viscoelastic", "loads", "materials")
@@ -44,29 +35,8 @@ def derived() -> dict[str, dict[str, dict[str, Entry]]]:
     return out
 
 
-@cache
-def package() -> str:
-    """The name under which the modules are imported."""
-    if find_spec("axicontact.adhesive"):
-        return "axicontact"
-    folder = Path(tempfile.mkdtemp())
-    atexit.register(shutil.rmtree, folder)
-    own = folder / "emitted_physics"
-    shutil.copytree(import_module("axicontact").__path__[0], own)
-    texts = {name: (own / "normal" / f"{name}.py").read_text() for name in NAMES}
-    files = physics.module_sources(derived(), texts)
-    by_key = {p.key: derived()[p.system.name][p.name] for p in systems.problems() if p.system.name in SYSTEMS}
-    known = parameter_names(by_key)
-    for path, text in (files | {"axicontact/_symbols.py": symbols_source(known)}).items():
-        target = own / Path(path).relative_to("axicontact")
-        target.parent.mkdir(exist_ok=True)
-        target.write_text(text)
-    sys.path.insert(0, str(folder))
-    return own.name
-
-
 def emitted(name: str) -> ModuleType:
-    return import_module(f"{package()}.{name}")
+    return import_module(f"axicontact.{name}")
 
 
 def public(module: ModuleType) -> dict[str, inspect.Signature]:

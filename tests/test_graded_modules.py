@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import inspect
 import math
-import shutil
-import sys
 import warnings
-from collections.abc import Iterator
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -25,41 +23,15 @@ from axiderive.emit import example
 from axiderive.emit.graded import TITLES, examples, module_sources
 from axiderive.emit.graded.families import family
 from axiderive.emit.physics.text import name_of
-from axiderive.emit.python import NODE_COUNTS, nodes_source
-from axiderive.emit.symbols import symbols_source
 from axiderive.entry import Entry
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES, load
 from axiderive.profiles.profile import Piece, Profile
 from axiderive.proof.half_space import HalfSpace
 
-PACKAGE = "emitted_graded"
 EMIT = Path(examples.__file__).parents[1]
-DERIVED: dict[str, dict[str, dict[str, Entry]]] = {f"graded.{group}": {} for group in TITLES}
-for own in problems(NAMES):
-    if own.system.name in DERIVED:
-        DERIVED[own.system.name][own.name] = own.derive()
 MATERIAL = {nt.H: "2.5", nt.H_x: "0.8", nt.dgamma: "0.0125", nt.mu: "0.3"}
 EXPONENTS = ("-0.9", "-0.5", "-0.1", "0.3", "0.7", "0.95")
 POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial")
-PLAIN = [
-    "E_star",
-    "k",
-    "H",
-    "H_x",
-    "dgamma",
-    "mu",
-    "theta",
-    "R",
-    "R1",
-    "R2",
-    "b",
-    "n",
-    "A",
-    "h",
-    "s",
-    "wavelength",
-    "a",
-]
 # measured: 4e-15 for power laws, 2e-14 elsewhere (quotients of Gamma functions at k = 0.95, the sphere at k = -0.9)
 CLOSED, INTEGRAL = 1e-14, 1e-13
 COMPACT = {
@@ -82,42 +54,15 @@ TANGENTIAL = {
 }  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    folder = tmp_path_factory.mktemp("catalogue")
-    own = folder / PACKAGE
-    shutil.copytree(import_module("axicontact").__path__[0], own)
-    for runtime in ("runtime", "physics/runtime"):
-        for path in (EMIT / runtime).glob("*.py"):
-            shutil.copy(path, own)
-    (own / "_symbols.py").write_text(symbols_source(PLAIN))
-    (own / "_nodes.py").write_text(nodes_source(NODE_COUNTS))
-    for path, text in emitted_sources().items():
-        target = own / Path(path).relative_to("axicontact")
-        target.parent.mkdir(exist_ok=True, parents=True)
-        target.write_text(text)
-    sys.path.insert(0, str(folder))
-    yield PACKAGE
-    sys.path.remove(str(folder))
-    for name in [name for name in sys.modules if name.startswith(PACKAGE)]:
-        del sys.modules[name]
+@cache
+def derived(group: str, name: str) -> dict[str, Entry]:
+    """The entries of a graded package for one profile; none where it says why it has none."""
+    found = [p for p in problems([name]) if p.system.name == f"graded.{group}"]
+    return found[0].derive() if found else {}
 
 
-def emitted_sources() -> dict[str, str]:
-    """The modules without their doctests, whose exact numbers take most of the time of the emission."""
-    lines = examples.Example.lines
-    pull_off = examples.Example.pull_off
-    examples.Example.lines = lambda self, suffix: []  # type: ignore[method-assign]
-    examples.Example.pull_off = lambda self, keywords: []  # type: ignore[method-assign]
-    try:
-        return module_sources(NAMES, DERIVED)
-    finally:
-        examples.Example.lines = lines  # type: ignore[method-assign]
-        examples.Example.pull_off = pull_off  # type: ignore[method-assign]
-
-
-def emitted(package: str, name: str) -> ModuleType:
-    return import_module(f"{package}.graded.{name}")
+def emitted(name: str) -> ModuleType:
+    return import_module(f"axicontact.graded.{name}")
 
 
 def public(module: ModuleType) -> dict[str, list[str]]:
@@ -177,29 +122,29 @@ def defined(profile: Profile, known: dict[sp.Symbol, Any], physics: str, suffix:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_interface(package: str, name: str) -> None:
-    normal = public(emitted(package, f"normal.{name}"))
+def test_interface(name: str) -> None:
+    normal = public(emitted(f"normal.{name}"))
     if name in COMPACT_NAMES:
         assert normal == COMPACT
-        assert public(emitted(package, f"adhesive.{name}")) == ADHESIVE
-        assert public(emitted(package, f"tangential.{name}")) == TANGENTIAL
+        assert public(emitted(f"adhesive.{name}")) == ADHESIVE
+        assert public(emitted(f"tangential.{name}")) == TANGENTIAL
     else:
         stiffness = {"stiffness": ["d"]} if name == "capped_cylinder" else {}
         assert normal == COMPLETE | (CONCAVE if name.startswith("concave") else {}) | stiffness
     for group in TITLES:
-        for entry in DERIVED[f"graded.{group}"].get(name, {}).values():
-            function = getattr(emitted(package, f"{group}.{name}"), entry.quantity.function)
+        for entry in derived(group, name).values():
+            function = getattr(emitted(f"{group}.{name}"), entry.quantity.function)
             own = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
             assert own == [name_of(symbol) for symbol in entry.parameters], entry.key
 
 
 @pytest.mark.parametrize("name", COMPLETE_NAMES)
-def test_complete_contacts_say_what_to_use(package: str, name: str) -> None:
+def test_complete_contacts_say_what_to_use(name: str) -> None:
     with pytest.raises(AttributeError, match=r"slips as a whole at F_x = mu F, with F from axicontact\.graded\.normal"):
-        _ = emitted(package, f"tangential.{name}").traction
+        _ = emitted(f"tangential.{name}").traction
     if name == "capped_cylinder":
         with pytest.raises(AttributeError, match=r"use axicontact\.graded\.adhesive\.paraboloid"):
-            _ = emitted(package, f"adhesive.{name}").pull_off
+            _ = emitted(f"adhesive.{name}").pull_off
 
 
 def test_a_profile_without_graded_integrals_is_refused() -> None:
@@ -210,7 +155,7 @@ def test_a_profile_without_graded_integrals_is_refused() -> None:
 
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
-def test_terms_add_up_to_the_profile(package: str, name: str) -> None:
+def test_terms_add_up_to_the_profile(name: str) -> None:
     """The shapes a module is made of, as functions, are f(r) of the profile."""
     profile = load(name)
     if name == "polynomial":
@@ -262,20 +207,20 @@ SLOW = ("wavy_paraboloid", "sphere_tipped_cone")
 
 @pytest.mark.parametrize("k", ("-0.9", "0.3", "0.95"))
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in SLOW])
-def test_closed_entries(package: str, name: str, k: str) -> None:
-    check_closed(package, name, k)
+def test_closed_entries(name: str, k: str) -> None:
+    check_closed(name, k)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", NAMES)
-def test_closed_entries_of_every_profile(package: str, name: str, k: str) -> None:
-    check_closed(package, name, k)
+def test_closed_entries_of_every_profile(name: str, k: str) -> None:
+    check_closed(name, k)
 
 
-def check_closed(package: str, name: str, k: str) -> None:
-    profile, module = load(name), emitted(package, f"normal.{name}")
-    for entry in DERIVED["graded.normal"][name].values():
+def check_closed(name: str, k: str) -> None:
+    profile, module = load(name), emitted(f"normal.{name}")
+    for entry in derived("normal", name).values():
         if entry.status != "closed" or entry.suffix in ("ad", "aF", "Fd", "dF", "dmin", "Fmin", "rz"):
             continue
         known = values(profile, k)
@@ -290,19 +235,19 @@ FEW = (("truncated_cone", "-0.5"), ("rounded_punch", "0.7"), ("sphere", "-0.9"),
 
 
 @pytest.mark.parametrize(("name", "k"), FEW)
-def test_pressure_and_displacement_from_their_definitions(package: str, name: str, k: str) -> None:
-    check_definitions(package, name, k, ("0.2", "0.9"), ("1.05", "3"))
+def test_pressure_and_displacement_from_their_definitions(name: str, k: str) -> None:
+    check_definitions(name, k, ("0.2", "0.9"), ("1.05", "3"))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", NAMES)
-def test_every_profile_from_its_definitions(package: str, name: str, k: str) -> None:
-    check_definitions(package, name, k, ("0.02", "0.3", "0.6", "0.99"), ("1.001", "1.3", "40"))
+def test_every_profile_from_its_definitions(name: str, k: str) -> None:
+    check_definitions(name, k, ("0.02", "0.3", "0.6", "0.99"), ("1.001", "1.3", "40"))
 
 
-def check_definitions(package: str, name: str, k: str, inside: tuple[str, ...], outside: tuple[str, ...]) -> None:
-    profile, module = load(name), emitted(package, f"normal.{name}")
+def check_definitions(name: str, k: str, inside: tuple[str, ...], outside: tuple[str, ...]) -> None:
+    profile, module = load(name), emitted(f"normal.{name}")
     edge = nt.d if profile.contact == "complete" else nt.a
     for suffix, ratios in (("p", inside), ("w", outside)):
         for ratio in ratios:
@@ -314,9 +259,9 @@ def check_definitions(package: str, name: str, k: str, inside: tuple[str, ...], 
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_without_grading_it_is_the_homogeneous_half_space(package: str, name: str) -> None:
+def test_without_grading_it_is_the_homogeneous_half_space(name: str) -> None:
     profile, known = load(name), values(load(name), "0") | {nt.E_star: sp.Rational("2.5")}
-    graded, plain = emitted(package, f"normal.{name}"), import_module(f"{package}.normal.{name}")
+    graded, plain = emitted(f"normal.{name}"), import_module(f"axicontact.normal.{name}")
     edge = float(known[nt.d if profile.contact == "complete" else nt.a])
     r = float(known[nt.a]) * np.array([0.0, 0.01, 0.3, 0.7, 0.97, 1.03, 2.0, 50.0])
     for function, fields in public(graded).items():
@@ -331,19 +276,19 @@ def test_without_grading_it_is_the_homogeneous_half_space(package: str, name: st
 
 @pytest.mark.parametrize("k", ("-0.9", "0.5"))
 @pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
-def test_inverses_return(package: str, name: str, k: str) -> None:
-    check_inverses(package, name, k)
+def test_inverses_return(name: str, k: str) -> None:
+    check_inverses(name, k)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", COMPACT_NAMES)
-def test_inverses_of_every_profile(package: str, name: str, k: str) -> None:
-    check_inverses(package, name, k)
+def test_inverses_of_every_profile(name: str, k: str) -> None:
+    check_inverses(name, k)
 
 
-def check_inverses(package: str, name: str, k: str) -> None:
-    profile, module, known = load(name), emitted(package, f"normal.{name}"), values(load(name), k)
+def check_inverses(name: str, k: str) -> None:
+    profile, module, known = load(name), emitted(f"normal.{name}"), values(load(name), k)
     low = float(known[profile.breaks[0]]) if profile.truncated else 0.0
     high = float(known[nt.a])
     high = {"gaussian": 0.9, "sphere": high, "ellipsoid": high}.get(name, 20.0 * high)
@@ -365,20 +310,20 @@ def check_inverses(package: str, name: str, k: str) -> None:
 @pytest.mark.parametrize("k", ("-0.5", "0.9"))
 @pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
 @pytest.mark.parametrize("control", ["force", "depth"])
-def test_pull_off_is_the_least_load(package: str, name: str, k: str, control: str) -> None:
-    check_pull_off(package, name, k, control)
+def test_pull_off_is_the_least_load(name: str, k: str, control: str) -> None:
+    check_pull_off(name, k, control)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", COMPACT_NAMES)
 @pytest.mark.parametrize("control", ["force", "depth"])
-def test_pull_off_of_every_profile(package: str, name: str, k: str, control: str) -> None:
-    check_pull_off(package, name, k, control)
+def test_pull_off_of_every_profile(name: str, k: str, control: str) -> None:
+    check_pull_off(name, k, control)
 
 
-def check_pull_off(package: str, name: str, k: str, control: str) -> None:
-    profile, module, known = load(name), emitted(package, f"adhesive.{name}"), values(load(name), k)
+def check_pull_off(name: str, k: str, control: str) -> None:
+    profile, module, known = load(name), emitted(f"adhesive.{name}"), values(load(name), k)
     given = keywords(module.pull_off, profile, known)
     state = module.pull_off(control, **given)
     least = getattr(state, control)
@@ -396,9 +341,9 @@ def check_pull_off(package: str, name: str, k: str, control: str) -> None:
 
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", [name for name in POWERS if name != "polynomial"])
-def test_pull_off_of_power_laws(package: str, name: str, k: str) -> None:
-    profile, module, known = load(name), emitted(package, f"adhesive.{name}"), values(load(name), k)
-    entries = DERIVED["graded.adhesive"][name]
+def test_pull_off_of_power_laws(name: str, k: str) -> None:
+    profile, module, known = load(name), emitted(f"adhesive.{name}"), values(load(name), k)
+    entries = derived("adhesive", name)
     for control, names in (("force", ("ac", "Fc", "dc")), ("depth", ("am", "Fm", "dm"))):
         state = module.pull_off(control, **keywords(module.pull_off, profile, known))
         a_c = example.number(entries[names[0]].cases[0].expr, known)
@@ -407,22 +352,22 @@ def test_pull_off_of_power_laws(package: str, name: str, k: str) -> None:
             assert found == pytest.approx(expected, rel=2e-14), suffix
 
 
-def test_pull_off_of_the_graded_sphere(package: str) -> None:
+def test_pull_off_of_the_graded_sphere() -> None:
     """-(3 + k)/2 pi dgamma R under force control."""
-    sphere = emitted(package, "adhesive.paraboloid")
+    sphere = emitted("adhesive.paraboloid")
     k = np.array([-0.9, -0.5, 0.0, 0.4, 0.95])
     force = sphere.pull_off(R=2.0, H=1e3, k=k, dgamma=0.3).force
     np.testing.assert_allclose(force, -(3 + k) / 2 * math.pi * 0.3 * 2.0, rtol=1e-14)
 
 
 @pytest.mark.parametrize("name", ["cone", "truncated_paraboloid", "gaussian"])
-def test_adhesive_and_tangential_fields(package: str, name: str) -> None:
+def test_adhesive_and_tangential_fields(name: str) -> None:
     profile, known = load(name), values(load(name), "0.3")
     known |= {nt.c: known[nt.a] * sp.Rational("0.8"), nt.r: known[nt.a] * sp.Rational("0.4")}
     for physics, suffixes in (("adhesive", ("Dl", "d", "F", "p", "w")), ("tangential", ("F", "tau", "u", "us"))):
-        module = emitted(package, f"{physics}.{name}")
+        module = emitted(f"{physics}.{name}")
         for suffix in suffixes:
-            entry = DERIVED[f"graded.{physics}"][name][suffix]
+            entry = derived(physics, name)[suffix]
             place = known | ({nt.r: known[nt.a] * 2} if suffix == "w" else {})
             found = at(getattr(module, entry.quantity.function), profile, place, *entry.quantity.arguments)
             scale = defined(profile, place, physics, "Dl") if physics == "adhesive" else 0.0
@@ -431,8 +376,8 @@ def test_adhesive_and_tangential_fields(package: str, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
-def test_stick_radius_returns(package: str, name: str) -> None:
-    profile, module, known = load(name), emitted(package, f"tangential.{name}"), values(load(name), "-0.4")
+def test_stick_radius_returns(name: str) -> None:
+    profile, module, known = load(name), emitted(f"tangential.{name}"), values(load(name), "-0.4")
     low = known[profile.breaks[0]] if profile.truncated else sp.S.Zero
     for part in ("0.3", "0.7", "0.99"):
         c = float(low + (known[nt.a] - low) * sp.Rational(part))
@@ -447,9 +392,9 @@ def test_stick_radius_returns(package: str, name: str) -> None:
 
 @pytest.mark.parametrize("k", ("-0.6", "0.3"))
 @pytest.mark.parametrize("n", (1.8, 3.7))
-def test_least_depth_of_a_concave_face(package: str, n: float, k: str) -> None:
+def test_least_depth_of_a_concave_face(n: float, k: str) -> None:
     """At d_min the pressure touches zero, at the ring or, for n <= 2, at the centre."""
-    face, given = emitted(package, "normal.concave_power"), {"a": 1.5, "h": 0.2, "n": n, "k": float(k)}
+    face, given = emitted("normal.concave_power"), {"a": 1.5, "h": 0.2, "n": n, "k": float(k)}
     depth, ring = face.minimum_depth(**given), face.zero_radius(**given)
     assert (ring == 0.0) == (n <= 2.0)
     r = np.linspace(0.0, 1.49, 1000)
@@ -494,17 +439,15 @@ BAD: list[tuple[str, str, tuple[Any, ...], dict[str, Any], str]] = [
 
 
 @pytest.mark.parametrize(("name", "function", "fields", "given", "message"), BAD)
-def test_bad_input(
-    package: str, name: str, function: str, fields: tuple[Any, ...], given: dict[str, Any], message: str
-) -> None:
+def test_bad_input(name: str, function: str, fields: tuple[Any, ...], given: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        getattr(emitted(package, name), function)(*fields, **given)
+        getattr(emitted(name), function)(*fields, **given)
 
 
-def test_waves_that_only_some_grading_allows(package: str) -> None:
+def test_waves_that_only_some_grading_allows() -> None:
     """wavelength**2 >= 12.39 h R without grading; a softer surface (k < 0) follows the waves into their troughs."""
-    wavy = emitted(package, "normal.wavy_paraboloid")
-    limit = import_module(f"{package}._graded_growth").steepest_waves
+    wavy = emitted("normal.wavy_paraboloid")
+    limit = import_module("axicontact._graded_growth").steepest_waves
     least = float(load("wavy_paraboloid").rules[0].left.subs({nt.R: 1, nt.h: 1}))
     assert limit(0.0) == pytest.approx(least, rel=1e-6)
     assert np.all(np.diff(limit([-0.9, -0.5, 0.0, 0.5, 0.9])) < 0.0)
@@ -512,8 +455,8 @@ def test_waves_that_only_some_grading_allows(package: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_shapes_limits_and_silence(package: str, name: str) -> None:
-    profile, module, known = load(name), emitted(package, f"normal.{name}"), values(load(name), "0.3")
+def test_shapes_limits_and_silence(name: str) -> None:
+    profile, module, known = load(name), emitted(f"normal.{name}"), values(load(name), "0.3")
     edge = float(known[nt.d if profile.contact == "complete" else nt.a])
     a = float(known[nt.a])
     with warnings.catch_warnings():
@@ -535,11 +478,11 @@ def test_shapes_limits_and_silence(package: str, name: str) -> None:
         np.testing.assert_allclose(value, [alone, alone], rtol=1e-14)
 
 
-def test_a_wrong_factor_is_seen(package: str) -> None:
+def test_a_wrong_factor_is_seen() -> None:
     """The comparison with the entries fails for a formula that is wrong in the grading alone."""
     profile, known = load("paraboloid"), values(load("paraboloid"), "0.3")
-    module = emitted(package, "normal.paraboloid")
-    entry = DERIVED["graded.normal"]["paraboloid"]["F"]
+    module = emitted("normal.paraboloid")
+    entry = derived("normal", "paraboloid")["F"]
     assert at(module.force, profile, known, nt.a) == pytest.approx(exact(entry, known), rel=CLOSED)
     text = inspect.getsource(module)
     wrong = text.replace("2.0 * H / (1.0 + k) * growth", "2.0 * H / (1.0 + k * k) * growth")
@@ -551,4 +494,5 @@ def test_a_wrong_factor_is_seen(package: str) -> None:
 
 @pytest.mark.slow
 def test_generated_text_is_the_same_twice() -> None:
-    assert module_sources(["paraboloid"], DERIVED) == module_sources(["paraboloid"], DERIVED)
+    entries = {f"graded.{group}": {"paraboloid": derived(group, "paraboloid")} for group in TITLES}
+    assert module_sources(["paraboloid"], entries) == module_sources(["paraboloid"], entries)
