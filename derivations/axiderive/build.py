@@ -87,7 +87,7 @@ def build(
     published, failures = _publishable(wanted, found)
     chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
-    files = _emitted(published, chapter, cache, settings)
+    files = _emitted(published, chapter, cache, settings, jobs)
     return Catalogue(files, outcomes, tuple(failures))
 
 
@@ -138,23 +138,25 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
     return published, failures
 
 
-def _emitted(published: Published, chapter: Record | None, cache: Cache, settings: Settings) -> dict[str, bytes]:
+def _emitted(
+    published: Published, chapter: Record | None, cache: Cache, settings: Settings, jobs: int
+) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
     texts = cache.get(key)
     if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published, chapter).items()}
+        texts = {path: content.decode() for path, content in _emit(published, chapter, jobs).items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
-    from .emit import handbook, index, modules
+def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, bytes]:
+    from .emit import index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
-    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence, chapter).items()}
+    texts |= _handbook(published, chapter, jobs)
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
@@ -163,6 +165,34 @@ def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     if chapter is not None:
         files["evidence/chapter11.json"] = index.to_bytes(chapter)
     return files
+
+
+def _handbook(published: Published, chapter: Record | None, jobs: int) -> dict[str, str]:
+    """The LaTeX files; those of the profiles are made side by side."""
+    from .emit import handbook
+
+    own: dict[str, dict[str, tuple[Record, Record]]] = {}
+    for problem, outcome in published:
+        own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
+    numbers = handbook.numbered(list(own))
+    pages = {profile_id: (path, text, summary) for profile_id, path, text, summary in pool.run(
+        _page, [(profile_id, found, numbers[profile_id]) for profile_id, found in own.items()], jobs
+    )}  # fmt: skip
+    found = {path: text for path, text, _ in pages.values()}
+    found |= handbook.book_sources([pages[profile_id][2] for profile_id in own], chapter)
+    return {f"handbook/{path}": text for path, text in found.items()}
+
+
+def _page(
+    profile_id: str, found: dict[str, tuple[Record, Record]], number: str
+) -> tuple[str, str, str, dict[str, object]]:
+    """The file of one profile, from what is stored of its problems."""
+    from .contact.systems import problem
+    from .emit import handbook
+
+    derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
+    evidence = {key: record for key, (_, record) in found.items()}
+    return (profile_id, *handbook.profile_source(profile_id, derived, evidence, number))
 
 
 def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[str]:

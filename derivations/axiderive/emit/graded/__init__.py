@@ -24,27 +24,22 @@ def module_sources(names: Iterable[str], derived: Derived) -> dict[str, str]:
     """The files of the graded packages as `{path below catalogue/: text}`."""
     names = sorted(names)
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
-    for name in names:
-        for group, text in _modules(name, derived).items():
-            files[f"{PACKAGE}/graded/{group}/{name}.py"] = text
     for group, title in TITLES.items():
-        files[f"{PACKAGE}/graded/{group}/__init__.py"] = package_source(title, names)
+        modules = {name: text for name in names if (text := _module(group, name, derived))}
+        files |= {f"{PACKAGE}/graded/{group}/{name}.py": text for name, text in modules.items()}
+        files[f"{PACKAGE}/graded/{group}/__init__.py"] = package_source(title, sorted(modules))
     title = "Contact on a half space whose modulus grows as a power of the depth"
     return files | {f"{PACKAGE}/graded/__init__.py": package_source(title, sorted(TITLES))}
 
 
-def _modules(name: str, derived: Derived) -> dict[str, str]:
-    """The module of one profile in each package."""
-    entries = derived["graded.normal"][name]
-    if name not in COMPLETE_NAMES:
-        return {
-            "normal": normal.module_source(entries),
-            "adhesive": adhesive.module_source(derived["graded.adhesive"][name], entries),
-            "tangential": tangential.module_source(derived["graded.tangential"][name], entries),
-        }
-    profile, peeled = load(name), derived["graded.adhesive"].get(name)
-    return {
-        "normal": complete.module_source(entries),
-        "adhesive": detachment.module_source(peeled) if peeled else refusals.module_source(profile, "adhesive"),
-        "tangential": refusals.module_source(profile, "tangential"),
-    }
+def _module(group: str, name: str, derived: Derived) -> str:
+    """The module of one profile; empty if its problem was left out."""
+    plain, own = derived["graded.normal"][name], derived[f"graded.{group}"].get(name)
+    compact = name not in COMPLETE_NAMES
+    if own is None:
+        return "" if compact else refusals.module_source(load(name), group)
+    if group == "normal":
+        return normal.module_source(plain) if compact else complete.module_source(plain)
+    if group == "adhesive":
+        return adhesive.module_source(own, plain) if compact else detachment.module_source(own)
+    return tangential.module_source(own, plain)

@@ -36,19 +36,25 @@ def module_sources(derived: Derived, normal_texts: Mapping[str, str]) -> dict[st
     files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
     if constants := derived["materials"].get("materials"):
         files[f"{PACKAGE}/materials.py"] = materials.module_source(constants)
-    for group, write in WRITERS.items():
-        for name, module in sorted(modules.items()):
-            own = derived[group].get(name)
-            files[f"{PACKAGE}/{group}/{name}.py"] = (
-                write(module, own) if own is not None else refusals.module_source(module.profile, group)
-            )
-        files[f"{PACKAGE}/{group}/__init__.py"] = refusals.package_source(TITLES[group], sorted(modules))
+    for group in WRITERS:
+        written = {name: text for name, module in sorted(modules.items()) if (text := _module(group, module, derived))}
+        files |= {f"{PACKAGE}/{group}/{name}.py": text for name, text in written.items()}
+        files[f"{PACKAGE}/{group}/__init__.py"] = refusals.package_source(TITLES[group], sorted(written))
     for name, entries in sorted(derived["loads"].items()):
         own_load = entries["w"].profile
         assert isinstance(own_load, Load)
         files[f"{PACKAGE}/loads/{name}.py"] = loads.module_source(own_load, entries["w"])
     files[f"{PACKAGE}/loads/__init__.py"] = refusals.package_source(TITLES["loads"], sorted(derived["loads"]))
     return files
+
+
+def _module(group: str, module: NormalModule, derived: Derived) -> str:
+    """The module of one profile; empty if its problem was left out."""
+    own = derived[group].get(module.profile.name)
+    if own is not None:
+        return WRITERS[group](module, own)
+    refused = module.profile.contact == "complete" and group != "viscoelastic"
+    return refusals.module_source(module.profile, group) if refused else ""
 
 
 def _adhesive(profile: Profile) -> Callable[[NormalModule, Mapping[str, Entry]], str]:
