@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 
 from ..contact import systems
 from ..entry import Entry
-from ..notation import coefficients
+from ..notation import coefficients, e
 from . import graded, physics, plane, python
 from .private import parameter_name
 from .public import PACKAGE
@@ -34,14 +34,15 @@ def package_sources(derived: Derived) -> dict[str, str]:
 
 
 def parameter_names(derived: Derived) -> set[str]:
-    """The keyword parameters of all functions, by their names in the notation."""
+    """The keyword parameters with a domain of their own, by their names in the notation."""
+    unbound = {coefficients, e}  # a sequence, and a place between the edges of the strip
     found = set()
     for key, entries in derived.items():
         loaded = systems.problem(key).system.name == "viscoelastic"
         for entry in entries.values():
             # a depth or a load that is held is a keyword beside the time
             held = entry.quantity.arguments[1:] if loaded else ()
-            found |= {parameter_name(symbol) for symbol in (*entry.parameters, *held) if symbol != coefficients}
+            found |= {parameter_name(symbol) for symbol in (*entry.parameters, *held) if symbol not in unbound}
     return found
 
 
