@@ -67,8 +67,8 @@ class Figure:
         self.labels.append(Label(text, left, top, side, kind, plain))
 
 
-FRAME = (400.0, 250.0)
-INNER = (46.0, 10.0, 346.0, 200.0)
+FRAME = (400.0, 268.0)
+INNER = (46.0, 28.0, 346.0, 200.0)
 """Left, top, width and height of the axes in the frame."""
 
 
@@ -80,7 +80,7 @@ def _axes(caption: tuple[str, str], x: tuple[float, float], y: tuple[float, floa
     figure.line("axis", scale.at(x[0], y[0]), scale.at(x[1], y[0]))
     figure.line("axis", scale.at(x[0], y[0]), scale.at(x[0], y[1]))
     figure.label(names[0], (left + width, FRAME[1]), "above-right")
-    figure.label(names[1], (2, top), "below-left")
+    figure.label(names[1], (8, 2), "below-left")
     return figure, scale
 
 

@@ -21,11 +21,12 @@ Evidence = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Formula:
-    """One entry: the end of its key, what is known about it, and the lines of Python that call it."""
+    """One entry: the end of its key, what is known about it in short and in full, the lines of Python that call it."""
 
     suffix: str
     certified: bool
-    evidence: str
+    short: str
+    evidence: list[str]
     python: str
 
 
@@ -57,13 +58,14 @@ class Section:
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence) -> dict[str, Any]:
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
     profile_id = model["name"]
+    agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
     problems = {problem.system.name: problem for problem in problems_of(profile_id)}
     sections = []
     for name, block in model["blocks"].items():
         if block["words"]:
             sections.append(Section(f"about.{name}", block["title"], "", [], block["words"]))
         else:
-            sections.append(_section(problems[name], derived, evidence))
+            sections.append(_section(problems[name], derived, evidence, agreed))
     picture = model["picture"]
     return {
         **model,
@@ -74,15 +76,15 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence) -> dict
     }
 
 
-def _section(problem: Problem, derived: Derived, evidence: Evidence) -> Section:
+def _section(problem: Problem, derived: Derived, evidence: Evidence, agreed: Mapping[str, Any]) -> Section:
     title, note = TITLES[problem.system.name]
     records = evidence.get(problem.key, {}).get("entries", {})
     rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
     anchor = f"about.{problem.system.name}"
-    return Section(anchor, title, note, [_row(one, problem, records) for one in rows])
+    return Section(anchor, title, note, [_row(one, problem, records, agreed) for one in rows])
 
 
-def _row(one: Row, problem: Problem, records: Evidence) -> WebRow:
+def _row(one: Row, problem: Problem, records: Evidence, agreed: Mapping[str, Any]) -> WebRow:
     label, small = one.label
     profile_id = problem.profile_id
     return WebRow(
@@ -92,11 +94,19 @@ def _row(one: Row, problem: Problem, records: Evidence) -> WebRow:
         one.remark,
         one.uses and ending_of(one.uses, one.entry, profile_id),
         one.entry.note,
-        [_formula(entry, problem, records.get(entry.suffix, {})) for entry in (one.entry, *one.also)],
+        [
+            _formula(entry, problem, records.get(entry.suffix, {}), agreed.get(ending(entry, profile_id)))
+            for entry in (one.entry, *one.also)
+        ],
     )
 
 
-def _formula(entry: Entry, problem: Problem, record: Evidence) -> Formula:
+def _formula(entry: Entry, problem: Problem, record: Evidence, agreed: Mapping[str, Any] | None) -> Formula:
     python = f"{imported(problem)}\n\n{called(problem, entry)}"
-    summary = record.get("summary", "not verified in this edition")
-    return Formula(ending(entry, problem.profile_id), bool(record.get("certified")), summary, python)
+    suffix, certified = ending(entry, problem.profile_id), bool(record.get("certified"))
+    if agreed is None:
+        return Formula(suffix, certified, "not verified in this edition", [], python)
+    short = "certified" if certified else "no exact certificate"
+    if agreed["digits"] != "--":
+        short += f"; {agreed['digits']} digits at {agreed['count']} points"
+    return Formula(suffix, certified, short, record.get("summary", "").split("; "), python)

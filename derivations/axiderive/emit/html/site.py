@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import jinja2
 from markupsafe import Markup
 
-from ...contact.systems import SYSTEMS, profile_ids
+from ...contact.systems import ROUND, SYSTEMS, profile_ids
 from ...entry import Entry
 from .. import book, spread
 from ..handbook import SUMMARISED, numbered
@@ -52,7 +53,7 @@ def html_sources(
     site = Site(frozenset(ids), frozenset(e.key for entries in derived.values() for e in entries.values()))
     front = book.model([{name: models[i][name] for name in SUMMARISED} for i in ids], chapter11)
     files = {f"{i}.html": site.render("page", page(models[i], derived, evidence), i) for i in ids}
-    files["index.html"] = site.render("index", front | {"systems": _columns(ids), "models": models})
+    files["index.html"] = site.render("index", front | {"columns": COLUMNS, "rows": _matrix(ids, models)})
     files["reading.html"] = site.render("reading", front)
     if chapter11 is not None:
         files["chapter11.html"] = site.render("chapter11", front)
@@ -60,10 +61,19 @@ def html_sources(
     return files | assets()
 
 
-def _columns(ids: Sequence[str]) -> list[tuple[str, str]]:
-    """Name and title of the systems that the matrix of profiles and physics has columns for."""
-    present = {problem.system.name for i in ids for problem in spread.problems_of(i)}
-    return [(system.name, system.title) for system in SYSTEMS if system.name in present]
+COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
+"""Systems of the matrix; the other profiles have one system each."""
+
+
+def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, Any]]:
+    """Profile by physics: the counts of `status`, or of the only system a profile has."""
+    rows = []
+    for i in ids:
+        status = models[i]["status"]
+        own = COLUMNS if spread.pool_of(i) is ROUND else [name for name in status if status[name]]
+        cells = [(name, status[name]) for name in own]
+        rows.append({"name": i, "title": models[i]["title"], "cells": cells, "span": len(COLUMNS) // len(cells)})
+    return rows
 
 
 def keys(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
@@ -110,8 +120,7 @@ class Site:
         def link(label: str, text: str) -> Markup:
             return self.link(label, words(text, link), profile_id)
 
-        environment.filters.update(words=lambda text: words(text, link), tex=formula)
-        environment.globals.update(place=self.place, page_name=profile_id or name)
+        environment.filters.update(words=partial(words, link=link), tex=formula)
         return environment.get_template(f"{name}.html.j2").render(model)
 
     def link(self, label: str, text: Markup, profile_id: str) -> Markup:
