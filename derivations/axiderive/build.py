@@ -149,12 +149,16 @@ def _emitted(published: Published, chapter: Record | None, cache: Cache, setting
 
 
 def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
-    from .emit import handbook, index, modules
+    from .emit import handbook, html, index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
-    texts |= {f"handbook/{path}": text for path, text in handbook.handbook_sources(derived, evidence, chapter).items()}
+    models = handbook.page_models(derived, evidence)
+    book = handbook.handbook_sources(derived, evidence, chapter, models)
+    texts |= {f"handbook/{path}": text for path, text in book.items()}
+    site = html.html_sources(derived, evidence, chapter, models)
+    texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
@@ -221,6 +225,6 @@ def _owner(path: str) -> str:
     for problem in problems():
         if path in (problem.module, f"evidence/{problem.key}.json"):
             return problem.profile_id
-        if folder == "handbook" and rest == f"profiles/{problem.profile_id}.tex":
+        if folder == "handbook" and rest in (f"profiles/{problem.profile_id}.tex", f"html/{problem.profile_id}.html"):
             return problem.profile_id
     return ""

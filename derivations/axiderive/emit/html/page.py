@@ -12,7 +12,8 @@ from ..blocks import TITLES, ending, ending_of, rows_of
 from ..calls import called, imported
 from ..rows import Row
 from ..spread import problems_of
-from . import figures
+from .figures import figures
+from .sketch import sketch
 from .words import formula
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -70,8 +71,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence) -> dict
     return {
         **model,
         "sections": sections,
-        "sketch": figures.sketch(picture, model) if picture else None,
-        "figures": figures.figures(model),
+        "sketch": sketch(picture, model) if picture else None,
+        "figures": figures(model),
         "worked": model.get("worked"),
     }
 

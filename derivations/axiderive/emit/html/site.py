@@ -11,15 +11,13 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from ...contact.systems import ROUND, SYSTEMS, profile_ids
+from ...contact.systems import ROUND, SYSTEMS
 from ...entry import Entry
 from .. import book, spread
-from ..handbook import SUMMARISED, numbered
+from ..handbook import Model, page_models, summary
 from .assets import assets
 from .page import Derived, page
 from .words import formula, words
-
-Model = Mapping[str, Any]
 
 
 def html_sources(
@@ -39,7 +37,7 @@ def html_sources(
     chapter11 : mapping, optional
         Record of the checks of the chapter.
     models : mapping, optional
-        Page models of the printed spreads by profile, where they are at hand; made here otherwise.
+        What `handbook.page_models` gives, where it is at hand.
 
     Returns
     -------
@@ -47,11 +45,10 @@ def html_sources(
         Text by path below `handbook/html`.
     """
     evidence = evidence or {}
-    ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
-    if models is None:
-        models = {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
+    models = page_models(derived, evidence) if models is None else models
+    ids = list(models)
     site = Site(frozenset(ids), frozenset(e.key for entries in derived.values() for e in entries.values()))
-    front = book.model([{name: models[i][name] for name in SUMMARISED} for i in ids], chapter11)
+    front = book.model([summary(model) for model in models.values()], chapter11)
     files = {f"{i}.html": site.render("page", page(models[i], derived, evidence), i) for i in ids}
     files["index.html"] = site.render("index", front | {"columns": COLUMNS, "rows": _matrix(ids, models)})
     files["reading.html"] = site.render("reading", front)
@@ -79,22 +76,18 @@ def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, A
 def keys(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
     """The index behind the search, as a script, because a page opened from a folder may load nothing else."""
     profiles = {i: [_plain(models[i]["title"]), _synonyms(i)] for i in ids}
-    rows = []
-    for number, system in enumerate(SYSTEMS):
-        for i in ids:
-            key = _problem_key(i, system.name)
-            for entry in derived.get(key, {}).values():
-                rows.append([entry.key, i, number, entry.quantity.label, _symbol(entry)])
-    rows.sort(key=lambda row: list(ids).index(row[1]))
+    numbers = {system.name: number for number, system in enumerate(SYSTEMS)}
+    rows = [
+        [entry.key, i, numbers[problem.system.name], entry.quantity.label, _names(entry)]
+        for i in ids
+        for problem in spread.problems_of(i)
+        for entry in derived.get(problem.key, {}).values()
+    ]
     record = {"profiles": profiles, "systems": [system.title for system in SYSTEMS], "keys": rows}
     return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
 
 
-def _problem_key(profile_id: str, system: str) -> str:
-    return next((problem.key for problem in spread.problems_of(profile_id) if problem.system.name == system), "")
-
-
-def _symbol(entry: Entry) -> str:
+def _names(entry: Entry) -> str:
     return f"{entry.quantity.function} {entry.quantity.symbol}"
 
 
