@@ -157,7 +157,7 @@ def _emit(published: Published, chapter: Record | None) -> dict[str, bytes]:
     models = handbook.page_models(derived, evidence)
     book = handbook.handbook_sources(derived, evidence, chapter, models)
     texts |= {f"handbook/{path}": text for path, text in book.items()}
-    site = html.html_sources(derived, evidence, chapter, models)
+    site = html.html_sources(derived, evidence, chapter, models, texts)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))

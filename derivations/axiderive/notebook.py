@@ -17,14 +17,9 @@ def markdown(entry: Entry) -> str:
         where = rf"\qquad {region.condition}" if region.condition else ""
         lines.append(rf"$\displaystyle {formula}{where}$")
     if found.remark:
-        lines.append(
-            " ".join(part for part in (found.remark, found.uses and f"`{_beside(entry, found.uses)}`") if part)
-        )
+        behind = f" `{entry.key.removesuffix(entry.suffix)}{found.uses}`" if found.uses else ""
+        lines.append(found.remark + behind)
     return "\n\n".join(lines)
-
-
-def _beside(entry: Entry, suffix: str) -> str:
-    return f"{entry.key.removesuffix(entry.suffix)}{suffix}"
 
 
 def load_ipython_extension(shell: Any) -> None:

@@ -1,10 +1,20 @@
-"""How the generated functions are called, as the handbook prints it."""
+"""How the generated functions are called, read off their definitions."""
 
 from __future__ import annotations
 
+import ast
+
 from ..contact.systems import Problem
 from ..entry import Entry
-from .symbols import LETTERS
+from .rules import PULL_OFF
+
+Signatures = dict[str, ast.arguments]
+
+
+def signatures(source: str) -> Signatures:
+    """The arguments of every public function of a module."""
+    functions = (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
+    return {node.name: node.args for node in functions if not node.name.startswith("_")}
 
 
 def imported(problem: Problem) -> str:
@@ -13,9 +23,10 @@ def imported(problem: Problem) -> str:
     return f"from {folder.replace('/', '.')} import {problem.name}"
 
 
-def called(problem: Problem, entry: Entry) -> str:
-    """The call of the function of an entry: fields by position, parameters by name."""
-    fields = [LETTERS.get(symbol, symbol.name) for symbol in entry.quantity.arguments]
-    keywords = [LETTERS.get(p, str(getattr(p, "label", p))) for p in entry.parameters]
-    arguments = [*fields, *(f"{name}={name}" for name in keywords if name not in fields)]
-    return f"{problem.name}.{entry.quantity.function}({', '.join(arguments)})"
+def called(problem: Problem, entry: Entry, known: Signatures) -> str:
+    """The call of the function of an entry, its arguments by the names they have in print and in the signature."""
+    found = known[entry.quantity.function]
+    # one function gives pull-off under both controls, and the key says which
+    positional = [repr(PULL_OFF[entry.suffix[-1]]) if one.arg == "control" else one.arg for one in found.args]
+    keywords = [f"{one.arg}={one.arg}" for one in found.kwonlyargs]
+    return f"{problem.name}.{entry.quantity.function}({', '.join([*positional, *keywords])})"

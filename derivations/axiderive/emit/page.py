@@ -10,12 +10,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from ..contact.systems import Problem
+from ..contact.systems import BODIES
 from ..entry import Entry
 from ..profiles.profile import Profile
-from .calls import called, imported
 from .printer import Printer
 from .prose import prose
+from .symbols import LETTERS
 from .values import Numbers
 from .width import width
 
@@ -80,10 +80,18 @@ def _plain(value: Any) -> str:
 MOST_CALLED = ("d", "F", "P", "p", "w", "s", "phi", "E_star", "G_star", "H", "h_N")
 
 
-def calls(problem: Problem, entries: Mapping[str, Entry]) -> list[str]:
-    """How the most used functions are called, one line per function."""
-    chosen = [entry for entry in entries.values() if entry.suffix in MOST_CALLED]
-    return [imported(problem), *(called(problem, entry) for entry in chosen)] if chosen else []
+def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
+    """How the generated functions are called, one line per function."""
+    package, _, name = profile_id.rpartition(".")
+    source = "" if name in BODIES.names else f".{package or 'normal'}"
+    lines = [f"from axicontact{source} import {name}"]
+    for entry in entries.values():
+        if entry.suffix in MOST_CALLED:
+            fields = [LETTERS.get(s, s.name) for s in entry.quantity.arguments]
+            keywords = [LETTERS.get(p, str(getattr(p, "label", p))) for p in entry.parameters]
+            arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
+            lines.append(f"{name}.{entry.quantity.function}({', '.join(arguments)})")
+    return lines
 
 
 PLANE_START = (

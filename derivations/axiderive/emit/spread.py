@@ -109,10 +109,7 @@ NOTHING: dict[str, Any] = {
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
     prefix = profile_id.rpartition(".")[0]
-    texts = NOTHING | {
-        "calls": page.calls(problems_of(profile_id)[0], main),
-        "derivation": page.derivation(profile_id, profile, main),
-    }
+    texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
     if not main or "p" not in main or prefix == "loads" or profile.name == "eccentric_punch":
         return texts
     values = sketch_values(profile)

@@ -9,7 +9,8 @@ from typing import Any
 from ...contact.systems import Problem
 from ...entry import Entry
 from ..blocks import TITLES, ending, ending_of, rows_of
-from ..calls import called, imported
+from ..calls import Signatures, called, imported, signatures
+from ..prose import prose
 from ..rows import Row
 from ..spread import problems_of
 from .figures import figures
@@ -56,58 +57,59 @@ class Section:
     words: str = ""
 
 
-def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence) -> dict[str, Any]:
+@dataclass(frozen=True)
+class Known:
+    """What the rows of one problem are completed with."""
+
+    problem: Problem
+    records: Evidence
+    agreed: Mapping[str, Any]
+    """Digits and points by the end of the key."""
+    functions: Signatures
+
+    def formula(self, entry: Entry) -> Formula:
+        suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
+        python = f"{imported(self.problem)}\n\n{called(self.problem, entry, self.functions)}"
+        certified = bool(record.get("certified"))
+        if suffix not in self.agreed:
+            return Formula(suffix, certified, "not verified in this edition", [], python)
+        short, agreed = "certified" if certified else "no exact certificate", self.agreed[suffix]
+        if agreed["digits"] != "--":
+            short += f"; {agreed['digits']} digits at {agreed['count']} points"
+        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python)
+
+    def row(self, one: Row) -> WebRow:
+        label, small = one.label
+        return WebRow(
+            label,
+            small,
+            [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
+            one.remark,
+            one.uses and ending_of(one.uses, one.entry, self.problem.profile_id),
+            prose(one.entry.note),
+            [self.formula(entry) for entry in (one.entry, *one.also)],
+        )
+
+
+def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
-    profile_id = model["name"]
     agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
-    problems = {problem.system.name: problem for problem in problems_of(profile_id)}
+    problems = {problem.system.name: problem for problem in problems_of(model["name"])}
     sections = []
     for name, block in model["blocks"].items():
+        anchor = f"about.{name}"
         if block["words"]:
-            sections.append(Section(f"about.{name}", block["title"], "", [], block["words"]))
-        else:
-            sections.append(_section(problems[name], derived, evidence, agreed))
+            sections.append(Section(anchor, block["title"], "", [], block["words"]))
+            continue
+        problem, (title, note) = problems[name], TITLES[name]
+        records = evidence.get(problem.key, {}).get("entries", {})
+        known = Known(problem, records, agreed, signatures(modules[problem.module]))
+        rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
+        sections.append(Section(anchor, title, note, [known.row(one) for one in rows]))
     picture = model["picture"]
     return {
         **model,
         "sections": sections,
         "sketch": sketch(picture, model) if picture else None,
         "figures": figures(model),
-        "worked": model.get("worked"),
     }
-
-
-def _section(problem: Problem, derived: Derived, evidence: Evidence, agreed: Mapping[str, Any]) -> Section:
-    title, note = TITLES[problem.system.name]
-    records = evidence.get(problem.key, {}).get("entries", {})
-    rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
-    anchor = f"about.{problem.system.name}"
-    return Section(anchor, title, note, [_row(one, problem, records, agreed) for one in rows])
-
-
-def _row(one: Row, problem: Problem, records: Evidence, agreed: Mapping[str, Any]) -> WebRow:
-    label, small = one.label
-    profile_id = problem.profile_id
-    return WebRow(
-        label,
-        small,
-        [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
-        one.remark,
-        one.uses and ending_of(one.uses, one.entry, profile_id),
-        one.entry.note,
-        [
-            _formula(entry, problem, records.get(entry.suffix, {}), agreed.get(ending(entry, profile_id)))
-            for entry in (one.entry, *one.also)
-        ],
-    )
-
-
-def _formula(entry: Entry, problem: Problem, record: Evidence, agreed: Mapping[str, Any] | None) -> Formula:
-    python = f"{imported(problem)}\n\n{called(problem, entry)}"
-    suffix, certified = ending(entry, problem.profile_id), bool(record.get("certified"))
-    if agreed is None:
-        return Formula(suffix, certified, "not verified in this edition", [], python)
-    short = "certified" if certified else "no exact certificate"
-    if agreed["digits"] != "--":
-        short += f"; {agreed['digits']} digits at {agreed['count']} points"
-    return Formula(suffix, certified, short, record.get("summary", "").split("; "), python)

@@ -15,6 +15,7 @@ from ...contact.systems import ROUND, SYSTEMS
 from ...entry import Entry
 from .. import book, spread
 from ..handbook import Model, page_models, summary
+from ..modules import package_sources
 from .assets import assets
 from .page import Derived, page
 from .words import formula, words
@@ -25,6 +26,7 @@ def html_sources(
     evidence: Mapping[str, Any] | None = None,
     chapter11: Mapping[str, Any] | None = None,
     models: Mapping[str, Model] | None = None,
+    modules: Mapping[str, str] | None = None,
 ) -> dict[str, str]:
     """All files of the web edition.
 
@@ -38,6 +40,8 @@ def html_sources(
         Record of the checks of the chapter.
     models : mapping, optional
         What `handbook.page_models` gives, where it is at hand.
+    modules : mapping, optional
+        Generated modules by path, from which the calls are read, where they are at hand.
 
     Returns
     -------
@@ -46,10 +50,11 @@ def html_sources(
     """
     evidence = evidence or {}
     models = page_models(derived, evidence) if models is None else models
+    modules = package_sources(derived) if modules is None else modules
     ids = list(models)
     site = Site(frozenset(ids), frozenset(e.key for entries in derived.values() for e in entries.values()))
     front = book.model([summary(model) for model in models.values()], chapter11)
-    files = {f"{i}.html": site.render("page", page(models[i], derived, evidence), i) for i in ids}
+    files = {f"{i}.html": site.render("page", page(models[i], derived, evidence, modules), i) for i in ids}
     files["index.html"] = site.render("index", front | {"columns": COLUMNS, "rows": _matrix(ids, models)})
     files["reading.html"] = site.render("reading", front)
     if chapter11 is not None:

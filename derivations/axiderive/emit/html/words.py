@@ -83,6 +83,6 @@ def _macro(macro: str, text: str) -> Markup | str:
     name, blank = (name[:-2], " ") if name.endswith("\\ ") and name != "\\ " else (name, "")
     name = name.rstrip() or name
     if name not in _MACROS:
-        message = f"{macro} in {text!r} has no words in HTML; add it to emit.html.words"
+        message = f"{name} in {text!r} has no words in HTML; add it to emit.html.words"
         raise ValueError(message)
     return _MACROS[name] + blank
