@@ -151,12 +151,16 @@ def _emitted(
 
 
 def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, bytes]:
-    from .emit import index, modules
+    from .emit import handbook, html, index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
-    texts |= _handbook(published, chapter, jobs)
+    models = _page_models(published, jobs)
+    book = handbook.handbook_sources(derived, evidence, chapter, models)
+    texts |= {f"handbook/{path}": text for path, text in book.items()}
+    site = html.html_sources(derived, evidence, chapter, models, texts)
+    texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
     for problem, outcome in published:
@@ -167,32 +171,26 @@ def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, 
     return files
 
 
-def _handbook(published: Published, chapter: Record | None, jobs: int) -> dict[str, str]:
-    """The LaTeX files; those of the profiles are made side by side."""
+def _page_models(published: Published, jobs: int) -> dict[str, Record]:
+    """What the page of every profile shows, in the order of the handbook; made side by side."""
     from .emit import handbook
 
     own: dict[str, dict[str, tuple[Record, Record]]] = {}
     for problem, outcome in published:
         own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
     numbers = handbook.numbered(list(own))
-    pages = {profile_id: (path, text, summary) for profile_id, path, text, summary in pool.run(
-        _page, [(profile_id, found, numbers[profile_id]) for profile_id, found in own.items()], jobs
-    )}  # fmt: skip
-    found = {path: text for path, text, _ in pages.values()}
-    found |= handbook.book_sources([pages[profile_id][2] for profile_id in own], chapter)
-    return {f"handbook/{path}": text for path, text in found.items()}
+    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
+    return {name: made[name] for name in own}
 
 
-def _page(
-    profile_id: str, found: dict[str, tuple[Record, Record]], number: str
-) -> tuple[str, str, str, dict[str, object]]:
-    """The file of one profile, from what is stored of its problems."""
+def _page_model(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record]:
+    """The page of one profile, from what is stored of its problems."""
     from .contact.systems import problem
-    from .emit import handbook
+    from .emit import spread
 
     derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
     evidence = {key: record for key, (_, record) in found.items()}
-    return (profile_id, *handbook.profile_source(profile_id, derived, evidence, number))
+    return profile_id, spread.model(profile_id, derived, evidence, number)
 
 
 def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[str]:
@@ -251,6 +249,6 @@ def _owner(path: str) -> str:
     for problem in problems():
         if path in (problem.module, f"evidence/{problem.key}.json"):
             return problem.profile_id
-        if folder == "handbook" and rest == f"profiles/{problem.profile_id}.tex":
+        if folder == "handbook" and rest in (f"profiles/{problem.profile_id}.tex", f"html/{problem.profile_id}.html"):
             return problem.profile_id
     return ""

@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 GENERATED_FOLDERS = ("axicontact", "handbook", "evidence")
-GENERATED_SUFFIXES = frozenset({".py", ".pyi", ".typed", ".json", ".tex", ".sty", ".cls", ".html", ".css", ".svg"})
+GENERATED_SUFFIXES = frozenset(
+    {".py", ".pyi", ".typed", ".json", ".tex", ".sty", ".cls", ".html", ".css", ".js", ".svg"}
+)
 STUDIES = "evidence/study/"
 """Records of `axicontact study`: measured by a command of their own, neither made nor removed by a build."""
 INDEX = "axicontact/index.json"

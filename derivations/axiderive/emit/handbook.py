@@ -19,11 +19,15 @@ from ..profiles import COMPLETE_NAMES
 from . import book, spread
 
 Derived = Mapping[str, Mapping[str, Entry]]
+Model = Mapping[str, Any]
 Summary = dict[str, Any]
 
 
 def handbook_sources(
-    derived: Derived, evidence: Mapping[str, Any] | None = None, chapter11: Mapping[str, Any] | None = None
+    derived: Derived,
+    evidence: Mapping[str, Any] | None = None,
+    chapter11: Mapping[str, Any] | None = None,
+    models: Mapping[str, Model] | None = None,
 ) -> dict[str, str]:
     """All LaTeX files of the handbook.
 
@@ -35,33 +39,36 @@ def handbook_sources(
         What was checked, by key of the problem; missing records are said to be missing.
     chapter11 : mapping, optional
         Record of the checks of the chapter, as `chapter11.record.record` makes it.
+    models : mapping, optional
+        What `page_models` gives, where it is at hand.
 
     Returns
     -------
     dict of str to str
         Text by path relative to the folder of the handbook.
     """
-    ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
-    numbers = numbered(ids)
-    found = [profile_source(i, derived, evidence or {}, numbers[i]) for i in ids]
-    files = {path: text for path, text, _ in found}
-    return files | book_sources([summary for _, _, summary in found], chapter11)
+    models = page_models(derived, evidence or {}) if models is None else models
+    template = _environment().get_template("profile.tex.j2")
+    files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
+    return files | book_sources([summary(model) for model in models.values()], chapter11)
 
 
-def profile_source(
-    profile_id: str, derived: Derived, evidence: Mapping[str, Any], number: str
-) -> tuple[str, str, Summary]:
-    """Path and text of the file of one profile, and what the front matter says about it.
+def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Model]:
+    """What the page of every profile shows, in print and on the web, in the order of the handbook.
 
-    `derived` and `evidence` need to hold the problems of this profile only.
+    A model is a pure function of the problems of its profile.
     """
-    model = spread.model(profile_id, derived, evidence, number)
-    text = _environment().get_template("profile.tex.j2").render(model)
-    return f"profiles/{profile_id}.tex", text, {key: model[key] for key in SUMMARISED}
+    ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
+    return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
 """What the main file needs of a profile; plain data that can be sent between processes."""
+
+
+def summary(model: Model) -> Summary:
+    """The part of a page model that the front of the book uses."""
+    return {name: model[name] for name in SUMMARISED}
 
 
 def book_sources(summaries: Sequence[Summary], chapter11: Mapping[str, Any] | None = None) -> dict[str, str]:

@@ -14,6 +14,7 @@ from ..entry import Case, Entry
 from ..proof.evaluate import case_at, decades, evaluate
 from ..proof.evaluate import holds as holds_at
 from ..proof.sampling import points
+from ..proof.shape import number
 from . import laws
 from .printed import Printed, holding, holds, name_in_print
 from .readback import environment, read
@@ -146,7 +147,15 @@ def _value(expr: sp.Expr, values: Values) -> Any:
     return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
+def _slipping(printed: Printed, values: Values) -> Values:
+    """A tangential force between full stick and full slip under the force that the outer radius belongs to."""
+    force = evaluate(case_at(printed.base["F"], values).expr, values, DIGITS + 15)
+    return values | {nt.F: force, nt.F_x: force * number(values[nt.mu]) * 3 / 7}
+
+
 def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
+    if entry.suffix == "c":
+        values = _slipping(printed, values)
     if one.kind == "formula":
         return _formula(one, printed, case, values)
     if one.kind == "rule":
@@ -202,10 +211,6 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
         return _law(one, entry, printed, case, values)
     statements = read(one.regions[0].tex)
     if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
-        if entry.suffix == "c":  # the closed radius is one of the force that the outer radius belongs to
-            force = case_at(printed.base["F"], values).expr
-            values[nt.F] = evaluate(force, values, DIGITS + 15)
-            values[nt.F_x] = values[nt.F] * values[nt.mu].p / values[nt.mu].q * 3 / 7
         _balance(entry, case, values)
         env = printed.environment(values)
         left, right = (member(env) for member in statements[0].members)

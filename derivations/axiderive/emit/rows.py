@@ -143,7 +143,7 @@ def row(entry: Entry) -> Row:
         plain = _normal_row(entry)
         compact = entry.profile.contact == "compact"
         return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
-    if system in ("plane", "loads", *BODIES.names):
+    if system in ("plane", "loads", "viscoelastic", *BODIES.names):
         return _root_or_formula(entry)
     if entry.profile.contact == "complete":
         return _formula(entry)

@@ -1,0 +1,115 @@
+"""What the page of one profile shows: the rows of all its problems, each with its evidence and its call in Python."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...contact.systems import Problem
+from ...entry import Entry
+from ..blocks import TITLES, ending, ending_of, rows_of
+from ..calls import Signatures, called, imported, signatures
+from ..prose import prose
+from ..rows import Row
+from ..spread import problems_of
+from .figures import figures
+from .sketch import sketch
+from .words import formula
+
+Derived = Mapping[str, Mapping[str, Entry]]
+Evidence = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """One entry: the end of its key, what is known about it in short and in full, the lines of Python that call it."""
+
+    suffix: str
+    certified: bool
+    short: str
+    evidence: list[str]
+    python: str
+
+
+@dataclass(frozen=True)
+class WebRow:
+    """A row of the book with everything the page knows about the entries it prints."""
+
+    label: str
+    small: str
+    regions: list[tuple[Any, Any]]
+    """Formula and condition, ready for KaTeX."""
+    remark: str
+    uses: str
+    note: str
+    entries: list[Formula]
+
+
+@dataclass(frozen=True)
+class Section:
+    """The rows of one problem, or the words in place of them."""
+
+    anchor: str
+    title: str
+    note: str
+    rows: list[WebRow]
+    words: str = ""
+
+
+@dataclass(frozen=True)
+class Known:
+    """What the rows of one problem are completed with."""
+
+    problem: Problem
+    records: Evidence
+    agreed: Mapping[str, Any]
+    """Digits and points by the end of the key."""
+    functions: Signatures
+
+    def formula(self, entry: Entry) -> Formula:
+        suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
+        python = f"{imported(self.problem)}\n\n{called(self.problem, entry, self.functions)}"
+        certified = bool(record.get("certified"))
+        if suffix not in self.agreed:
+            return Formula(suffix, certified, "not verified in this edition", [], python)
+        short, agreed = "certified" if certified else "no exact certificate", self.agreed[suffix]
+        if agreed["digits"] != "--":
+            short += f"; {agreed['digits']} digits at {agreed['count']} points"
+        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python)
+
+    def row(self, one: Row) -> WebRow:
+        label, small = one.label
+        return WebRow(
+            label,
+            small,
+            [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
+            one.remark,
+            one.uses and ending_of(one.uses, one.entry, self.problem.profile_id),
+            prose(one.entry.note),
+            [self.formula(entry) for entry in (one.entry, *one.also)],
+        )
+
+
+def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
+    """The model of the printed spread, with the rows the web page shows in place of its blocks."""
+    agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
+    problems = {problem.system.name: problem for problem in problems_of(model["name"])}
+    sections = []
+    for name, block in model["blocks"].items():
+        anchor = f"about.{name}"
+        if block["words"]:
+            sections.append(Section(anchor, block["title"], "", [], block["words"]))
+            continue
+        problem, (title, note) = problems[name], TITLES[name]
+        records = evidence.get(problem.key, {}).get("entries", {})
+        known = Known(problem, records, agreed, signatures(modules[problem.module]))
+        rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
+        sections.append(Section(anchor, title, note, [known.row(one) for one in rows]))
+    picture = model["picture"]
+    return {
+        **model,
+        "sections": sections,
+        "sketch": sketch(picture, model) if picture else None,
+        "figures": figures(model),
+    }

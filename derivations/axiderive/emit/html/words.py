@@ -1,0 +1,88 @@
+r"""The LaTeX of running text as HTML: formulas for KaTeX, references as links, the few macros of the book by name.
+
+Formulas stay as they are printed.  A macro that has no words here is an error,
+so that no backslash ever reaches a reader.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from html import escape
+
+from markupsafe import Markup
+
+Link = Callable[[str, str], Markup]
+"""Label of the book (`sec:cone`, `eq:cone.p`, `part:laws`, `ref:Hertz1882`) and words, as a link or the bare words."""
+
+_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
+_TOKEN = re.compile(
+    rf"""(?P<formula>(?<!\\)\$(?P<tex>(?:[^$\\]|\\.)+)\$)
+    |\\hyperref\[(?P<label>[^\]]*)\]{_GROUP.replace("(", "(?P<linked>", 1)}
+    |\\own\{{(?P<own>[^}}]*)\}}
+    |\\eqr\{{(?P<equation>[^}}]*)\}}
+    |\\pageref\{{part:(?P<part>\w+)\}}
+    |\\textcolor\{{note\}}{_GROUP.replace("(", "(?P<aside>", 1)}
+    |\\rule(?:\[[^\]]*\])?\{{[^}}]*\}}\{{[^}}]*\}}
+    |(?P<macro>\\(?:[a-zA-Z]+(?:\{{\}}|\\?[ ])?|.))
+    |(?P<dash>---?)
+    |(?P<tie>~)
+    |(?P<plain>[^\\$~-]+|.)""",
+    re.VERBOSE | re.DOTALL,
+)
+_MACROS = {
+    r"\,": "\N{THIN SPACE}", r"\ ": " ", r"\enspace": " ", r"\quad": " ", r"\newline": Markup("<br>"),
+    r"\ok": "\N{CHECK MARK}", r"\ss": "ß", r"\textmu": "µ", r"\dots": "…",
+    r"\textasciitilde": "~", r"\textasciicircum": "^", r"\&": "&", r"\%": "%", r"\#": "#", r"\_": "_", r"\$": "$",
+    r"\{": "{", r"\}": "}",
+}  # fmt: skip
+_DASHES = {"--": "–", "---": "—"}
+
+
+def formula(tex: str, display: bool = False) -> Markup:
+    """A formula for KaTeX; without JavaScript its LaTeX is read."""
+    tex = tex.replace(r"\begin{aligned}[t]", r"\begin{aligned}").strip()
+    display = display or tex.startswith(r"\displaystyle")
+    mode = " data-display" if display else ""
+    return Markup(f'<span class="tex"{mode}>{escape(tex.removeprefix(chr(92) + "displaystyle").strip())}</span>')
+
+
+def words(text: str, link: Link) -> Markup:
+    """Running text of the page model as HTML."""
+    return Markup("").join(_pieces(text, link))
+
+
+def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
+    for match in _TOKEN.finditer(text):
+        found = match.groupdict()
+        if found["tex"]:
+            yield formula(found["tex"])
+        elif found["label"]:
+            yield link(found["label"], found["linked"])
+        elif found["own"]:
+            yield link(f"own:{found['own']}", f".{found['own']}")
+        elif found["equation"]:
+            yield link(f"eq:{found['equation']}", found["equation"])
+        elif found["part"]:
+            yield link(f"part:{found['part']}", found["part"])
+        elif found["aside"]:
+            yield Markup('<span class="note">{}</span>').format(words(found["aside"], link))
+        elif found["macro"]:
+            yield _macro(found["macro"], text)
+        elif found["dash"]:
+            yield _DASHES[found["dash"]]
+        elif found["tie"]:
+            yield "\N{NO-BREAK SPACE}"
+        elif found["plain"]:
+            yield found["plain"]
+
+
+def _macro(macro: str, text: str) -> Markup | str:
+    name = macro.removesuffix("{}")
+    # a backslash blank behind the name is a blank, a blank alone only ends the name
+    name, blank = (name[:-2], " ") if name.endswith("\\ ") and name != "\\ " else (name, "")
+    name = name.rstrip() or name
+    if name not in _MACROS:
+        message = f"{name} in {text!r} has no words in HTML; add it to emit.html.words"
+        raise ValueError(message)
+    return _MACROS[name] + blank

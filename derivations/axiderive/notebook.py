@@ -1,0 +1,27 @@
+"""Entries in Jupyter: after `%load_ext axiderive.notebook` an entry shows its formula as the handbook prints it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .emit.rows import row
+from .entry import Entry
+
+
+def markdown(entry: Entry) -> str:
+    """Key, label and formula of an entry, its ranges line by line, for Markdown with LaTeX."""
+    lines = [f"`{entry.key}` {entry.quantity.label}"]
+    found = row(entry)
+    for region in found.regions:
+        formula = region.tex.replace(r"\begin{aligned}[t]", r"\begin{aligned}")
+        where = rf"\qquad {region.condition}" if region.condition else ""
+        lines.append(rf"$\displaystyle {formula}{where}$")
+    if found.remark:
+        behind = f" `{entry.key.removesuffix(entry.suffix)}{found.uses}`" if found.uses else ""
+        lines.append(found.remark + behind)
+    return "\n\n".join(lines)
+
+
+def load_ipython_extension(shell: Any) -> None:
+    """What `%load_ext` calls: the representation is registered from here, so that an entry knows nothing of print."""
+    shell.display_formatter.formatters["text/markdown"].for_type(Entry, markdown)

@@ -1,0 +1,300 @@
+"""The web edition: complete, closed in itself, small, and rendered without an error by a browser."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from html import unescape
+from html.parser import HTMLParser
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from markupsafe import Markup
+
+from axiderive import notebook
+from axiderive.contact.systems import problems
+from axiderive.emit.blocks import rows_of
+from axiderive.emit.html import html_sources
+from axiderive.emit.html.drawing import Scale, pairs
+from axiderive.emit.html.words import words
+from axiderive.emit.modules import package_sources
+from axiderive.entry import Entry
+
+SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
+"""Profiles that bring every kind of row, one of them in complete contact."""
+LARGEST = 1_000_000
+"""Bytes of a page."""
+EVIDENCE = {
+    "certified": True,
+    "summary": "certified; mpmath quadrature of the defining integral: passed, 50 digits at 24 points",
+    "checks": [
+        {"compared": "mpmath quadrature", "outcome": "passed", "digits": 50, "count": 24, "worst": "2.7e-51"},
+    ],
+}
+CHAPTER = {
+    "rows": [
+        {"name": "11.66", "title": "rule_of <Hess> & k = 0", "verdict": "misprint", "digits": 30, "residual": "1e-31"}
+    ],
+    "errata": [
+        {"place": "(11.66)", "printed": "dl = a^(1-k) < b", "right": "dl", "reason": "100 % of it", "evidence": ""}
+    ],
+    "steps": [{"equations": "(11.2)", "claim": "the integral -> the potential", "holds": True}],
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def derived() -> dict[str, dict[str, Entry]]:
+    return {problem.key: problem.derive() for problem in problems(SAMPLE)}
+
+
+@pytest.fixture(scope="module")
+def modules(derived: dict[str, dict[str, Entry]]) -> dict[str, str]:
+    return package_sources(derived)
+
+
+@pytest.fixture(scope="module")
+def site(derived: dict[str, dict[str, Entry]], modules: dict[str, str]) -> dict[str, str]:
+    return html_sources(derived, {"cone": {"entries": {"p": EVIDENCE}}}, CHAPTER, modules=modules)
+
+
+class Page(HTMLParser):
+    """The ids, the addresses and the formulas of a page, and what stands in each element with an id."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.ids: list[str] = []
+        self.addresses: list[str] = []
+        self.formulas: list[str] = []
+        self._formula = False
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        known = dict(attributes)
+        self.ids += [known["id"] or ""] if "id" in known else []
+        self.addresses += [known[name] or "" for name in ("href", "src", "action") if name in known]
+        self._formula = known.get("class") == "tex"
+        if self._formula:
+            self.formulas.append("")
+
+    def handle_data(self, data: str) -> None:
+        if self._formula:
+            self.formulas[-1] += data
+
+    def handle_endtag(self, tag: str) -> None:
+        self._formula = False
+
+
+@pytest.fixture(scope="module")
+def pages(site: dict[str, str]) -> dict[str, Page]:
+    return {path: Page(text) for path, text in site.items() if path.endswith(".html")}
+
+
+def test_every_formula_of_every_entry_is_on_the_page_of_its_profile(
+    pages: dict[str, Page], derived: dict[str, dict[str, Entry]]
+) -> None:
+    """As it is printed and read back, also where the book refers to a rule in front."""
+    for problem in problems(SAMPLE):
+        page = pages[f"{problem.profile_id}.html"]
+        for entry in derived[problem.key].values():
+            assert page.ids.count(entry.key.removeprefix(f"{problem.profile_id}.")) == 1, entry.key
+        for one in rows_of(problem.system, derived[problem.key], derived, problem.name):
+            for region in one.regions:
+                assert region.tex.replace(r"\begin{aligned}[t]", r"\begin{aligned}") in page.formulas, one.key
+                assert not region.condition or region.condition in page.formulas, one.key
+
+
+def test_links_resolve_and_nothing_is_fetched_from_outside(site: dict[str, str], pages: dict[str, Page]) -> None:
+    for path, page in pages.items():
+        assert len(set(page.ids)) == len(page.ids), path
+        for address in page.addresses:
+            if address == "data:,":
+                continue
+            target, _, fragment = address.partition("#")
+            assert (target or path) in site, f"{path}: {address}"
+            assert not fragment or fragment in pages[target or path].ids, f"{path}: {address}"
+    styles = "".join(text for path, text in site.items() if path.endswith(".css"))
+    assert {address[:5] for address in re.findall(r"url\(([^)]*)\)", styles)} == {"data:"}
+    assert not re.search(r"fetch|XMLHttpRequest|import\(|https?:", site["assets/site.js"])
+
+
+def test_no_latex_is_left_in_the_words(pages: dict[str, Page], site: dict[str, str]) -> None:
+    for path in pages:
+        text = re.sub(r'<span class="tex"[^>]*>[^<]*</span>|<pre>[^<]*</pre>', "", site[path])
+        assert "\\" not in text, re.findall(r".{30}\\.{30}", text)
+
+
+def test_pages_are_small(pages: dict[str, Page], site: dict[str, str]) -> None:
+    assert max(len(site[path].encode()) for path in pages) < LARGEST
+
+
+def test_the_search_index_has_every_key(site: dict[str, str], derived: dict[str, dict[str, Entry]]) -> None:
+    record = json.loads(site["assets/keys.js"].removeprefix("window.axicontact = ").rstrip(";\n"))
+    keys = [row[0] for row in record["keys"]]
+    assert sorted(keys) == sorted(entry.key for entries in derived.values() for entry in entries.values())
+    assert all(key.startswith(f"{profile}.") and profile in record["profiles"] for key, profile, *_ in record["keys"])
+
+
+def test_evidence_is_shown_and_missing_evidence_is_said_to_be_missing(site: dict[str, str]) -> None:
+    text = site["cone.html"]
+    row = text[text.index('id="p"') : text.index("</article>", text.index('id="p"'))]
+    assert "certified; 50 digits at 24 points" in row
+    assert "50 digits at 24 points" in row
+    other = text[text.index('id="w"') : text.index("</article>", text.index('id="w"'))]
+    assert "not verified in this edition" in other
+    assert "certified" not in other
+
+
+def test_the_calls_are_calls_of_the_generated_functions(
+    site: dict[str, str], modules: dict[str, str], derived: dict[str, dict[str, Entry]], tmp_path: Path
+) -> None:
+    """Every line of Python on a page runs, in the generated package, up to the names it leaves open."""
+    for path, text in modules.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    lines = []
+    for path in (f"{name}.html" for name in SAMPLE):
+        for block in re.findall(r"<pre>(.*?)</pre>", site[path], re.DOTALL):
+            start, call = unescape(block).split("\n\n")
+            name = call.partition("(")[0]
+            # binds the arguments without computing anything
+            lines.append(f"{start}\ninspect.signature({name}).bind({call.partition('(')[2][:-1]})")
+    names = sorted({node.id for line in lines for node in ast.walk(ast.parse(line)) if isinstance(node, ast.Name)})
+    given = "".join(f"{name} = 1.0\n" for name in names if name != "inspect")
+    program = tmp_path / "calls.py"
+    program.write_text(f"import inspect\n{given}" + "\n".join(lines))
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    subprocess.run([sys.executable, str(program)], env=environment, check=True, timeout=60)
+    assert len(lines) == sum(map(len, derived.values()))
+
+
+def test_the_key_says_under_which_control_a_contact_is_pulled_off(site: dict[str, str]) -> None:
+    text = unescape(site["cone.html"])
+    assert "cone.pull_off('force', " in text[text.index('id="adh.Fc"') : text.index('id="adh.dc"')]
+    assert "cone.pull_off('depth', " in text[text.index('id="adh.Fm"') : text.index('id="adh.dm"')]
+
+
+def _link(label: str, text: str) -> Markup:
+    return Markup("[{}|{}]").format(label, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("a < b & c", "a &lt; b &amp; c"),
+        (r"Heß \& Willert -- 100 \%", "Heß &amp; Willert – 100 %"),
+        (r"for $a<b$, \own{ad}", 'for <span class="tex">a&lt;b</span>, [own:ad|.ad]'),
+        (r"$b\to 0$ \hyperref[sec:cone]{cone}", r'<span class="tex">b\to 0</span> [sec:cone|cone]'),
+        (r"on page \pageref{part:laws}", "on page [part:laws|laws]"),
+        (r"He\ss\ \textcolor{note}{$\int$3}", r'Heß <span class="note"><span class="tex">\int</span>3</span>'),
+        (r"0.270\,723", "0.270\N{THIN SPACE}723"),
+        (r"$\displaystyle x$", '<span class="tex" data-display>x</span>'),
+        (r"\rule[-2mm]{0pt}{6mm}a,\newline b", "a,<br>b"),
+    ],
+)
+def test_words(text: str, wanted: str) -> None:
+    assert words(text, _link) == wanted
+
+
+def test_a_macro_without_words_is_an_error() -> None:
+    with pytest.raises(ValueError, match=r"\\hfill in .* has no words in HTML"):
+        words(r"left \hfill right", _link)
+
+
+def test_figures_keep_the_coordinates() -> None:
+    """A point of a plot is where the axes say it is, and y points up."""
+    scale = Scale(46, 228, 346, 200 / 3.2)
+    assert pairs("(0,1.5) (0.5,-2e-3)") == [(0.0, 1.5), (0.5, -0.002)]
+    assert scale.points([(0, 0), (1, 3.2), (0.5, 1.6)]) == "46,228 392,28 219,128"
+
+
+def test_an_entry_shows_itself_in_a_notebook(derived: dict[str, dict[str, Entry]]) -> None:
+    """By the way an IPython extension registers, for entries of every kind."""
+    registered: dict[type, Any] = {}
+    formatter = SimpleNamespace(for_type=registered.__setitem__)
+    shell = SimpleNamespace(display_formatter=SimpleNamespace(formatters={"text/markdown": formatter}))
+    notebook.load_ipython_extension(shell)
+    shown = {e.key: registered[type(e)](e) for entries in derived.values() for e in entries.values()}
+    assert (
+        shown["cone.d"] == "`cone.d` Indentation depth\n\n" + r"$\displaystyle d=g(a)=\tfrac{\pi}{2} \, a \tan \theta$"
+    )
+    assert shown["rounded_punch.Fd"].endswith("with $a$ from `rounded_punch.ad`")
+    assert shown["rounded_punch.p"].count(r"$\displaystyle") == 2
+    assert all(text.count("$") % 2 == 0 for text in shown.values())
+
+
+BROWSER = next((name for name in ("chromium", "chromium-headless-shell", "google-chrome") if shutil.which(name)), None)
+HARNESS = """<!doctype html><meta charset="utf-8"><body>{frames}<pre id="report"></pre><script>
+addEventListener("load", () => {{
+  const report = [...document.querySelectorAll("iframe")].map((frame) => {{
+    const page = frame.contentDocument, row = page.querySelector(".row");
+    return {{
+      page: frame.getAttribute("src"),
+      formulas: page.querySelectorAll(".tex").length,
+      rendered: page.querySelectorAll(".tex > .katex, .tex > .katex-display").length,
+      failed: [...page.querySelectorAll(".failed, .katex-error")].map((place) => place.textContent),
+      overflow: page.documentElement.scrollWidth - page.documentElement.clientWidth,
+      hits: [...page.querySelectorAll("#found .hit")].map((hit) => hit.getAttribute("href")),
+      latex: row && row.querySelector("button") ? frame.contentWindow.copied(row, "latex") : "",
+      python: row && row.querySelector("button") ? frame.contentWindow.copied(row, "python") : "",
+      font: getComputedStyle(page.body).fontFamily && page.fonts.check("16px KaTeX_Main"),
+    }};
+  }});
+  document.getElementById("report").textContent = JSON.stringify(report);
+}});
+</script>"""
+PHONE = 360
+"""Width in pixels of a small telephone."""
+
+
+def rendered(site: dict[str, str], folder: Path, addresses: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
+    """What a browser makes of the pages, and what it says on its console."""
+    for path, text in site.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
+    frames = "".join(f'<iframe width="{PHONE}" height="700" src="{address}"></iframe>' for address in addresses)
+    (folder / "harness.html").write_text(HARNESS.format(frames=frames), encoding="utf-8")
+    command = [
+        str(BROWSER), "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+        "--allow-file-access-from-files", "--enable-logging=stderr", f"--user-data-dir={folder / 'browser'}",
+        "--dump-dom", (folder / "harness.html").as_uri(),
+    ]  # fmt: skip
+    environment = {**os.environ, "HOME": str(folder)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=180)
+    report = re.search(r'<pre id="report">(.*?)</pre>', done.stdout, re.DOTALL)
+    assert report is not None and report[1], done.stderr[-2000:]
+    return json.loads(unescape(report[1])), [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium: apt-get install chromium")
+def test_a_browser_renders_every_formula(site: dict[str, str], pages: dict[str, Page], tmp_path: Path) -> None:
+    searched = {"index.html?q=cone.adh.Fc": "cone.html#adh.Fc", "cone.html?q=pressure+wedge": "plane.wedge.html#p"}
+    reports, console = rendered(site, tmp_path, [*pages, *searched])
+    assert console == []
+    for report in reports:
+        assert report["failed"] == [], report["page"]
+        assert report["rendered"] == report["formulas"] > 0, report["page"]
+        assert report["overflow"] <= 0, report["page"]
+    found = {report["page"]: report for report in reports}
+    for address, hit in searched.items():
+        assert found[address]["hits"][0] == hit
+    assert found["index.html"]["hits"] == []
+    assert found["cone.html"]["latex"] == r"d=g(a)=\tfrac{\pi}{2} \, a \tan \theta"
+    assert found["cone.html"]["python"] == "from axicontact.normal import cone\n\ncone.depth(a, theta=theta)"
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium: apt-get install chromium")
+def test_the_browser_sees_a_broken_formula(site: dict[str, str], tmp_path: Path) -> None:
+    """What the test above relies on: a macro KaTeX does not know is shown as failed and said on the console."""
+    broken = site["loads.power.html"].replace(r"\frac", r"\fracc", 1)
+    assets = {path: text for path, text in site.items() if path.startswith("assets/")}
+    (report,), console = rendered(assets | {"page.html": broken}, tmp_path, ["page.html"])
+    assert len(report["failed"]) == 1
+    assert report["rendered"] == report["formulas"] - 1
+    assert any("fracc" in line for line in console)
