@@ -23,8 +23,6 @@ from .code import python
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
 
-GRADED = 128
-
 
 def library_source(profile: Profile, count: int, exponents: tuple[float, float]) -> str:
     """The functions as text, for the linker.
@@ -144,7 +142,7 @@ class _General:
             if layer.start == 0:
                 text = f"pressure_integral({growth.growth('t')}, r, a, {self.count})"
             else:
-                text = f"pressure_integral_beyond({growth.growth('t', 'root')}, r, a, {layer.start}, {GRADED})"
+                text = f"pressure_integral_beyond({growth.with_parameters()}, r, a, {layer.start})"
             lines.append(f"pressed = {'pressed + ' if i else ''}{text}")
         for layer in self.layers:
             if layer.kink != 0:

@@ -159,7 +159,7 @@ def _pull_off(linker: Linker, own: PullOff) -> str:
     )  # fmt: skip
 
 
-COUNTS = (16, 32, 64, 128)
+COUNTS = (16, 24, 32, 64, 128)
 
 
 def _counts(linker: Linker) -> list[int]:

@@ -16,6 +16,7 @@ from ..emit import physics, python
 from ..emit.graded import normal as graded_normal
 from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
 from ..emit.imports import RUNTIME
+from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential
 from ..emit.physics.text import NormalModule
@@ -23,6 +24,7 @@ from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
 from ..records import read_entry
+from .grouping import rules, ungrouped
 from .library import Module
 from .module import COUNTS
 
@@ -32,9 +34,26 @@ OWN = Path(__file__).with_name("runtime")
 @cache
 def runtime() -> dict[str, Module]:
     paths = [p for folder in (RUNTIME, physics.RUNTIME, GRADED_RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
-    return {path.stem: Module(path.stem, path.read_text()) for path in paths} | {
-        "_nodes": Module("_nodes", nodes_source(COUNTS))
-    }
+    texts = {path.stem: path.read_text() for path in paths}
+    texts |= {"_nodes": nodes_source(COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
+    return {name: _module(name, text) for name, text in texts.items()}
+
+
+@cache
+def _rules() -> dict[str, int]:
+    return rules((RUNTIME / "_integrals.py").read_text())
+
+
+def _module(name: str, text: str) -> Module:
+    return Module(name, ungrouped(text, _rules()))
+
+
+def stored(path: str) -> str | None:
+    """A file of the package in the catalogue, if there is one."""
+    try:
+        return (load().folder / path).read_text()
+    except (NoCatalogueError, OSError):
+        return None
 
 
 def stored_entries(profile: Profile) -> dict[str, Entry]:
@@ -57,10 +76,7 @@ def evidence(name: str) -> dict[str, Any] | None:
 
 def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
     """The text of the normal module of a profile of the catalogue."""
-    try:
-        return (load().folder / "normal" / f"{name}.py").read_text()
-    except (NoCatalogueError, OSError):
-        return python.module_source(entries)
+    return stored(f"normal/{name}.py") or python.module_source(entries)
 
 
 def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> dict[str, Module]:
@@ -75,15 +91,15 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     wanted : str
         Name of the physics.
     """
-    modules = {**runtime(), f"normal.{profile.name}": Module(f"normal.{profile.name}", normal)}
+    modules = {**runtime(), f"normal.{profile.name}": _module(f"normal.{profile.name}", normal)}
     if wanted == "normal":
         return modules
     if wanted == "graded":
         key = f"graded.{profile.name}"
-        return {**modules, key: Module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
+        return {**modules, key: _module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
     write, above = {
         "adhesive": (adhesive.module_source, stuck.derive),
         "tangential": (tangential.module_source, slipping.derive),
     }[wanted]
-    return {**modules, key: Module(key, write(own, above(profile)))}
+    return {**modules, key: _module(key, write(own, above(profile)))}
