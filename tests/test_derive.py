@@ -151,7 +151,7 @@ def test_the_written_test_runs_with_plain_python(tmp_path: Path, capsys):
     assert done.stdout == "False False\n"
     lines = (tmp_path / "own_profile.py").read_text().splitlines()
     assert [line for line in lines if line.startswith(("import", "from"))] == [
-        "from functools import wraps",
+        "from functools import partial, wraps",
         "import numpy as np",
     ]
 

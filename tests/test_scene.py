@@ -59,12 +59,12 @@ def test_the_folder_holds_module_test_page_evidence_scene_and_manifest(needle):
 
 def test_the_module_is_short_and_needs_numpy_alone(needle):
     source = (needle / "needle_on_gel.py").read_text()
-    code = [line for line in source.splitlines() if line.strip()]
-    assert len(code) <= 110
+    assert len(source.splitlines()) <= 112
+    assert len([line for line in source.splitlines() if line.strip()]) <= 85
     tree = ast.parse(source)
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     imported |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
-    assert imported == {"functools", "typing", "numpy"}
+    assert imported == {"collections", "functools", "numpy"}
     assert max(map(len, source.splitlines())) <= 140
 
 

@@ -148,8 +148,9 @@ class _Composition:
         force, depth = (
             f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
         )
-        keywords = self._keywords([*self.parameters, "E_star", "dgamma"])
-        return PullOff((key, "_pull_off_radius"), (key, force), (key, depth), PULL_OFF_DOC, keywords)
+        parameters = (*self.parameters, "E_star", "dgamma")
+        radius = (key, "_pull_off_radius")
+        return PullOff(radius, (key, force), (key, depth), PULL_OFF_DOC, parameters, self._keywords(parameters))
 
     def _head(self) -> str:
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
@@ -160,11 +161,13 @@ class _Composition:
         lines = [
             f"{title}.",
             "",
-            *_wrapped(f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians."),
+            *_wrapped(
+                f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians. "
+                f"Written by axicontact {__version__}."
+            ),
         ]
         if self.answer is not None:
             lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
-        lines.append(f"Written by axicontact {__version__}.")
         return "\n".join(lines) + "\n"
 
     # evidence

@@ -28,15 +28,20 @@ from .grouping import rules, ungrouped
 from .library import Module
 from .module import COUNTS
 
+FOLDERS = (RUNTIME, physics.RUNTIME, GRADED_RUNTIME)
 OWN = Path(__file__).with_name("runtime")
+"""New modules, and definitions in place of others of the same name."""
 
 
 @cache
 def runtime() -> dict[str, Module]:
-    paths = [p for folder in (RUNTIME, physics.RUNTIME, GRADED_RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
-    texts = {path.stem: path.read_text() for path in paths}
+    texts = {path.stem: path.read_text() for folder in FOLDERS for path in sorted(folder.glob("*.py"))}
     texts |= {"_nodes": nodes_source(COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
-    return {name: _module(name, text) for name, text in texts.items()}
+    modules = {name: _module(name, text) for name, text in texts.items()}
+    for path in sorted(OWN.glob("*.py")):
+        own = _module(path.stem, path.read_text())
+        modules.setdefault(path.stem, own).definitions.update(own.definitions)
+    return modules
 
 
 @cache
