@@ -107,4 +107,4 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         "adhesive": (adhesive.module_source, stuck.derive),
         "tangential": (tangential.module_source, slipping.derive),
     }[wanted]
-    return {**modules, key: _module(key, write(own, above(profile)))}
+    return {**modules, key: _module(key, write(own, above(profile, plain=entries), interface=False))}
