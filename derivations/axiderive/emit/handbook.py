@@ -56,7 +56,7 @@ def profile_source(
     `derived` and `evidence` need to hold the problems of this profile only.
     """
     model = spread.model(profile_id, derived, evidence, number)
-    text = _environment().get_template("profile.tex.j2").render(model)
+    text = templates().get_template("profile.tex.j2").render(model)
     return f"profiles/{profile_id}.tex", text, {key: model[key] for key in SUMMARISED}
 
 
@@ -66,7 +66,7 @@ SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_r
 
 def book_sources(summaries: Sequence[Summary], chapter11: Mapping[str, Any] | None = None) -> dict[str, str]:
     """The main file and its preamble, from the summaries of the profiles in their order."""
-    environment = _environment()
+    environment = templates()
     model = book.model(summaries, chapter11)
     return {
         "preamble.tex": environment.get_template("preamble.tex.j2").render(version=__version__),
@@ -92,7 +92,7 @@ def _chapter(profile_id: str) -> int:
     return int(profile_id in COMPLETE_NAMES)
 
 
-def _environment() -> jinja2.Environment:
+def templates() -> jinja2.Environment:
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("axiderive.emit"),
         block_start_string=r"\BLOCK{",

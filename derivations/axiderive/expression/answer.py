@@ -51,7 +51,7 @@ class Answer:
     profile: Profile
     entries: dict[str, Entry]
     closed: bool
-    """Whether the profile is in the normal form; else every quantity is a regular integral."""
+    """Whether the profile is in the normal form; else every quantity is a regular integral, p one over g'."""
     certificates: dict[str, Certificate]
     validity: Validity
     comparisons: tuple[Comparison, ...]
@@ -71,7 +71,10 @@ class Answer:
         if entry.status == "closed":
             proof = self.certificates.get(suffix)
             return "closed, certified" if proof and proof.proved else "closed, not certified"
-        return "one regular integral" if entry.status == "integral" else "solved by iteration"
+        if entry.status != "integral":
+            return "solved by iteration"
+        nested = any(i.function.has(sp.Integral) for c in entry.cases for i in c.expr.atoms(sp.Integral))
+        return "one regular integral over g'(t), itself an integral" if nested else "one regular integral"
 
 
 def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = None, k: sp.Expr = sp.S.Zero) -> Answer:

@@ -86,7 +86,7 @@ class _Composition:
             files[self.request.module] = text.encode()
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
-        if {"tex", "pdf"} & set(self.request.formats) and (self.answer is None or self.answer.closed):
+        if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(
                 _plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None
             )
@@ -225,7 +225,8 @@ class _Composition:
         lines = []
         if self.answer is not None and not self.answer.closed:
             lines.append(
-                "outside the normal form: each quantity is one regular integral, evaluated by a generated rule"
+                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an integral; "
+                "evaluated by generated rules"
             )
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
