@@ -34,7 +34,8 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     if exponent != 0:
         return [*lines, "written   nothing: modules are emitted for the homogeneous half space, --k 0, only"], None
     from ..scene import interface
-    from ..scene.compose import Request, composed
+    from ..scene.compose import composed
+    from ..scene.request import Request
 
     names = list(interface.functions("normal"))
     request = Request(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -13,35 +13,19 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..emit.symbols import bounds
-from ..entry import Entry
 from ..expression.answer import DIGITS, Answer, answered
-from ..expression.profile import OwnProfile
-from ..profiles.profile import Profile
 from . import interface, sources
-from .check import MATERIAL, Value, check_values, measured
+from .check import Value, check_values
+from .contact import MATERIAL, Contact, worked
 from .linking import Wanted
+from .measured import measured
 from .module import Constant, PullOff, module_text
 from .page import page_sources
+from .request import Request
 from .written import test_text
 
 OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
-
-
-@dataclass(frozen=True)
-class Request:
-    """What is to be composed."""
-
-    title: str
-    module: str
-    profile: Profile | None
-    own: OwnProfile | None
-    physics: str
-    quantities: Sequence[str]
-    values: Mapping[str, float] = field(default_factory=dict)
-    formats: Sequence[str] = ("python", "tex", "json")
-    scene: str = ""
-    """Text of the scene, copied into the folder."""
 
 
 @dataclass(frozen=True)
@@ -168,6 +152,8 @@ class _Composition:
         ]
         if self.answer is not None:
             lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
+        if self.request.at is not None:
+            lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
         return "\n".join(lines) + "\n"
 
     # evidence
@@ -265,6 +251,3 @@ def _wrapped(text: str) -> list[str]:
     import textwrap
 
     return textwrap.wrap(text, 110)
-
-
-__all__ = ["Entry", "Request", "Result", "composed", "manifest"]
