@@ -158,9 +158,11 @@ class Compact:
     def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Private:
         scale = python(HOMOGENEOUS.force_scale)
         if "tip" not in forms:
-            slope = self.slopes["beyond"][0]
-            value = f"{scale} * force_integral_beyond({slope.with_parameters()}, a, {self.b}{self._width()})"
-            return self._limited("force", [f"return {value}"], {*slope.needs, "E_star", str(self.b)})
+            message = (
+                f"{self.profile.name}: its force beyond the flat face is a difference that loses digits; "
+                "emit it by emit.general.library_source, whose rules do not"
+            )
+            raise ValueError(message)
         tip, radius = forms["tip"], "a" if self.b is None else "inner"
         needs = self.functions.needs(tip, ("a",)) | {"E_star"}
         lines = [] if self.b is None else [f"inner = np.minimum(a, {self.b})"]

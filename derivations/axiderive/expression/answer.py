@@ -56,7 +56,7 @@ class Answer:
     validity: Validity
     comparisons: tuple[Comparison, ...]
     module: str
-    """Private functions as text for the linker; empty if nothing is emitted for this medium."""
+    """Private functions of the normal contact on the homogeneous half space as text, for the linker."""
     values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
     """Exponent of the graded half space; the entries hold for any."""
@@ -98,7 +98,8 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     profile, entries, closed = _derived(profile, medium)
     certificates = certify_profile(profile, dict(entries)) if closed else {}
     compared = () if k != 0 else _compared(profile, entries, known)
-    module = "" if k != 0 else _module(profile, entries, closed=closed, validity=validity, known=known)
+    plain = entries if k == 0 else normal.derive(profile)
+    module = _module(profile, plain, closed=closed, validity=validity, known=known)
     return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
 
 

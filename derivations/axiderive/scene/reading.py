@@ -16,6 +16,7 @@ from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
 from . import interface, wishes
 from .medium import medium_values
+from .sources import graded_refusal
 from .text import SceneText, near
 from .units import UnitError, kind_of, value_of
 
@@ -174,10 +175,11 @@ def _physics(text: SceneText, scene: Scene) -> None:
         text.problem("physics", chosen[0], message)
     scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
     profile = scene.profile
-    if graded and profile is not None and (profile.contact != "compact" or scene.own):
-        what = "an expression" if scene.own else f"{profile.name}, a complete contact,"
-        message = f'{what} on a graded half space cannot be emitted; the nearest is kind = "homogeneous"'
+    if graded and profile is not None and profile.contact != "compact":
+        message = f'{profile.name}, a complete contact, on a graded half space cannot be emitted; the nearest is kind = "homogeneous"'
         text.problem("medium", "kind", message)
+    elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
+        text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
     if profile is not None and profile.contact != "compact" and chosen:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
         text.problem("physics", chosen[0], message)

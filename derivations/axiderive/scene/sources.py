@@ -8,12 +8,14 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
 from ..contact import normal as plain
 from ..contact import tangential as slipping
 from ..contact.medium import GRADED
 from ..emit import physics, python
 from ..emit.graded import normal as graded_normal
+from ..emit.graded.families import family
 from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
 from ..emit.imports import RUNTIME
 from ..emit.kernels import kernels_source
@@ -82,6 +84,18 @@ def evidence(name: str) -> dict[str, Any] | None:
 def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
     """The text of the normal module of a profile of the catalogue."""
     return stored(f"normal/{name}.py") or python.module_source(entries)
+
+
+def graded_refusal(profile: Profile) -> str:
+    """Why no module of a profile is emitted for a graded half space; empty if one is."""
+    try:
+        family(profile)
+    except (NotReducibleError, AssertionError, ValueError):
+        return (
+            "the rules of the graded half space do not hold its pieces; "
+            "the nearest are sums of powers of r, with at most one break of straight or parabolic pieces"
+        )
+    return ""
 
 
 def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> dict[str, Module]:
