@@ -99,7 +99,8 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     certificates = certify_profile(profile, dict(entries)) if closed else {}
     compared = () if k != 0 else _compared(profile, entries, known)
     plain = entries if k == 0 else normal.derive(profile)
-    module = _module(profile, plain, closed=closed, validity=validity, known=known)
+    frozen = all(p in (values or {}) for p in profile.parameters)
+    module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
     return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
 
 
@@ -185,12 +186,15 @@ def _module(
     closed: bool,
     validity: Validity,
     known: Mapping[sp.Symbol, sp.Rational],
+    frozen: bool,
 ) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
     if closed and validity.exact and not profile.breaks and _plain(profile):
         return python.module_source(entries)
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
-    return library_source(profile, COUNT, numeric.exponents(validity.compact_to))
+    reach = validity.compact_to if frozen else None
+    floor = numeric.breaks[0] if profile.truncated else 0.0
+    return library_source(profile, COUNT, numeric.exponents(validity.compact_to), reach, floor)
 
 
 def _plain(profile: Profile) -> bool:

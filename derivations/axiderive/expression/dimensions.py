@@ -20,8 +20,9 @@ class _InconsistentError(Exception):
 
 def records(tree: sp.Expr, parameters: Sequence[sp.Symbol]) -> tuple[list[nt.Notation], bool]:
     """The notation of the parameters, and whether their dimensions are known."""
-    shared = SHARED if any(step(p) in tree.free_symbols for p in parameters) else SHARED - {"b"}
-    given = {p: nt.describe(p).dimension.length for p in parameters if p.name in shared}
+    # b is the radius of a break only where it is one
+    shared = [p for p in parameters if p.name in SHARED and (p.name != "b" or tree.has(step(p)))]
+    given = {p: nt.describe(p).dimension.length for p in shared}
     for known in (given, {}):
         try:
             lengths = _lengths(tree, parameters, known)

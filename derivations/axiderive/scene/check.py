@@ -82,21 +82,25 @@ def _at(contact: Contact, physics: str, name: str, a: float) -> Rows:
 def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
     """Normal contact, with or without adhesion."""
     E, pi, moved = mp.mpf(contact.all["E_star"]), mp.pi, contact.moved(a)
-    inside, outside = 0.45 * a, 1.6 * a
-    ball = mp.sqrt((mp.mpf(a) - inside) * (mp.mpf(a) + inside))
+    outside, places = 1.6 * a, [0.45 * a, *contact.between(a)]
+
+    def pulled(inside: float) -> Any:
+        return E * moved / (pi * mp.sqrt((mp.mpf(a) - inside) * (mp.mpf(a) + inside)))
+
     match name:
         case "profile":
-            return [((inside,), contact.height(inside))]
+            return [((inside,), contact.height(inside)) for inside in places]
         case "depth":
             return [((a,), contact.depth(a))]
         case "force":
             return [((a,), contact.force(a))]
         case "pressure":
-            return [((inside, a), contact.normal("p", a, inside) - E * moved / (pi * ball)), ((outside, a), mp.mpf(0))]
+            under = [((inside, a), contact.normal("p", a, inside) - pulled(inside)) for inside in places]
+            return [*under, ((outside, a), mp.mpf(0))]
         case "displacement":
             lift = 2 / pi * mp.asin(mp.mpf(a) / outside) * moved
-            under = contact.depth(a) - contact.height(inside)
-            return [((outside, a), contact.normal("w", a, outside) - lift), ((inside, a), under)]
+            under = [((inside, a), contact.depth(a) - contact.height(inside)) for inside in places]
+            return [((outside, a), contact.normal("w", a, outside) - lift), *under]
         case "stiffness":
             return [((a,), 2 * E * a)]
         case "mean_pressure":

@@ -13,10 +13,11 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..emit.symbols import bounds
+from ..exits import USAGE, CommandError
 from ..expression.answer import DIGITS, Answer, answered
 from . import interface, sources
 from .check import Value, check_values
-from .contact import MATERIAL, Contact, worked
+from .contact import Contact, values_of, worked
 from .linking import Wanted
 from .measured import measured
 from .module import Constant, PullOff, module_text
@@ -59,6 +60,18 @@ class _Composition:
             self.entries = sources.stored_entries(self.profile)
             self.normal = sources.stored_module(self.profile.name, self.entries)
         self.parameters = [p.name for p in self.profile.parameters]
+        self._require_reach()
+
+    def _require_reach(self) -> None:
+        """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
+        free = [p for p in self.parameters if p not in self.request.values]
+        wanted = sorted(interface.INVERSES & set(self.request.quantities))
+        if self.answer and self.answer.validity.compact_to is not None and free and wanted and self.request.physics == "normal":
+            message = (
+                f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
+                "freeze the parameters, or leave these functions out"
+            )
+            raise CommandError(message, USAGE)
 
     def result(self) -> Result:
         text = self._module()
@@ -85,8 +98,8 @@ class _Composition:
     def _free(self) -> dict[str, float]:
         """Values for the parameters that stay free, in the order of the interface."""
         names = self._keywords([*self.parameters, *interface.MATERIAL[self.request.physics]])
-        drawn = {p.name: float(v) for p, v in self.profile.sketch.values} | MATERIAL
-        return {name: drawn.get(name, 1.0) for name in names}
+        known, _ = values_of(self.profile, self.request)
+        return {name: known[name] for name in names}
 
     # the module
 

@@ -13,8 +13,10 @@ from .. import notation as nt
 from ..emit import example
 from ..entry import Entry
 from ..exits import FAILED, CommandError
+from ..expression import ExpressionError
 from ..expression.definition import Definition
 from ..expression.numeric import Numeric
+from ..expression.validity import examine
 from ..profiles.profile import Profile
 from . import interface
 
@@ -25,6 +27,34 @@ DIGITS = 20
 UNITS = {"a": "m", "d": "m", "F": "N"}
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25}
 """Material values where a scene leaves them free."""
+
+
+def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
+    """Values of all parameters, and the radius up to which the contact is compact.
+
+    Free parameters of an expression are all drawn as 1, where q and 1/q are the
+    same: here they differ, unless the profile is not compact then.
+    """
+    drawn = {p.name: float(v) for p, v in profile.sketch.values}
+    own = {p.name: request.values.get(p.name, drawn.get(p.name, 1.0)) for p in profile.parameters}
+    material = {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
+    if request.own is None:
+        return own | material, np.inf
+    free = [p.name for p in profile.parameters if p.name not in request.values]
+    moved = {
+        name: own[name] * (1.3 if name in map(str, profile.breaks) else 1.0 + 0.13 * (i + 1))
+        for i, name in enumerate(free)
+    }
+    try:
+        reach = _reach(profile, own | moved)
+    except ExpressionError:
+        moved, reach = {}, _reach(profile, own)
+    return own | moved | material, reach
+
+
+def _reach(profile: Profile, values: Mapping[str, float]) -> float:
+    found = examine(profile, {p: values[p.name] for p in profile.parameters}).compact_to
+    return np.inf if found is None else found
 
 
 def worked(contact: Contact) -> str:
@@ -42,9 +72,7 @@ class Contact:
 
     def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
         self.profile, self.entries, self.request = profile, entries, request
-        drawn = dict(profile.sketch.values)
-        self.all = {p.name: request.values.get(p.name, float(drawn.get(p, 1.0))) for p in profile.parameters}
-        self.all |= {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
+        self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[p.name]) for p in profile.parameters}
         self.compact = profile.contact == "compact"
         self.definition = Definition(profile, self.given(), DIGITS) if self.compact else None
@@ -66,7 +94,8 @@ class Contact:
         breaks = [known[b] for b in self.profile.breaks]
         if breaks:
             inner = [] if self.profile.truncated else [0.6 * breaks[0]]
-            return [*inner, 1.4 * breaks[-1]]
+            found = [*inner, 1.4 * breaks[-1]]
+            return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
         drawn = dict(self.profile.sketch.values)
         lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
         scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
@@ -75,7 +104,13 @@ class Contact:
             top = min(top, 0.9 * float(self.profile.largest.xreplace(self.given())))
         if self.profile.chain and self.profile.chain[-1] in known:
             top = min(top, 0.8 * known[self.profile.chain[-1]])
+        top = min(top, 0.9 * self.reach)
         return [0.4 * top, top]
+
+    def between(self, a: float) -> list[float]:
+        """A place in the last piece below the contact radius, where there is more than one."""
+        inner = [b for b in (float(self.given()[b]) for b in self.profile.breaks) if b < a]
+        return [0.5 * (inner[-1] + a)] if inner else []
 
     def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
         assert self.definition is not None

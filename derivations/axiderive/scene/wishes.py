@@ -46,6 +46,15 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     if not isinstance(raw, dict) or len(raw) != 1 or not set(raw) <= {"a", "d", "F"}:
         text.problem("want", "at", f"at names one field of the contact; write {form}")
         return
+    ((key, given),) = raw.items()
+    try:
+        value = value_of(given, kind_of(nt.describe(key)))
+    except UnitError as error:
+        text.problem("want", "at", f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+        return
+    if not value > 0.0 and (key == "a" or scene.physics != "adhesive"):
+        text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
+        return
     profile = scene.profile
     if scene.physics == "graded" or profile is None or profile.contact != "compact":
         message = "a worked example is given for a compact contact on a homogeneous half space; leave at out"
@@ -55,15 +64,6 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     free = [name for name in needs if name not in scene.values]
     if free and not text.problems:
         text.problem("want", "at", f"a worked example needs values of all parameters; freeze {', '.join(free)} too")
-        return
-    ((key, given),) = raw.items()
-    try:
-        value = value_of(given, kind_of(nt.describe(key)))
-    except UnitError as error:
-        text.problem("want", "at", f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
-        return
-    if not value > 0.0 and (key == "a" or scene.physics != "adhesive"):
-        text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
         return
     scene.at = (key, value)
 
