@@ -135,8 +135,14 @@ def test_free_parameters_stay_keywords_and_are_checked():
         'profile = "r**2/(2*R) + c*r**4"\n[medium]\nkind = "power_law"\nk = 0.3\n',
     ],
     ids=[
-        "expression with adhesion", "break and free parameters", "tangential", "complete", "graded",
-        "adhesive outside the normal form", "tangential outside the normal form", "graded expression",
+        "expression with adhesion",
+        "break and free parameters",
+        "tangential",
+        "complete",
+        "graded",
+        "adhesive outside the normal form",
+        "tangential outside the normal form",
+        "graded expression",
     ],  # fmt: skip
 )
 def test_other_combinations(source):

@@ -24,8 +24,8 @@ SCENES = {
 }
 EXCHANGED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 CHECKED = (
-    "depth", "force", "pressure", "displacement", "steepness", "growth", "bend", "profile", "tangential_force", "traction",
-    "pressure_integral", "mean_pressure",
+    "depth", "force", "pressure", "displacement", "steepness", "growth", "bend", "profile", "tangential_force",
+    "traction", "pressure_integral", "mean_pressure",
 )  # fmt: skip
 """Functions in which no operator may be wrong; an iteration finds its root by a wrong step too."""
 

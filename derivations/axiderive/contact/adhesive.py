@@ -82,7 +82,9 @@ def refusal(profile: Profile) -> str:
 def derive(
     profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
 ) -> dict[str, Entry]:
-    """All adhesive entries of a profile with a compact contact, keyed by suffix; on the normal contact `plain` where it is known.
+    """All adhesive entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
 
     Raises
     ------

@@ -43,7 +43,9 @@ def refusal(profile: Profile) -> str:
 def derive(
     profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
 ) -> dict[str, Entry]:
-    """All tangential entries of a profile with a compact contact, keyed by suffix; on the normal contact `plain` where it is known.
+    """All tangential entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
 
     Raises
     ------

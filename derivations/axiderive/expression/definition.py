@@ -49,7 +49,9 @@ class Definition:
             slope = self.slopes[i]
             start, stop = (mp.asin(x / a) for x in (low, high))
             # without a singularity anywhere Gauss needs a fifth of the nodes of tanh-sinh
-            ends, method = ([start, stop], "gauss-legendre") if self.entire[i] else (mp.linspace(start, stop, 4), "tanh-sinh")
+            ends, method = (
+                ([start, stop], "gauss-legendre") if self.entire[i] else (mp.linspace(start, stop, 4), "tanh-sinh")
+            )
             total += mp.quad(
                 lambda u, f=slope: f(a * mp.sin(u)) * weight(a * mp.sin(u), a * mp.cos(u)), ends, method=method
             )

@@ -14,8 +14,8 @@ from .. import __version__
 from .. import notation as nt
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
-from ..expression.answer import DIGITS, Answer, answered
-from . import interface, sources
+from ..expression.answer import Answer, answered
+from . import evidence, interface, sources
 from .check import Value, check_values
 from .contact import Contact, values_of, worked
 from .linking import Wanted
@@ -66,7 +66,13 @@ class _Composition:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
         free = [p for p in self.parameters if p not in self.request.values]
         wanted = sorted(interface.INVERSES & set(self.request.quantities))
-        if self.answer and self.answer.validity.compact_to is not None and free and wanted and self.request.physics == "normal":
+        if (
+            self.answer
+            and self.answer.validity.compact_to is not None
+            and free
+            and wanted
+            and self.request.physics == "normal"
+        ):
             message = (
                 f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
                 "freeze the parameters, or leave these functions out"
@@ -85,12 +91,20 @@ class _Composition:
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(
-                _plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None
+                _plain(self.request.title),
+                self.profile,
+                self.entries,
+                evidence.stored(self.profile, self.answer),
+                own=self.answer is not None,
             )
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
-            files["evidence.json"] = _json(self._record(values, errors))
+            files["evidence.json"] = _json(
+                evidence.record(
+                    self.request, self.profile, self.answer, self._ordered(self.request.values), values, errors
+                )
+            )
         if self.request.scene:
             files["scene.toml"] = self.request.scene.encode()
         return Result(files, tuple(self._lines(values, errors)), page)
@@ -169,63 +183,13 @@ class _Composition:
             lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
         return "\n".join(lines) + "\n"
 
-    # evidence
-
-    def _evidence(self) -> Mapping[str, Any]:
-        if self.answer is None:
-            record = sources.evidence(self.profile.name)
-            return record["evidence"] if record else {}
-        return {"entries": {suffix: self._found(suffix) for suffix in self.entries}}
-
-    def _found(self, suffix: str) -> dict[str, Any]:
-        """Certificate and comparisons of one entry as the handbook prints them."""
-        assert self.answer is not None
-        proof = self.answer.certificates.get(suffix)
-        rows = [c for c in self.answer.comparisons if c.suffix == suffix]
-        worst = max((c.residual for c in rows), default=0.0)
-        check = {"compared": "quadrature", "outcome": "passed", "digits": DIGITS, "count": len(rows)}
-        return {
-            "certified": bool(proof and proof.proved),
-            "certificate": {"reason": proof.reason if proof else ""},
-            "checks": [{**check, "worst": f"{worst:.1e}"}] if rows and worst < 10.0**-DIGITS else [],
-        }
-
-    def _record(self, values: Sequence[Value], errors: Mapping[str, float]) -> dict[str, Any]:
-        record: dict[str, Any] = {"format": 1, "title": self.request.title, "profile": self.profile.name}
-        record["pieces"] = [
-            {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in self.profile.pieces
-        ]
-        record["frozen"] = {name: repr(value) for name, value in self._ordered(self.request.values).items()}
-        if self.answer is not None:
-            record["validity"] = self.answer.validity.sentence
-            record["entries"] = {
-                s: {
-                    "status": self.answer.status(s),
-                    "result": [{"for": " < ".join(map(sp.sstr, c.chain)), "is": sp.sstr(c.expr)} for c in e.cases],
-                    **(
-                        {"certificate": {"proved": cert.proved, "steps": list(cert.steps), "reason": cert.reason}}
-                        if (cert := self.answer.certificates.get(s))
-                        else {}
-                    ),
-                }
-                for s, e in self.entries.items()
-            }
-            record["compared with the definition"] = [
-                {"formula": c.suffix, "at": c.at, "residual": f"{c.residual:.1e}"} for c in self.answer.comparisons
-            ]
-        else:
-            record["evidence"] = self._evidence()
-        record["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
-        record["check values"] = [v.record() for v in values]
-        return record
-
     def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines = []
         if self.answer is not None and not self.answer.closed:
             lines.append(
-                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an integral; "
-                "evaluated by generated rules"
+                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an "
+                "integral; evaluated by generated rules"
             )
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import mpmath as mp
 import numpy as np
@@ -140,7 +140,7 @@ class Contact:
     def force(self, a: float) -> mp.mpf:
         return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
 
-    def curve(self, quantity: str, a: np.ndarray) -> np.ndarray:
+    def curve(self, quantity: str, a: Any) -> Any:
         """Depth or force in doubles, to see where it rises."""
         numeric = Numeric(self.profile, {s: float(v) for s, v in self.given().items()})
         E, lost = self.all["E_star"], np.zeros_like(a)
@@ -170,7 +170,9 @@ class Contact:
         load = self.curve(name, grid)
         rises = np.flatnonzero((load[:-1] <= value) & (load[1:] > value))
         if not len(rises):
-            message = f"no contact radius carries {name} = {value:g}; change want.at, or name a radius, at = {{ a = ... }}"
+            message = (
+                f"no contact radius carries {name} = {value:g}; change want.at, or name a radius, at = {{ a = ... }}"
+            )
             raise CommandError(message, FAILED)
         low, high = grid[rises[-1]], grid[rises[-1] + 1]
         for _ in range(60):

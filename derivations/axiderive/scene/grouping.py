@@ -40,7 +40,7 @@ class _Text:
 
 def rules(text: str) -> dict[str, int]:
     """The rules of a module by name, with the number of lengths their integrand takes."""
-    return {node.name: _arity(node) for node in ast.parse(text).body if _marked(node)}
+    return {n.name: _arity(n) for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and _marked(n)}
 
 
 def ungrouped(text: str, known: dict[str, int]) -> str:
@@ -56,16 +56,14 @@ def ungrouped(text: str, known: dict[str, int]) -> str:
     return own.edited(edits)
 
 
-def _marked(node: ast.stmt) -> bool:
-    return isinstance(node, ast.FunctionDef) and any(
-        isinstance(d, ast.Name) and d.id == MARK for d in node.decorator_list
-    )
+def _marked(node: ast.FunctionDef) -> bool:
+    return any(isinstance(d, ast.Name) and d.id == MARK for d in node.decorator_list)
 
 
 def _arity(rule: ast.FunctionDef) -> int:
     slope = rule.args.args[0].arg
-    calls = (n for n in ast.walk(rule) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name))
-    return next(len(call.args) for call in calls if call.func.id == slope)
+    calls = (n for n in ast.walk(rule) if isinstance(n, ast.Call))
+    return next(len(c.args) for c in calls if isinstance(c.func, ast.Name) and c.func.id == slope)
 
 
 def _plain_rule(own: _Text, rule: ast.FunctionDef) -> list[Edit]:

@@ -15,7 +15,6 @@ from .inlining import inlined
 from .library import Definition, Key, Module
 from .rewriting import rewritten
 
-
 OWN = "scene"
 """Module of functions that are written for the scene: they keep their names."""
 

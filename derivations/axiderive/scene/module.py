@@ -32,7 +32,7 @@ INTEGRAL = '''def _integral(integrand, stop, count):
     """Integral of `integrand` from 0 to `stop`."""
     rule = _NODES[count]
     return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
-PULL_OFF = '''from ._adhesion import XI, PullOff
+PULL_OFF = """from ._adhesion import XI, PullOff
 from .{module} import {radius}, {force}, {depth}
 
 def pull_off({parameters}):
@@ -42,7 +42,7 @@ def pull_off({parameters}):
     force = {force_call}
     depth = {depth_call}
     return PullOff(*(float(np.squeeze(x)) for x in (radius, force, depth)))
-'''
+"""
 
 
 @dataclass(frozen=True)

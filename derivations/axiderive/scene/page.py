@@ -11,9 +11,9 @@ from ..contact import general
 from ..emit import front
 from ..emit.handbook import templates
 from ..emit.page import symbols
+from ..emit.panel import shape_tex
 from ..emit.printer import Printer
 from ..emit.ranges import chain_of, condition, regions
-from ..emit.panel import shape_tex
 from ..emit.rows import ordered
 from ..entry import Entry
 from ..index import NoCatalogueError, load
@@ -85,7 +85,9 @@ def integrals(profile: Profile, entries: Mapping[str, Entry]) -> str:
         own = Printer((), {})
         where = rf"\quad\text{{added where }} t>{own(layer.start)}" if layer.start != 0 else ""
         lines.append(FITTED % f"g'(t)={'...+' if where else ''}{own(general.rate(layer))}{where}")
-    lines.append(r"\par\vspace{3mm}Regular integrals, evaluated by the rules of the module; \(g'\) is itself an integral.")
+    lines.append(
+        r"\par\vspace{3mm}Regular integrals, evaluated by the rules of the module; \(g'\) is itself an integral."
+    )
     return "\n".join([*lines, ""])
 
 

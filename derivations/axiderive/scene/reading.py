@@ -176,8 +176,8 @@ def _physics(text: SceneText, scene: Scene) -> None:
     scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
     profile = scene.profile
     if graded and profile is not None and profile.contact != "compact":
-        message = f'{profile.name}, a complete contact, on a graded half space cannot be emitted; the nearest is kind = "homogeneous"'
-        text.problem("medium", "kind", message)
+        what = f"{profile.name}, a complete contact, on a graded half space"
+        text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
     elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
         text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
     if profile is not None and profile.contact != "compact" and chosen:

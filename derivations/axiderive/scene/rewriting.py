@@ -64,6 +64,7 @@ class _Rewriting:
         if isinstance(node, ast.ClassDef):
             fields = [s.target.id for s in node.body if isinstance(s, ast.AnnAssign) and isinstance(s.target, ast.Name)]
             return f'{name} = namedtuple("{name}", "{" ".join(fields)}")'
+        assert isinstance(node, ast.FunctionDef)
         own = self.linker.dropped[self.definition.key]
         body = list(node.body)
         if ast.get_docstring(node) is not None:
@@ -108,7 +109,7 @@ class _Rewriting:
     def _edits(self, node: ast.AST) -> list[tuple[int, int, str]]:
         edits = []
         for child in ast.walk(node):
-            if self._certain(child):
+            if isinstance(child, ast.Call) and self._certain(child):
                 value = child.args[1]
                 text = self._render(value)
                 bracketed = f"({text})" if _binds_less(value, self.parents.get(id(child))) else text
@@ -128,11 +129,13 @@ class _Rewriting:
                 edits.append((target, annotation, ": float" if child.value is None else ""))
         return edits
 
-    def _certain(self, node: ast.AST) -> bool:
+    def _certain(self, node: ast.Call) -> bool:
         """Whether this is `np.where(dgamma > 0.0, ...)` of a frozen parameter above zero."""
-        if not (isinstance(node, ast.Call) and ast.unparse(node.func) == "np.where"):
+        if ast.unparse(node.func) != "np.where":
             return False
-        known = self.linker.positive & (self.linker.dropped[self.definition.key] | (self.linker.frozen - self.definition.bound))
+        known = self.linker.positive & (
+            self.linker.dropped[self.definition.key] | (self.linker.frozen - self.definition.bound)
+        )
         return ast.unparse(node.args[0]) in {f"{name} > 0.0" for name in known}
 
     def _same_as(self, node: ast.Lambda) -> str:
