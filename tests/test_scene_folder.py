@@ -1,4 +1,4 @@
-"""Scenes that are really emitted, hostile ones among them: nothing is written, changed or removed outside the folder."""
+"""Scenes that are really emitted, hostile ones among them: nothing outside the folder is written or changed."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from test_scene import NEEDLE, random_scene
 from axiderive.cli import main
 
 FOLDERS = (
-    "out", "a/b/c", "./here", "..", "../out", "a/../../out", "/tmp/out", "~", "~root", "a\\\\..\\\\b", "link", "link/deep",
-    "inner", "scene.toml", "scene.toml/x", ".", " ", "x\\u0000y", "con", "-rf", "$HOME", "%TEMP%", "a" * 190, "é",
+    "out", "a/b/c", "./here", "..", "../out", "a/../../out", "/tmp/out", "~", "~root", "a\\\\..\\\\b", "link",
+    "link/deep", "inner", "scene.toml", "scene.toml/x", ".", " ", "x\\u0000y", "con", "-rf", "$HOME", "%TEMP%", "a" * 190, "é",
 )  # fmt: skip
 MODULES = ("m.py", "../m.py", "a/m.py", "/tmp/m.py", "m.txt", ".py", "m.py/", "scene.toml", "test_m.py", "numpy.py")
 EMITTED = '\n[output]\nfolder = "{}"\nmodule = "{}"\nformats = ["python", "json"]\n'
@@ -83,7 +83,8 @@ def watched(place: Path, seeds: range, capsys: pytest.CaptureFixture[str]) -> in
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_nothing_is_written_outside_for_any_folder(folder, place, capsys):
-    emitted(place, ('profile = "cone"\n[want]\nquantities = ["depth"]' + EMITTED.format(folder, "m.py")).encode(), capsys)
+    source = 'profile = "cone"\n[want]\nquantities = ["depth"]' + EMITTED.format(folder, "m.py")
+    emitted(place, source.encode(), capsys)
 
 
 def test_random_scenes_write_below_their_folder_only(place, capsys):
