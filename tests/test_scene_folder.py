@@ -13,7 +13,8 @@ from axiderive.cli import main
 
 FOLDERS = (
     "out", "a/b/c", "./here", "..", "../out", "a/../../out", "/tmp/out", "~", "~root", "a\\\\..\\\\b", "link",
-    "link/deep", "inner", "scene.toml", "scene.toml/x", ".", " ", "x\\u0000y", "con", "-rf", "$HOME", "%TEMP%", "a" * 190, "é",
+    "link/deep", "inner", "scene.toml", "scene.toml/x", ".", " ", "x\\u0000y", "con", "-rf", "$HOME",
+    "%TEMP%", "a" * 190, "é",
 )  # fmt: skip
 MODULES = ("m.py", "../m.py", "a/m.py", "/tmp/m.py", "m.txt", ".py", "m.py/", "scene.toml", "test_m.py", "numpy.py")
 EMITTED = '\n[output]\nfolder = "{}"\nmodule = "{}"\nformats = ["python", "json"]\n'
