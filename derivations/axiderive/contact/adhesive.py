@@ -9,6 +9,8 @@ xi = 3 + k under force control and 1 - k under depth control.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from ..entry import Case, Entry, Quantity, Status
@@ -77,8 +79,12 @@ def refusal(profile: Profile) -> str:
     return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
 
 
-def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
+def derive(
+    profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
+) -> dict[str, Entry]:
     """All adhesive entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
 
     Raises
     ------
@@ -87,7 +93,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """
     if message := refusal(profile):
         raise ValueError(message)
-    plain = normal.derive(profile, medium)
+    plain = plain or normal.derive(profile, medium)
     punch = {
         "d": sp.S.One,
         "F": medium.stiffness(),
@@ -112,7 +118,7 @@ def _minus(expr: sp.Expr, loss: sp.Expr) -> sp.Expr:
 class _Builder:
     """Entries of one profile on one medium."""
 
-    def __init__(self, profile: Profile, medium: Medium, plain: dict[str, Entry]) -> None:
+    def __init__(self, profile: Profile, medium: Medium, plain: Mapping[str, Entry]) -> None:
         self.profile, self.medium, self.plain = profile, medium, plain
 
     def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
@@ -163,7 +169,7 @@ class _Builder:
                     self._at_pull_off(case, slope.expr, unit / xi, radius)
                     for case, slope in zip(self.plain[source].cases, slopes, strict=True)
                 )
-                out[name] = self.entry(name, "closed", cases, condition)
+                out[name] = self.entry(name, self.plain[source].status, cases, condition)
         return out
 
     def _at_pull_off(self, case: Case, slope: sp.Expr, unit: sp.Expr, radius: sp.Expr | None) -> Case:

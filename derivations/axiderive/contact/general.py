@@ -58,6 +58,13 @@ def layers(profile: Profile) -> tuple[Layer, ...]:
     return tuple(found)
 
 
+def rate(layer: Layer) -> sp.Expr:
+    """g'(t) of a layer for t beyond its start."""
+    b = layer.start
+    whole = sp.Integral(layer.bend.subs(r, t * sp.cos(psi)), (psi, 0, sp.pi / 2 if b == 0 else sp.acos(b / t)))
+    return whole if b == 0 else whole + b * layer.kink / sp.sqrt(t**2 - b**2)
+
+
 def derive(profile: Profile) -> dict[str, Entry]:
     """All entries of a compact profile, none of them closed but the stiffness."""
     return _General(profile).entries()
@@ -143,13 +150,7 @@ class _General:
                         continue
                     inside = b != 0 and chain.index(r) < chain.index(b)
                     lower = sp.sqrt(b**2 - r**2) if inside else sp.S.Zero
-                    growth = self._growth(layer).subs(t, radius) / radius
+                    growth = rate(layer).subs(t, radius) / radius
                     total += sp.Integral(growth, (u, lower, sp.sqrt(a**2 - r**2)))
                 cases.append(Case(chain, HOMOGENEOUS.pressure_scale * total))
         return tuple(cases)
-
-    def _growth(self, layer: Layer) -> sp.Expr:
-        """g'(t) of a layer for t beyond its start."""
-        b = layer.start
-        whole = sp.Integral(layer.bend.subs(r, t * sp.cos(psi)), (psi, 0, sp.pi / 2 if b == 0 else sp.acos(b / t)))
-        return whole if b == 0 else whole + b * layer.kink / sp.sqrt(t**2 - b**2)

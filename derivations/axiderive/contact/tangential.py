@@ -6,6 +6,8 @@ mu; the rule is stated once and every profile and medium follows.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from ..abel.order import insert
@@ -38,8 +40,12 @@ def refusal(profile: Profile) -> str:
     return f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
 
 
-def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
+def derive(
+    profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
+) -> dict[str, Entry]:
     """All tangential entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
 
     Raises
     ------
@@ -48,7 +54,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """
     if message := refusal(profile):
         raise ValueError(message)
-    plain = normal.derive(profile, medium)
+    plain = plain or normal.derive(profile, medium)
     ratio = mu * medium.modulus / (G_star if medium.k == 0 else H_x)
     force, depth, pressure = plain["F"], plain["d"], plain["p"]
     partial = _pairs(force)
@@ -59,11 +65,11 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     equations = tuple(Case(case.chain, sp.Eq(case.expr, F_x)) for case in slip)
     inverse = _closed_stick_radius(plain["aF"], force)
     out: dict[str, tuple[Status, tuple[Case, ...], sp.Expr]] = {
-        "F": ("closed", slip, mu * (sp.Function("F")(a) - sp.Function("F")(c))),
+        "F": (force.status, slip, mu * (sp.Function("F")(a) - sp.Function("F")(c))),
         "tau": (pressure.status, _traction(pressure), mu * (sp.Function("p")(r, a) - sp.Function("p")(r, c))),
-        "u": ("closed", sliding, ratio * (sp.Function("g")(a) - sp.Function("g")(c))),
+        "u": (depth.status, sliding, ratio * (sp.Function("g")(a) - sp.Function("g")(c))),
         "c": ("closed" if inverse else "root", inverse or equations, sp.Eq(slip[0].expr, F_x)),
-        "us": ("closed", onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
+        "us": (depth.status, onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
     }
     modulus = {"F": (medium.modulus,), "tau": (medium.modulus,), "c": (medium.modulus,)}
     both = (medium.modulus, G_star if medium.k == 0 else H_x)

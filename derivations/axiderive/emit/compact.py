@@ -157,6 +157,12 @@ class Compact:
 
     def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Private:
         scale = python(HOMOGENEOUS.force_scale)
+        if "tip" not in forms:
+            message = (
+                f"{self.profile.name}: its force beyond the flat face is a difference that loses digits; "
+                "emit it by emit.general.library_source, whose rules do not"
+            )
+            raise ValueError(message)
         tip, radius = forms["tip"], "a" if self.b is None else "inner"
         needs = self.functions.needs(tip, ("a",)) | {"E_star"}
         lines = [] if self.b is None else [f"inner = np.minimum(a, {self.b})"]

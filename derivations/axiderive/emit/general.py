@@ -7,6 +7,7 @@ without cancellation, else an integral of (s f')'.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import sympy as sp
@@ -23,10 +24,10 @@ from .code import python
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
 
-GRADED = 128
 
-
-def library_source(profile: Profile, count: int, exponents: tuple[float, float]) -> str:
+def library_source(
+    profile: Profile, count: int, exponents: tuple[float, float], reach: float | None = None, floor: float = 0.0
+) -> str:
     """The functions as text, for the linker.
 
     Parameters
@@ -37,10 +38,14 @@ def library_source(profile: Profile, count: int, exponents: tuple[float, float])
         Nodes of the rules over the profile.
     exponents : tuple of float
         Least logarithmic slope of depth and force over the contact radius.
+    reach : float, optional
+        Contact radius up to which the contact is compact, for frozen parameters; beyond it there are no inverses.
+    floor : float
+        Radius of the flat face of a truncated profile, for the same parameters.
     """
     functions = PrivateFunctions(profile)
     _profile_function(functions)
-    _General(functions, count).add_all(exponents)
+    _General(functions, count, reach, floor).add_all(exponents)
     lines = [
         "import numpy as np",
         "",
@@ -62,6 +67,8 @@ def library_source(profile: Profile, count: int, exponents: tuple[float, float])
 class _General:
     functions: PrivateFunctions
     count: int
+    reach: float | None = None
+    floor: float = 0.0
 
     def __post_init__(self) -> None:
         self.profile = self.functions.profile
@@ -144,7 +151,7 @@ class _General:
             if layer.start == 0:
                 text = f"pressure_integral({growth.growth('t')}, r, a, {self.count})"
             else:
-                text = f"pressure_integral_beyond({growth.growth('t', 'root')}, r, a, {layer.start}, {GRADED})"
+                text = f"pressure_integral_beyond({growth.with_parameters()}, r, a, {layer.start})"
             lines.append(f"pressed = {'pressed + ' if i else ''}{text}")
         for layer in self.layers:
             if layer.kink != 0:
@@ -183,14 +190,19 @@ class _General:
             )
         else:
             place, step, start = "t", "a", self._length()
+        largest, found = "", place
+        if self.reach is not None:
+            far = math.sqrt((self.reach / self.floor) ** 2 - 1.0) if self.floor else self.reach
+            start, largest = repr(0.5 * far), f", {far!r}"
+            found = f"np.where({target.call(repr(self.reach))} >= {field}, {place}, np.nan)"
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
             f"    a = {place}",
             f"    value = {target.call('a')}",
             f"    return value, {scale}{step} * {rate.call('a')} / value",
             "",
-            f"t = inverse(curve, {field}, np.full_like({field}, {start}), ({exponent!r}, np.inf))",
-            f"return {place}",
+            f"t = inverse(curve, {field}, np.full_like({field}, {start}), ({exponent!r}, np.inf){largest})",
+            f"return {found}",
         ]
         radius = self._add(f"radius_from_{curve}", (field,), lines)
         other = "depth" if curve == "force" else "force"

@@ -58,8 +58,14 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
 
     A model is a pure function of the problems of its profile.
     """
+<<<<<<< HEAD
     ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
+=======
+    model = spread.model(profile_id, derived, evidence, number)
+    text = templates().get_template("profile.tex.j2").render(model)
+    return f"profiles/{profile_id}.tex", text, {key: model[key] for key in SUMMARISED}
+>>>>>>> own-profiles
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
@@ -73,7 +79,7 @@ def summary(model: Model) -> Summary:
 
 def book_sources(summaries: Sequence[Summary], chapter11: Mapping[str, Any] | None = None) -> dict[str, str]:
     """The main file and its preamble, from the summaries of the profiles in their order."""
-    environment = _environment()
+    environment = templates()
     model = book.model(summaries, chapter11)
     return {
         "preamble.tex": environment.get_template("preamble.tex.j2").render(version=__version__),
@@ -99,7 +105,7 @@ def _chapter(profile_id: str) -> int:
     return int(profile_id in COMPLETE_NAMES)
 
 
-def _environment() -> jinja2.Environment:
+def templates() -> jinja2.Environment:
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("axiderive.emit"),
         block_start_string=r"\BLOCK{",

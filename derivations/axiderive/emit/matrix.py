@@ -14,6 +14,7 @@ LEGEND = {
     "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
     "–": "not meaningful; the module says why",
 }
+LEFT_OUT = "left out"
 KINDS = {"closed": "○", "integral": "∫", "root": "√"}
 
 
@@ -73,7 +74,7 @@ def markdown(found: Mapping[str, Any]) -> str:
     names = [system.name for system in systems.SYSTEMS if system.pool is systems.ROUND]
     rows = [["profile", *names]]
     rows += [
-        [f"`{p}`", *(cells[name] for name in names)] for p, cells in found["profiles"].items() if names[0] in cells
+        [f"`{p}`", *(cells.get(name, LEFT_OUT) for name in names)] for p, cells in found["profiles"].items() if names[0] in cells
     ]
     others = [["profile", "formulas"]]
     others += [[f"`{p}`", *cells.values()] for p, cells in found["profiles"].items() if names[0] not in cells]

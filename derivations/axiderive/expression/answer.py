@@ -51,12 +51,12 @@ class Answer:
     profile: Profile
     entries: dict[str, Entry]
     closed: bool
-    """Whether the profile is in the normal form; else every quantity is a regular integral."""
+    """Whether the profile is in the normal form; else every quantity is a regular integral, p one over g'."""
     certificates: dict[str, Certificate]
     validity: Validity
     comparisons: tuple[Comparison, ...]
     module: str
-    """Private functions as text for the linker; empty if nothing is emitted for this medium."""
+    """Private functions of the normal contact on the homogeneous half space as text, for the linker."""
     values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
     """Exponent of the graded half space; the entries hold for any."""
@@ -71,7 +71,10 @@ class Answer:
         if entry.status == "closed":
             proof = self.certificates.get(suffix)
             return "closed, certified" if proof and proof.proved else "closed, not certified"
-        return "one regular integral" if entry.status == "integral" else "solved by iteration"
+        if entry.status != "integral":
+            return "solved by iteration"
+        nested = any(i.function.has(sp.Integral) for c in entry.cases for i in c.expr.atoms(sp.Integral))
+        return "one regular integral over g'(t), itself an integral" if nested else "one regular integral"
 
 
 def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = None, k: sp.Expr = sp.S.Zero) -> Answer:
@@ -95,7 +98,9 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     profile, entries, closed = _derived(profile, medium)
     certificates = certify_profile(profile, dict(entries)) if closed else {}
     compared = () if k != 0 else _compared(profile, entries, known)
-    module = "" if k != 0 else _module(profile, entries, closed=closed, validity=validity, known=known)
+    plain = entries if k == 0 else normal.derive(profile)
+    frozen = all(p in (values or {}) for p in profile.parameters)
+    module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
     return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
 
 
@@ -181,12 +186,15 @@ def _module(
     closed: bool,
     validity: Validity,
     known: Mapping[sp.Symbol, sp.Rational],
+    frozen: bool,
 ) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
     if closed and validity.exact and not profile.breaks and _plain(profile):
         return python.module_source(entries)
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
-    return library_source(profile, COUNT, numeric.exponents(validity.compact_to))
+    reach = validity.compact_to if frozen else None
+    floor = numeric.breaks[0] if profile.truncated else 0.0
+    return library_source(profile, COUNT, numeric.exponents(validity.compact_to), reach, floor)
 
 
 def _plain(profile: Profile) -> bool:

@@ -8,6 +8,7 @@ import sympy as sp
 
 from .. import notation as nt
 from .names import latex
+from .reading import step
 
 SHARED = frozenset(["theta", "R", "R1", "R2", "b", "n", "h", "s", "wavelength"])
 """Letters that keep the unit, the domain and the meaning of the notation where these fit."""
@@ -19,7 +20,9 @@ class _InconsistentError(Exception):
 
 def records(tree: sp.Expr, parameters: Sequence[sp.Symbol]) -> tuple[list[nt.Notation], bool]:
     """The notation of the parameters, and whether their dimensions are known."""
-    given = {p: nt.describe(p).dimension.length for p in parameters if p.name in SHARED}
+    # b is the radius of a break only where it is one
+    shared = [p for p in parameters if p.name in SHARED and (p.name != "b" or tree.has(step(p)))]
+    given = {p: nt.describe(p).dimension.length for p in shared}
     for known in (given, {}):
         try:
             lengths = _lengths(tree, parameters, known)

@@ -7,7 +7,6 @@ stay exact; `Max(0, r - b)` becomes (r - b) times the step symbol of b.
 from __future__ import annotations
 
 import ast
-import math
 import re
 import warnings
 from dataclasses import dataclass
@@ -19,6 +18,7 @@ import sympy as sp
 from ..notation import r
 from .errors import ExpressionError
 from .names import FUNCTIONS, nearest_function, refusal
+from .size import finite, terms
 
 LONGEST, DEEPEST, MOST_NODES = 400, 30, 150
 LARGEST_EXPONENT, LARGEST_ROOT = 24, 12
@@ -228,28 +228,9 @@ class _Reader:
             if max(abs(number.p), number.q) > 10**60:
                 message = f"{self._segment(node)!r} holds a number of more than 60 digits; scale it into a parameter"
                 self._refuse(message, node)
-        if expr.is_number and not _finite(expr):
+        if expr.is_number and not finite(expr):
             self._refuse(f"{self._segment(node)!r} is out of the range of numbers; scale it", node)
         if terms(expr) > MOST_TERMS:
             message = f"{self._segment(node)!r} has more than {MOST_TERMS} terms when multiplied out; lower its power"
             self._refuse(message, node)
         return expr
-
-
-def _finite(number: sp.Expr) -> bool:
-    try:
-        return math.isfinite(abs(complex(number.evalf(15))))
-    except OverflowError:
-        return False
-
-
-def terms(expr: sp.Expr) -> int:
-    """How many terms `expand` makes of it."""
-    if expr.is_Add:
-        return sum(terms(arg) for arg in expr.args)
-    if expr.is_Mul:
-        return math.prod(terms(arg) for arg in expr.args)
-    if expr.is_Pow and expr.exp.is_Integer:
-        count, power = terms(expr.base), abs(int(expr.exp))
-        return math.comb(count + power - 1, power) if count > 1 else 1
-    return max([1, *(terms(arg) for arg in expr.args)])

@@ -31,19 +31,27 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         lines = _head(own) + [line for suffix in SHOWN for line in _entry(answer, suffix)] + _tail(answer)
     if not write:
         return lines, None
-    if exponent != 0:
-        return [*lines, "written   nothing: modules are emitted for the homogeneous half space, --k 0, only"], None
     from ..scene import interface
-    from ..scene.compose import Request, composed
+    from ..scene.compose import composed
+    from ..scene.request import Request
+    from ..scene.sources import graded_refusal
 
-    names = list(interface.functions("normal"))
+    physics, values = ("normal", {}) if exponent == 0 else ("graded", {"k": float(exponent)})
+    if exponent != 0 and (reason := graded_refusal(answer.profile)):
+        return [*lines, f"written   nothing: {reason}"], None
+    names = list(interface.functions(physics))
+    if answer.validity.compact_to is not None:
+        names = [name for name in names if name not in interface.INVERSES]
+        reason = "how far the contact is compact depends on the values; freeze them in a scene"
+        lines.append(f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}")
     request = Request(
         "Contact of a profile of one's own",
         f"{own.profile.name}.py",
         None,
         own,
-        "normal",
+        physics,
         names,
+        values,
         formats=("python", "json"),
     )
     result = composed(request, answer)
@@ -84,7 +92,8 @@ def _entry(answer: Answer, suffix: str) -> list[str]:
 
 
 def _tail(answer: Answer) -> list[str]:
-    lines = ["", f"contact   {answer.validity.sentence}"]
+    examined = "" if answer.k == 0 or answer.validity.exact else " (on the homogeneous half space, k = 0)"
+    lines = ["", f"contact   {answer.validity.sentence}{examined}"]
     if answer.comparisons:
         count = len(answer.comparisons)
         lines.append(

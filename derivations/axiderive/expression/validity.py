@@ -22,6 +22,9 @@ ROUNDING = 1e-9
 """A g' as small as this against its largest value so far is rounding."""
 
 
+SAMPLED = f"sampled at {2 * DECADES * PER_DECADE + 1} radii over {2 * DECADES} decades and not proved"
+
+
 @dataclass(frozen=True)
 class Validity:
     """What was found: `exact` without numbers, else at these values, up to the radius `compact_to`."""
@@ -35,10 +38,10 @@ class Validity:
         if self.exact:
             return "compact for every contact radius: all coefficients of f are positive"
         if self.compact_to is None:
-            return f"compact for every contact radius that was tried, at {self.where}"
+            return f"compact for every contact radius that was tried, at {self.where}; {SAMPLED}"
         return (
             f"compact up to a = {self.compact_to:.6g} at {self.where}: beyond it g' < 0, the pressure falls below "
-            "zero at the edge, and the contact is no longer one circle"
+            f"zero at the edge, and the contact is no longer one circle; {SAMPLED}"
         )
 
 

@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..contact.medium import GRADED
-from ..contact.normal import derive
 from ..emit import example
 from ..entry import Entry
-from ..expression.definition import Definition
 from ..profiles.profile import Profile
+from ..proof.half_space import HalfSpace
 from . import interface
+from .contact import DIGITS, Contact
 
 if TYPE_CHECKING:
-    from .compose import Request
+    from .request import Request
 
-DIGITS = 20
-MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25}
-"""Material values where a scene leaves them free."""
-LARGEST_ERROR = 1e-6
+Rows = list[tuple[tuple[float, ...], Any]]
+STICK = 0.6
+"""Radius of the stick zone over the contact radius, or its place between a flat face and it."""
 
 
 @dataclass(frozen=True)
@@ -45,57 +43,6 @@ class Value:
         }
 
 
-class _Contact:
-    """Numbers of one contact at frozen and chosen values."""
-
-    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
-        self.profile, self.entries = profile, entries
-        drawn = dict(profile.sketch.values)
-        self.all = {p.name: request.values.get(p.name, float(drawn.get(p, 1.0))) for p in profile.parameters}
-        self.all |= {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
-        self.exact = {p: sp.Rational(self.all[p.name]) for p in profile.parameters}
-        self.compact = profile.contact == "compact"
-        self.definition = Definition(profile, self.given(), DIGITS) if self.compact else None
-
-    def given(self) -> dict[sp.Symbol, sp.Expr]:
-        """Parameters, and abbreviations as floats of 40 digits."""
-        known: dict[sp.Symbol, sp.Expr] = dict(self.exact)
-        for symbol, expr in self.profile.abbreviations:
-            known[symbol] = sp.Rational(str(sp.N(expr.xreplace(known), 40)))
-        return known
-
-    def radii(self) -> list[float]:
-        """Contact radii of the size of the profile, on both sides of its breaks."""
-        known = {s: float(v) for s, v in self.given().items()}
-        breaks = [known[b] for b in self.profile.breaks]
-        if breaks:
-            inner = [] if self.profile.truncated else [0.6 * breaks[0]]
-            return [*inner, 1.4 * breaks[-1]]
-        drawn = dict(self.profile.sketch.values)
-        lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
-        scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
-        top = scale * self.profile.sketch.a if lengths else 1e-3
-        if self.profile.largest is not None:
-            top = min(top, 0.9 * float(self.profile.largest.xreplace(self.given())))
-        if self.profile.chain and self.profile.chain[-1] in known:
-            top = min(top, 0.8 * known[self.profile.chain[-1]])
-        return [0.4 * top, top]
-
-    def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
-        assert self.definition is not None
-        with mp.workdps(DIGITS + 10):
-            if suffix == "w" and at is not None and at <= a:
-                return self.normal("d", a) - self.height(at)
-            if suffix == "p" and at is not None and at >= a:
-                return mp.mpf(0)
-            scale = mp.mpf(self.all["E_star"]) if suffix in ("F", "p") else mp.mpf(1)
-            return scale * self.definition.quantity(suffix, a, at)
-
-    def height(self, at: float) -> mp.mpf:
-        known = self.given() | {nt.r: sp.Rational(at)}
-        return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
-
-
 def check_values(
     profile: Profile,
     entries: Mapping[str, Entry],
@@ -103,7 +50,7 @@ def check_values(
     keywords: Callable[[Sequence[str]], tuple[str, ...]],
 ) -> list[Value]:
     """A few values of every function that is wanted, `pull_off` left out."""
-    contact = _Contact(profile, entries, request)
+    contact = Contact(profile, entries, request)
     found = []
     for name in request.quantities:
         if name == interface.PULL_OFF:
@@ -118,74 +65,101 @@ def check_values(
     return found
 
 
-def _compact(contact: _Contact, physics: str, name: str) -> list[tuple[tuple[float, ...], Any]]:
-    rows: list[tuple[tuple[float, ...], Any]] = []
+def _compact(contact: Contact, physics: str, name: str) -> Rows:
+    rows: Rows = []
     for a in contact.radii():
         with mp.workdps(DIGITS + 10):
             rows += [(fields, value) for fields, value in _at(contact, physics, name, a) if value is not None]
     return rows
 
 
-def _at(contact: _Contact, physics: str, name: str, a: float) -> list[tuple[tuple[float, ...], Any]]:
+def _at(contact: Contact, physics: str, name: str, a: float) -> Rows:
     """Calls at one contact radius with their results."""
-    E, pi = mp.mpf(contact.all["E_star"]), mp.pi
-    moved = mp.sqrt(2 * pi * a * mp.mpf(contact.all["dgamma"]) / E) if physics == "adhesive" else mp.mpf(0)
+    own = _slipping(contact, name, a) if physics == "tangential" else []
+    return own or _pressed(contact, physics, name, a)
 
-    def depth(x: float) -> Any:
-        return contact.normal("d", x)
 
-    def force(x: float) -> Any:
-        return contact.normal("F", x)
+def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
+    """Normal contact, with or without adhesion."""
+    E, pi, moved = mp.mpf(contact.all["E_star"]), mp.pi, contact.moved(a)
+    outside, places = 1.6 * a, [0.45 * a, *contact.between(a)]
 
-    inside, outside = 0.45 * a, 1.6 * a
-    ball = mp.sqrt((mp.mpf(a) - inside) * (mp.mpf(a) + inside))
+    def pulled(inside: float) -> Any:
+        return E * moved / (pi * mp.sqrt((mp.mpf(a) - inside) * (mp.mpf(a) + inside)))
+
     match name:
         case "profile":
-            return [((inside,), contact.height(inside))]
+            return [((inside,), contact.height(inside)) for inside in places]
         case "depth":
-            return [((a,), depth(a) - moved)]
+            return [((a,), contact.depth(a))]
         case "force":
-            return [((a,), force(a) - 2 * E * a * moved)]
+            return [((a,), contact.force(a))]
         case "pressure":
-            return [((inside, a), contact.normal("p", a, inside) - E * moved / (pi * ball)), ((outside, a), mp.mpf(0))]
+            under = [((inside, a), contact.normal("p", a, inside) - pulled(inside)) for inside in places]
+            return [*under, ((outside, a), mp.mpf(0))]
         case "displacement":
             lift = 2 / pi * mp.asin(mp.mpf(a) / outside) * moved
-            under = depth(a) - contact.height(inside) - moved
-            return [((outside, a), contact.normal("w", a, outside) - lift), ((inside, a), under)]
+            under = [((inside, a), contact.depth(a) - contact.height(inside)) for inside in places]
+            return [((outside, a), contact.normal("w", a, outside) - lift), *under]
         case "stiffness":
             return [((a,), 2 * E * a)]
         case "mean_pressure":
-            return [((a,), force(a) / (pi * mp.mpf(a) ** 2))]
+            return [((a,), contact.force(a) / (pi * mp.mpf(a) ** 2))]
         case "retraction":
             return [((a,), moved)]
-        case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force" if physics == "normal":
-            given = float(depth(a) if name.endswith("depth") else force(a))
-            target = {"radius": mp.mpf(a), "force": force(a), "depth": depth(a)}[name.split("_")[0]]
-            return [((given,), target)]
+        case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force":
+            source = "d" if name.endswith("depth") else "F"
+            if physics == "adhesive" and not contact.outermost(source, a):
+                return []
+            given = float(contact.depth(a) if source == "d" else contact.force(a))
+            target = {"radius": mp.mpf, "force": contact.force, "depth": contact.depth}[name.split("_")[0]]
+            return [((given,), target(a))]
     return []
 
 
-def _graded(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]:
-    """The closed formulas of the graded half space with 30 digits; those that stay integrals are left out."""
+def _slipping(contact: Contact, name: str, a: float) -> Rows:
+    """Partial slip: mu times the difference of two normal contacts."""
+    floor = float(contact.given()[contact.profile.breaks[0]]) if contact.profile.truncated else 0.0
+    c = floor + STICK * (a - floor)
+    mu, G = mp.mpf(contact.all["mu"]), mp.mpf(contact.all["G_star"])
+    ratio = mu * mp.mpf(contact.all["E_star"]) / G
+    match name:
+        case "tangential_force":
+            return [((a, c), mu * (contact.force(a) - contact.force(c)))]
+        case "traction":
+            stuck, slipped = 0.5 * c, 0.5 * (a + c)
+            difference = contact.normal("p", a, stuck) - contact.normal("p", c, stuck)
+            return [((stuck, a, c), mu * difference), ((slipped, a, c), mu * contact.normal("p", a, slipped))]
+        case "tangential_displacement":
+            return [((a, c), ratio * (contact.depth(a) - contact.depth(c)))]
+        case "stick_radius":
+            return [((float(mu * (contact.force(a) - contact.force(c))), a), mp.mpf(c))]
+        case "full_slip_displacement":
+            return [((a,), ratio * contact.depth(a))]
+    return []
+
+
+def _graded(contact: Contact, name: str) -> Rows:
+    """The graded half space by quadrature of its definition."""
     function = interface.functions("normal")[name]
-    # doubles with 40 digits: as exact fractions their powers would have thousands of digits
-    numbers = {nt.H: contact.all["H"], nt.k: contact.all["k"], **contact.given()}
-    known = {symbol: sp.Float(value, 40) for symbol, value in numbers.items()}
-    if name == "profile":
-        return []
-    entry = derive(contact.profile, GRADED)[function.quantity.suffix]
-    if entry.status != "closed":
-        return []
-    rows: list[tuple[tuple[float, ...], Any]] = []
+    known = {nt.H: mp.mpf(contact.all["H"]), nt.k: mp.mpf(contact.all["k"]), **contact.given()}
+    rows: Rows = []
     for a in contact.radii():
-        place = {"a": a, "r": a * (1.6 if name == "displacement" else 0.45), "d": a / 50, "F": a}
-        own = {nt.describe(field).symbol: sp.Float(place[field], 40) for field in function.fields}
-        fields = tuple(float(place[field]) for field in function.fields)
-        rows.append((fields, example.value(contact.profile, entry, known | own)))
+        r = a * (1.6 if name == "displacement" else 0.45)
+        half_space = HalfSpace(contact.profile, {**known, nt.r: mp.mpf(r)}, DIGITS, graded=True)
+        with mp.workdps(DIGITS + 10):
+            place = {"a": a, "r": r, "d": 0.0, "F": 0.0}
+            suffix = function.quantity.suffix
+            target = {"ad": "a", "aF": "a", "Fd": "F", "dF": "d"}.get(suffix, suffix)
+            place |= {s: float(half_space.normal(s, mp.mpf(a))) for s in ("d", "F") if s in function.fields}
+            wanted = contact.height(r) if name == "profile" else mp.mpf(a)
+            if name != "profile" and target != "a":
+                wanted = half_space.normal(target, mp.mpf(a))
+            rows.append((tuple(float(place[field]) for field in function.fields), wanted))
     return rows
 
 
-def _complete(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any]]:
+def _complete(contact: Contact, name: str) -> Rows:
     """A complete contact by its closed entries, at a depth above the least one."""
     functions = interface.functions("normal", "complete")
     entry = contact.entries.get(functions[name].quantity.suffix)
@@ -204,35 +178,3 @@ def _complete(contact: _Contact, name: str) -> list[tuple[tuple[float, ...], Any
     arguments = interface.arguments(functions[name], contact.entries)
     own = {nt.describe(n).symbol: sp.Rational(fields[nt.describe(n).symbol]) for n in arguments}
     return [(tuple(float(v) for v in own.values()), example.value(contact.profile, entry, known | own))]
-
-
-def measured(
-    text: str, values: Sequence[Value], request: Request, free: Mapping[str, float]
-) -> tuple[list[Value], dict[str, float]]:
-    """The values with the keywords each function really has, and its worst relative deviation, found by running it.
-
-    Raises
-    ------
-    ArithmeticError
-        If a value is off by more than any rule may be.
-    """
-    space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
-    exec(compile(text, request.module, "exec"), space)  # text of our own making
-    if interface.PULL_OFF in request.quantities:
-        for control in ("force", "depth"):
-            space[interface.PULL_OFF](control, **free)
-    errors: dict[str, float] = {}
-    called = []
-    for value in values:
-        function = space[value.function]
-        code = getattr(function, "__wrapped__", function).__code__
-        names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-        own = replace(value, keywords=tuple((k, v) for k, v in value.keywords if k in names))
-        got = function(*own.fields, **dict(own.keywords))
-        error = abs(got - own.wanted) / abs(own.wanted) if own.wanted else abs(got)
-        if not error <= LARGEST_ERROR:
-            message = f"{own.function}{own.fields} gives {got!r} instead of {own.wanted!r}; the module is not written"
-            raise ArithmeticError(message)
-        errors[own.function] = max(errors.get(own.function, 0.0), error)
-        called.append(own)
-    return called, errors

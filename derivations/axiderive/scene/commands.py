@@ -12,8 +12,9 @@ from ..exits import USAGE, CommandError
 from ..expression.show import shown
 from ..writing import write_atomic
 from . import interface, text
-from .compose import Request, Result, composed, manifest
+from .compose import Result, composed, manifest
 from .reading import Scene, read
+from .request import Request
 from .worker import limited
 
 
@@ -54,7 +55,7 @@ def emit(arguments: argparse.Namespace) -> int:
 def _request(scene: Scene, source: str) -> Request:
     return Request(
         scene.title, scene.module, scene.profile, scene.own, scene.physics, scene.quantities, scene.values,
-        scene.formats, source,
+        scene.formats, scene.at, source,
     )  # fmt: skip
 
 
@@ -70,6 +71,7 @@ def _plan(scene: Scene, folder: Path) -> list[str]:
         f"functions   {', '.join(scene.quantities)}",
         f"frozen      {frozen}",
         f"free        {free}",
+        *([f"example at  {scene.at[0]} = {scene.at[1]!r}"] if scene.at else []),
         f"formats     {', '.join(scene.formats)}",
         f"would write {folder}/{scene.module}",
     ]

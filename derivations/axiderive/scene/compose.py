@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -13,35 +13,20 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..emit.symbols import bounds
-from ..entry import Entry
-from ..expression.answer import DIGITS, Answer, answered
-from ..expression.profile import OwnProfile
-from ..profiles.profile import Profile
-from . import interface, sources
-from .check import MATERIAL, Value, check_values, measured
+from ..exits import USAGE, CommandError
+from ..expression.answer import Answer, answered
+from . import evidence, interface, sources
+from .check import Value, check_values
+from .contact import Contact, values_of, worked
 from .linking import Wanted
+from .measured import measured
 from .module import Constant, PullOff, module_text
 from .page import page_sources
+from .request import Request
 from .written import test_text
 
 OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
-
-
-@dataclass(frozen=True)
-class Request:
-    """What is to be composed."""
-
-    title: str
-    module: str
-    profile: Profile | None
-    own: OwnProfile | None
-    physics: str
-    quantities: Sequence[str]
-    values: Mapping[str, float] = field(default_factory=dict)
-    formats: Sequence[str] = ("python", "tex", "json")
-    scene: str = ""
-    """Text of the scene, copied into the folder."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +60,24 @@ class _Composition:
             self.entries = sources.stored_entries(self.profile)
             self.normal = sources.stored_module(self.profile.name, self.entries)
         self.parameters = [p.name for p in self.profile.parameters]
+        self._require_reach()
+
+    def _require_reach(self) -> None:
+        """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
+        free = [p for p in self.parameters if p not in self.request.values]
+        wanted = sorted(interface.INVERSES & set(self.request.quantities))
+        if (
+            self.answer
+            and self.answer.validity.compact_to is not None
+            and free
+            and wanted
+            and self.request.physics == "normal"
+        ):
+            message = (
+                f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
+                "freeze the parameters, or leave these functions out"
+            )
+            raise CommandError(message, USAGE)
 
     def result(self) -> Result:
         text = self._module()
@@ -86,14 +89,22 @@ class _Composition:
             files[self.request.module] = text.encode()
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
-        if {"tex", "pdf"} & set(self.request.formats) and (self.answer is None or self.answer.closed):
+        if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(
-                _plain(self.request.title), self.profile, self.entries, self._evidence(), own=self.answer is not None
+                _plain(self.request.title),
+                self.profile,
+                self.entries,
+                evidence.stored(self.profile, self.answer),
+                own=self.answer is not None,
             )
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
-            files["evidence.json"] = _json(self._record(values, errors))
+            files["evidence.json"] = _json(
+                evidence.record(
+                    self.request, self.profile, self.answer, self._ordered(self.request.values), values, errors
+                )
+            )
         if self.request.scene:
             files["scene.toml"] = self.request.scene.encode()
         return Result(files, tuple(self._lines(values, errors)), page)
@@ -101,8 +112,8 @@ class _Composition:
     def _free(self) -> dict[str, float]:
         """Values for the parameters that stay free, in the order of the interface."""
         names = self._keywords([*self.parameters, *interface.MATERIAL[self.request.physics]])
-        drawn = {p.name: float(v) for p, v in self.profile.sketch.values} | MATERIAL
-        return {name: drawn.get(name, 1.0) for name in names}
+        known, _ = values_of(self.profile, self.request)
+        return {name: known[name] for name in names}
 
     # the module
 
@@ -148,8 +159,9 @@ class _Composition:
         force, depth = (
             f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
         )
-        keywords = self._keywords([*self.parameters, "E_star", "dgamma"])
-        return PullOff((key, "_pull_off_radius"), (key, force), (key, depth), PULL_OFF_DOC, keywords)
+        parameters = (*self.parameters, "E_star", "dgamma")
+        radius = (key, "_pull_off_radius")
+        return PullOff(radius, (key, force), (key, depth), PULL_OFF_DOC, parameters, self._keywords(parameters))
 
     def _head(self) -> str:
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
@@ -160,69 +172,24 @@ class _Composition:
         lines = [
             f"{title}.",
             "",
-            *_wrapped(f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians."),
+            *_wrapped(
+                f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians. "
+                f"Written by axicontact {__version__}."
+            ),
         ]
         if self.answer is not None:
             lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
-        lines.append(f"Written by axicontact {__version__}.")
+        if self.request.at is not None:
+            lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
         return "\n".join(lines) + "\n"
-
-    # evidence
-
-    def _evidence(self) -> Mapping[str, Any]:
-        if self.answer is None:
-            record = sources.evidence(self.profile.name)
-            return record["evidence"] if record else {}
-        return {"entries": {suffix: self._found(suffix) for suffix in self.entries}}
-
-    def _found(self, suffix: str) -> dict[str, Any]:
-        """Certificate and comparisons of one entry as the handbook prints them."""
-        assert self.answer is not None
-        proof = self.answer.certificates.get(suffix)
-        rows = [c for c in self.answer.comparisons if c.suffix == suffix]
-        worst = max((c.residual for c in rows), default=0.0)
-        check = {"compared": "quadrature", "outcome": "passed", "digits": DIGITS, "count": len(rows)}
-        return {
-            "certified": bool(proof and proof.proved),
-            "certificate": {"reason": proof.reason if proof else ""},
-            "checks": [{**check, "worst": f"{worst:.1e}"}] if rows and worst < 10.0**-DIGITS else [],
-        }
-
-    def _record(self, values: Sequence[Value], errors: Mapping[str, float]) -> dict[str, Any]:
-        record: dict[str, Any] = {"format": 1, "title": self.request.title, "profile": self.profile.name}
-        record["pieces"] = [
-            {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in self.profile.pieces
-        ]
-        record["frozen"] = {name: repr(value) for name, value in self._ordered(self.request.values).items()}
-        if self.answer is not None:
-            record["validity"] = self.answer.validity.sentence
-            record["entries"] = {
-                s: {
-                    "status": self.answer.status(s),
-                    "result": [{"for": " < ".join(map(sp.sstr, c.chain)), "is": sp.sstr(c.expr)} for c in e.cases],
-                    **(
-                        {"certificate": {"proved": cert.proved, "steps": list(cert.steps), "reason": cert.reason}}
-                        if (cert := self.answer.certificates.get(s))
-                        else {}
-                    ),
-                }
-                for s, e in self.entries.items()
-            }
-            record["compared with the definition"] = [
-                {"formula": c.suffix, "at": c.at, "residual": f"{c.residual:.1e}"} for c in self.answer.comparisons
-            ]
-        else:
-            record["evidence"] = self._evidence()
-        record["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
-        record["check values"] = [v.record() for v in values]
-        return record
 
     def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines = []
         if self.answer is not None and not self.answer.closed:
             lines.append(
-                "outside the normal form: each quantity is one regular integral, evaluated by a generated rule"
+                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an "
+                "integral; evaluated by generated rules"
             )
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
@@ -261,6 +228,3 @@ def _wrapped(text: str) -> list[str]:
     import textwrap
 
     return textwrap.wrap(text, 110)
-
-
-__all__ = ["Entry", "Request", "Result", "composed", "manifest"]

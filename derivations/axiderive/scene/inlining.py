@@ -1,4 +1,4 @@
-"""Which functions are written where they are called: used once, straight lines, the same names on both sides."""
+"""Which functions are written where they are called: used once, straight lines, plain names as arguments."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def returned(definition: Definition) -> tuple[list[ast.stmt], ast.expr] | None:
     return (body[:-1], last.value) if all(isinstance(s, ast.Assign) for s in body[:-1]) else None
 
 
-def inlined(linker: Linker) -> frozenset[Key]:
-    """The keys of these functions."""
+def inlined(linker: Linker) -> dict[Key, str]:
+    """The keys of these functions, each with the name its value gets first where it would not fit on the line."""
     uses: dict[Key, list[tuple[Definition, ast.expr]]] = {}
     for definition in linker.reached.values():
         for node, key in definition.references():
@@ -31,6 +31,7 @@ def inlined(linker: Linker) -> frozenset[Key]:
     kept = {w.key for w in linker.wanted} | set(linker.roots)
     names: dict[Key, set[str]] = {key: set(d.bound) for key, d in linker.reached.items()}
     host: dict[Key, Key] = {}
+    short: dict[Key, str] = {}
     parts = {key: returned(d) for key, d in linker.reached.items()}
     carries = {key: bool(own and own[0]) for key, own in parts.items()}
     straight: dict[Key, bool] = {}
@@ -45,31 +46,45 @@ def inlined(linker: Linker) -> frozenset[Key]:
         if call is None or parts[key] is None or key in chain:
             continue
         plain = _straight(caller, call)
+        free = plain and all(straight[inner] for inner in chain[:-1])
         # lines cannot leave a lambda, also not one further out
-        if carries[key] and not (plain and all(straight[inner] for inner in chain[:-1])):
+        if carries[key] and not free:
             continue
         place = chain[-1]
-        if _fits(linker, key, caller, call, names[key], names[place]):
-            host[key], straight[key] = caller.key, plain
-            names[place] |= names[key]
-            if carries[key]:
-                carries |= dict.fromkeys(chain, True)
-    return frozenset(host)
+        if not _means_the_same(linker, key, call, names[key], names[place]):
+            continue
+        name = "" if _fits(linker, key, caller, call) else f"plain_{key[1].lstrip('_')}"
+        if name and (not free or name in names[place]):
+            continue
+        host[key], straight[key], short[key] = caller.key, plain, name
+        own = names[key] - set(linker.reached[key].parameters)
+        names[place] |= own | ({name} if name else set())
+        if carries[key] or name:
+            carries |= dict.fromkeys(chain, True)
+    return short
 
 
-def _fits(linker: Linker, key: Key, caller: Definition, call: ast.Call, own: set[str], outer: set[str]) -> bool:
-    """Whether the lines mean the same in the place of the call, and fit on a line."""
+def _means_the_same(linker: Linker, key: Key, call: ast.Call, own: set[str], outer: set[str]) -> bool:
+    """Whether the lines mean the same in the place of the call, with its arguments for the parameters."""
     callee = linker.reached[key]
     assignments, value = returned(callee) or ([], ast.Constant(None))
     given = linker.given(call, callee)
     taken = [p for p in callee.parameters if p not in linker.dropped[key]]
-    if not all(isinstance(v := given.get(p), ast.Name) and v.id == p for p in taken):
+    if not all(isinstance(given.get(p), ast.Name) for p in taken):
         return False
-    free = {n.id for part in (*assignments, value) for n in ast.walk(part) if isinstance(n, ast.Name)} - own
+    nodes = [n for part in (*assignments, value) for n in ast.walk(part) if isinstance(n, ast.Name)]
+    if {n.id for n in nodes if isinstance(n.ctx, ast.Store)} & set(callee.parameters):
+        return False
+    free = {n.id for n in nodes} - own
     dropped = linker.dropped[key]
-    clash = (own - set(callee.parameters)) & outer | ((free | dropped) & (outer - linker.frozen))
+    return not (own - set(callee.parameters)) & outer and not (free | dropped) & (outer - linker.frozen)
+
+
+def _fits(linker: Linker, key: Key, caller: Definition, call: ast.Call) -> bool:
+    callee = linker.reached[key]
+    _, value = returned(callee) or ([], ast.Constant(None))
     length = len(callee.module.source(value)) + len(caller.module.lines[call.lineno - 1])
-    return not clash and length <= WIDTH + len(caller.module.source(call))
+    return length <= WIDTH + len(caller.module.source(call))
 
 
 def _straight(caller: Definition, call: ast.Call) -> bool:

@@ -20,6 +20,7 @@ MATERIAL = {
 }
 GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm."}
 PULL_OFF = "pull_off"
+INVERSES = frozenset(["radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"])
 SIGNED = {("adhesive", "radius_from_depth"), ("adhesive", "radius_from_force")}
 
 

@@ -10,9 +10,13 @@ import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from .calls import arguments
 from .inlining import inlined
 from .library import Definition, Key, Module
 from .rewriting import rewritten
+
+OWN = "scene"
+"""Module of functions that are written for the scene: they keep their names."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +39,13 @@ class Linker:
     modules: Mapping[str, Module]
     wanted: Sequence[Wanted]
     frozen: frozenset[str]
+    positive: frozenset[str] = frozenset()
+    """The frozen ones above zero, of which no line needs to ask it."""
     roots: Sequence[Key] = ()
     reached: dict[Key, Definition] = field(default_factory=dict)
     dropped: dict[Key, frozenset[str]] = field(default_factory=dict)
     names: dict[Key, str] = field(default_factory=dict)
-    inlined: frozenset[Key] = frozenset()
+    inlined: Mapping[Key, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         pending = [*(w.key for w in self.wanted), *self.roots]
@@ -113,6 +119,7 @@ class Linker:
 
     def _name(self) -> None:
         public = {w.key: w.name for w in self.wanted if self.merged(w)}
+        public |= {key: key[1] for key in self.roots if key[0] == OWN}
         taken = {w.name for w in self.wanted} | self.frozen
         for key in self.reached:
             name = public.get(key)
@@ -138,8 +145,3 @@ SHARED: frozenset[Key] = frozenset(
     {("_integrals", "integral"), ("_elementwise", "Array"), ("_elementwise", "Result"), ("_branches", "Load")}
 )
 """What is written anew for a scene, in fewer lines, or read by the type checker only."""
-
-
-def arguments(call: ast.Call, parameters: Sequence[str]) -> dict[str, ast.expr]:
-    given: dict[str, ast.expr] = dict(zip(parameters, call.args, strict=False))
-    return given | {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}

@@ -9,22 +9,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from .library import Key, Module
-from .linking import Linker, Wanted
+from .linking import OWN, Linker, Wanted
 
 CORE = '''def _elementwise(function{option}):
     """Numbers or arrays in, a float or an array out{nan}."""
 
     @wraps(function)
-    def evaluate(*fields, **parameters):
-        arrays = np.broadcast_arrays(*(np.asarray(field, dtype=float) for field in fields))
-        flat = [np.atleast_1d(array).ravel() for array in arrays]
+    def evaluate(*fields{parameters}):
+        fields = np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in fields))
         with np.errstate(all="ignore"):
-            result = function(*flat, **parameters) + np.zeros_like(flat[0])
-{mask}
-        return result.reshape(arrays[0].shape) if arrays[0].ndim else float(result[0])
+            result = function(*(x.ravel() for x in fields){parameters}) + np.zeros(fields[0].size)
+        result = np.where(np.min(fields, axis=0) >= {least}, result.reshape(fields[0].shape), np.nan)
+        return result if result.ndim else float(result)
 
     return evaluate'''
-MASK = "        result[~np.all([field >= {least} for field in flat], axis=0)] = np.nan"
 REQUIRE = """def _require(**parameters):
     for name, value in parameters.items():
         low, high = _DOMAINS[name]
@@ -34,14 +32,17 @@ INTEGRAL = '''def _integral(integrand, stop, count):
     """Integral of `integrand` from 0 to `stop`."""
     rule = _NODES[count]
     return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
-PULL_OFF = '''def pull_off({control}):
-    """{doc}"""
-    if control not in {xi}:
+PULL_OFF = """from ._adhesion import XI, PullOff
+from .{module} import {radius}, {force}, {depth}
+
+def pull_off({parameters}):
+    if control not in XI:
         raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-{check}    with np.errstate(all="ignore"):
-        radius = np.ravel({radius})
-        force, depth = np.ravel({force}), np.ravel({depth})
-    return {PullOff}(float(radius[0]), float(force[0]), float(depth[0]))'''
+    radius = np.ravel({radius_call})
+    force = {force_call}
+    depth = {depth_call}
+    return PullOff(*(float(np.squeeze(x)) for x in (radius, force, depth)))
+"""
 
 
 @dataclass(frozen=True)
@@ -61,11 +62,23 @@ class PullOff:
     force: Key
     depth: Key
     doc: str
+    parameters: tuple[str, ...]
     keywords: tuple[str, ...]
 
-    @property
-    def keys(self) -> tuple[Key, Key, Key]:
-        return self.radius, self.force, self.depth
+    def module(self, modules: Mapping[str, Module]) -> Module:
+        """The function, to be linked like those it rests on."""
+
+        def call(key: Key) -> str:
+            given = {"a": "radius"}
+            passed = modules[key[0]].definitions[key[1]].parameters
+            return f"{key[1]}({', '.join(given.get(p, p) for p in passed)})"
+
+        text = PULL_OFF.format(
+            module=self.radius[0], radius=self.radius[1], force=self.force[1], depth=self.depth[1],
+            parameters=", ".join(["control", *self.parameters]),
+            radius_call=call(self.radius), force_call=call(self.force), depth_call=call(self.depth),
+        )  # fmt: skip
+        return Module(OWN, text)
 
 
 def module_text(
@@ -93,8 +106,11 @@ def module_text(
     pull_off : PullOff, optional
         If it is wanted.
     """
-    roots = (*pull_off.keys, ("_adhesion", "PullOff"), ("_adhesion", "XI")) if pull_off else ()
-    linker = Linker(modules, wanted, frozenset(c.name for c in constants), roots)
+    roots = ((OWN, "pull_off"),) if pull_off else ()
+    if pull_off:
+        modules = {**modules, OWN: pull_off.module(modules)}
+    positive = frozenset(c.name for c in constants if c.value > 0.0)
+    linker = Linker(modules, wanted, frozenset(c.name for c in constants), positive, roots)
     public, merged = [], set()
     for one in wanted:
         signed = "@partial(_elementwise, least=-np.inf)" if one.signed else "@_elementwise"
@@ -106,11 +122,10 @@ def module_text(
         public.append(f"{signed}\n{text}")
     if pull_off:
         public.append(_pull_off(linker, pull_off))
-    hidden = merged | linker.inlined
+    hidden = {*merged, *linker.inlined, *roots}
     private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
-    classes = [linker.text(k) for k, d in linker.reached.items() if isinstance(d.node, ast.ClassDef)]
-    values = [linker.text(key) for key, d in linker.reached.items() if isinstance(d.node, ast.Assign)]
-    body = "\n\n\n".join([*classes, *public, *private])
+    values = [linker.text(key) for key, d in linker.reached.items() if not d.function]
+    body = "\n\n\n".join([*public, *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
         values.append(_nodes(modules["_nodes"], _counts(linker)))
@@ -131,7 +146,8 @@ def _core(wanted: Sequence[Wanted]) -> str:
     return CORE.format(
         option=", least=0.0" if signed else "",
         nan="" if signed else "; NaN where a field is negative",
-        mask=MASK.format(least="least" if signed else "0.0"),
+        least="least" if signed else "0.0",
+        parameters=", **parameters" if any(one.keywords for one in wanted) else "",
     )
 
 
@@ -145,21 +161,15 @@ def _wrapper(linker: Linker, one: Wanted) -> str:
 
 
 def _pull_off(linker: Linker, own: PullOff) -> str:
-    def call(key: Key) -> str:
-        passed = [p for p in linker.reached[key].parameters if p not in linker.dropped[key]]
-        given = {"a": "radius"}
-        return f"{linker.names[key]}({', '.join(given.get(p, p) for p in passed)})"
-
-    check = f"    _require({', '.join(f'{k}={k}' for k in own.keywords)})\n" if own.keywords else ""
-    return PULL_OFF.format(
-        control=", ".join(['control="force"', *(["*", *own.keywords] if own.keywords else [])]),
-        doc=own.doc, xi=linker.names["_adhesion", "XI"], check=check,
-        radius=call(own.radius), force=call(own.force), depth=call(own.depth),
-        PullOff=linker.names["_adhesion", "PullOff"],
-    )  # fmt: skip
+    """The linked function with its default, its docstring and the check of what stays free."""
+    _, *body = linker.text((OWN, "pull_off")).splitlines()
+    signature = ", ".join(['control="force"', *(["*", *own.keywords] if own.keywords else [])])
+    check = [f"    _require({', '.join(f'{k}={k}' for k in own.keywords)})"] if own.keywords else []
+    head = ['@np.errstate(all="ignore")', f"def pull_off({signature}):", f'    """{own.doc}"""']
+    return "\n".join([*head, *check, *body])
 
 
-COUNTS = (16, 32, 64, 128)
+COUNTS = (16, 24, 32, 64, 128)
 
 
 def _counts(linker: Linker) -> list[int]:
@@ -192,6 +202,6 @@ def _nodes(module: Module, counts: Sequence[int]) -> str:
 def _imports(text: str) -> str:
     functools = [name for name in ("cache", "partial", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
     lines = [f"from functools import {', '.join(functools)}"] if functools else []
+    lines = ["from collections import namedtuple", *lines] if "namedtuple(" in text else lines
     lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
-    lines += ["from typing import NamedTuple"] if "(NamedTuple)" in text else []
     return "\n".join([*lines, *([""] if lines else []), "import numpy as np"])

@@ -7,10 +7,13 @@ from typing import Any
 
 from .. import __version__
 from .. import notation as nt
+from ..contact import general
 from ..emit import front
-from ..emit.handbook import _environment as handbook_environment
+from ..emit.handbook import templates
 from ..emit.page import symbols
 from ..emit.panel import shape_tex
+from ..emit.printer import Printer
+from ..emit.ranges import chain_of, condition, regions
 from ..emit.rows import ordered
 from ..entry import Entry
 from ..index import NoCatalogueError, load
@@ -51,14 +54,41 @@ def page_sources(
     path = f"profiles/{profile.name}.tex"
     texts = None if own else _stored(path)
     if texts is None:
-        preamble = handbook_environment().get_template("preamble.tex.j2").render(version=__version__)
-        texts = {path: _formulas(profile, entries, evidence), "preamble.tex": preamble}
+        preamble = templates().get_template("preamble.tex.j2").render(version=__version__)
+        closed = entries["d"].status == "closed"
+        body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
+        texts = {path: body, "preamble.tex": preamble}
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}\\\\"
         for n in front.notation_rows(symbols(entries) | {p.name for p in profile.parameters if nt.known(p.name)})
     ]
     main = MAIN % {"title": escaped(title), "version": __version__, "rows": "\n".join(rows), "name": profile.name}
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
+
+
+INTEGRALS = {"d": "d=g(a)", "F": r"F_{\mathrm N}", "w": "w(r)"}
+PRESSURE = r"p(r)=\frac{E^{*}}{\pi}\int_{0}^{\sqrt{a^{2}-r^{2}}}\frac{g'(t)}{t}\,\mathrm{d}u,\quad t=\sqrt{r^{2}+u^{2}}"
+FITTED = r"\par\vspace{2mm}\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{$\displaystyle %s$}"
+
+
+def integrals(profile: Profile, entries: Mapping[str, Entry]) -> str:
+    """What is outside the normal form: integrals over the profile, and the pressure as one over g'(t), itself one."""
+    lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
+    for suffix, left in INTEGRALS.items():
+        for pairs, expr in regions(entries[suffix]):
+            chain = chain_of(entries[suffix], expr)
+            printer = Printer(chain, {})
+            where = condition(entries[suffix], pairs, chain, printer)
+            lines.append(FITTED % (f"{left}={printer(expr)}" + (rf",\quad {where}" if where else "")))
+    lines.append(FITTED % PRESSURE)
+    for layer in general.layers(profile):
+        own = Printer((), {})
+        where = rf"\quad\text{{added where }} t>{own(layer.start)}" if layer.start != 0 else ""
+        lines.append(FITTED % f"g'(t)={'...+' if where else ''}{own(general.rate(layer))}{where}")
+    lines.append(
+        r"\par\vspace{3mm}Regular integrals, evaluated by the rules of the module; \(g'\) is itself an integral."
+    )
+    return "\n".join([*lines, ""])
 
 
 def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> str:

@@ -14,22 +14,15 @@ from .. import profiles
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
-from . import interface
+from . import interface, wishes
 from .medium import medium_values
+from .sources import graded_refusal
 from .text import SceneText, near
 from .units import UnitError, kind_of, value_of
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
-FORMATS = ("python", "tex", "pdf", "json")
 PHYSICS = ("normal", "adhesive", "tangential")
 LATER = ("viscoelastic", "plane", "loads")
-DEFAULT = {
-    "normal": ["depth", "force", "pressure", "displacement"],
-    "graded": ["depth", "force", "pressure", "displacement"],
-    "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
-    "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
-}
-FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
 
 @dataclass
@@ -46,6 +39,8 @@ class Scene:
     folder: str = ""
     module: str = ""
     formats: list[str] = field(default_factory=list)
+    at: tuple[str, float] | None = None
+    """What the worked example is given at: a, d or F."""
 
     @property
     def notation(self) -> tuple[nt.Notation, ...]:
@@ -70,9 +65,9 @@ def read(text: SceneText) -> Scene:
         _parameters(text, scene)
         scene.values |= medium_values(text)
         _physics(text, scene)
-        _want(text, scene)
+        wishes.want(text, scene)
         _rules(text, scene)
-    _output(text, scene)
+    wishes.output(text, scene)
     scene.title = scene.title or (scene.profile.title if scene.profile else "")
     text.finish()
     return scene
@@ -180,10 +175,11 @@ def _physics(text: SceneText, scene: Scene) -> None:
         text.problem("physics", chosen[0], message)
     scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
     profile = scene.profile
-    if graded and profile is not None and (profile.contact != "compact" or scene.own):
-        what = "an expression" if scene.own else f"{profile.name}, a complete contact,"
-        message = f'{what} on a graded half space cannot be emitted; the nearest is kind = "homogeneous"'
-        text.problem("medium", "kind", message)
+    if graded and profile is not None and profile.contact != "compact":
+        what = f"{profile.name}, a complete contact, on a graded half space"
+        text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
+    elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
+        text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
     if profile is not None and profile.contact != "compact" and chosen:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
         text.problem("physics", chosen[0], message)
@@ -212,29 +208,6 @@ def _inline(text: SceneText, scene: Scene, name: str, key: str, value: Any) -> N
         text.problems[i] = (line, text.at(line, message))
 
 
-def _want(text: SceneText, scene: Scene) -> None:
-    table = text.table("want", ("quantities",))
-    contact = scene.profile.contact if scene.profile else "compact"
-    known = available(scene.physics, contact)
-    default = [name for name in DEFAULT[scene.physics] if name in known]
-    raw = table.get("quantities", default)
-    if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
-        text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
-        return
-    for name in raw:
-        if name not in known:
-            text.problem("want", "quantities", f"unknown quantity {name[:40]!r} of {scene.physics}{near(name, known)}")
-    scene.quantities = list(dict.fromkeys(name for name in raw if name in known))
-
-
-def available(physics: str, contact: str) -> list[str]:
-    """Names of the functions of a physics; those of the normal contact come with tangential ones."""
-    own = list(interface.functions(physics, contact))
-    if physics == "tangential":
-        own += list(interface.functions("normal", contact))
-    return [*own, interface.PULL_OFF] if physics == "adhesive" else own
-
-
 def _rules(text: SceneText, scene: Scene) -> None:
     if scene.profile is None:
         return
@@ -247,23 +220,3 @@ def _rules(text: SceneText, scene: Scene) -> None:
                 rule.left.free_symbols | rule.right.free_symbols, key=str))  # fmt: skip
             section = "profile" if isinstance(text.values.get("profile"), dict) else "parameters"
             text.problem(section, key, f"{given}: {sp.sstr(rule.relation())} is violated; {rule.reason}")
-
-
-def _output(text: SceneText, scene: Scene) -> None:
-    table = text.table("output", ("folder", "module", "formats"))
-    stem = re.sub(r"\W+", "_", scene.name).strip("_") or "scene"
-    stem = stem if stem[0].isalpha() else f"scene_{stem}"
-    scene.module = table.get("module", f"{stem[:60]}.py")
-    if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
-        text.problem(
-            "output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
-        )
-    scene.folder = table.get("folder", stem[:60])
-    if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
-        text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")
-    elif scene.folder.startswith(("/", "~")) or ".." in scene.folder.split("/") or "\\" in scene.folder:
-        message = f"folder {scene.folder[:60]!r} leaves the place of the scene; use a name below it, or --out DIR"
-        text.problem("output", "folder", message)
-    scene.formats = table.get("formats", list(FORMATS))
-    if not isinstance(scene.formats, list) or any(name not in FORMATS for name in scene.formats):
-        text.problem("output", "formats", f"formats must be a list out of {', '.join(FORMATS)}")

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import ast
+import re
+import textwrap
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from .calls import arguments
 from .inlining import returned
 
 if TYPE_CHECKING:
@@ -19,6 +23,15 @@ def rewritten(linker: Linker, definition: Definition, doc: str = "") -> str:
     return _Rewriting(linker, definition).text(doc)
 
 
+def _constant(name: str, value: str) -> str:
+    """A constant; a table of numbers fills its lines."""
+    if "\n" not in value or "#" in value:
+        return f"{name} = {value}"
+    table = re.sub(r",\s*\)", ")", re.sub(r"\(\s+", "(", re.sub(r"\s+", " ", value)))
+    table = re.sub(r"\(([^(), ]+)\)", r"(\1,)", table)
+    return textwrap.fill(f"{name} = {table}", WIDTH, subsequent_indent="    ", break_long_words=False)
+
+
 def _binds_less(value: ast.expr, parent: ast.AST | None) -> bool:
     """Whether an expression needs brackets where a call stood."""
     if not isinstance(value, (ast.BinOp, ast.UnaryOp, ast.IfExp, ast.Compare, ast.Lambda)):
@@ -30,8 +43,10 @@ def _binds_less(value: ast.expr, parent: ast.AST | None) -> bool:
 
 
 class _Rewriting:
-    def __init__(self, linker: Linker, definition: Definition) -> None:
+    def __init__(self, linker: Linker, definition: Definition, given: Mapping[str, str] | None = None) -> None:
         self.linker, self.definition = linker, definition
+        self.given = given or {}
+        """What stands for a parameter, where the lines are written in the place of a call."""
         self.module: Module = definition.module
         self.before: list[str] = []
         """Lines that go before the statement being written."""
@@ -45,9 +60,11 @@ class _Rewriting:
         name = self.linker.names[self.definition.key]
         if isinstance(node, ast.Assign):
             above = [comment.strip() for comment in self._comments(node)]
-            return "\n".join([*above, f"{name} = {self._render(node.value)}"])
-        if not isinstance(node, ast.FunctionDef):
-            return self._render(node).replace(f"class {self.definition.name}", f"class {name}", 1)
+            return "\n".join([*above, _constant(name, self._render(node.value))])
+        if isinstance(node, ast.ClassDef):
+            fields = [s.target.id for s in node.body if isinstance(s, ast.AnnAssign) and isinstance(s.target, ast.Name)]
+            return f'{name} = namedtuple("{name}", "{" ".join(fields)}")'
+        assert isinstance(node, ast.FunctionDef)
         own = self.linker.dropped[self.definition.key]
         body = list(node.body)
         if ast.get_docstring(node) is not None:
@@ -92,16 +109,46 @@ class _Rewriting:
     def _edits(self, node: ast.AST) -> list[tuple[int, int, str]]:
         edits = []
         for child in ast.walk(node):
-            if isinstance(child, ast.Call) and id(child.func) in self.keys:
+            if isinstance(child, ast.Call) and self._certain(child):
+                value = child.args[1]
+                text = self._render(value)
+                bracketed = f"({text})" if _binds_less(value, self.parents.get(id(child))) else text
+                edits.append((*self.module.span(child), bracketed))
+            elif isinstance(child, ast.Lambda) and (name := self._same_as(child)):
+                edits.append((*self.module.span(child), name))
+            elif isinstance(child, ast.Call) and id(child.func) in self.keys:
                 edits += self._call(child)
             elif id(child) in self.keys:
                 edits.append((*self.module.span(child), self._name(self.keys[id(child)])))
+            elif isinstance(child, ast.Name) and child.id in self.given:
+                edits.append((*self.module.span(child), self.given[child.id]))
             elif isinstance(child, ast.FunctionDef):
                 edits += self._header(child)
             elif isinstance(child, ast.AnnAssign):
                 target, annotation = self.module.span(child.target)[1], self.module.span(child.annotation)[1]
                 edits.append((target, annotation, ": float" if child.value is None else ""))
         return edits
+
+    def _certain(self, node: ast.Call) -> bool:
+        """Whether this is `np.where(dgamma > 0.0, ...)` of a frozen parameter above zero."""
+        if ast.unparse(node.func) != "np.where":
+            return False
+        known = self.linker.positive & (
+            self.linker.dropped[self.definition.key] | (self.linker.frozen - self.definition.bound)
+        )
+        return ast.unparse(node.args[0]) in {f"{name} > 0.0" for name in known}
+
+    def _same_as(self, node: ast.Lambda) -> str:
+        """The function that `lambda t: _slope(t)` is, once nothing else is passed to it."""
+        call = node.body
+        if not isinstance(call, ast.Call) or call.keywords or id(call.func) not in self.keys:
+            return ""
+        key = self.keys[id(call.func)]
+        given = arguments(call, self.linker.reached[key].parameters if key in self.linker.reached else [])
+        own = self.linker.dropped.get(key, frozenset())
+        left = [ast.unparse(value) for parameter, value in given.items() if parameter not in own]
+        same = left == [arg.arg for arg in node.args.args] and len(given) == len(call.args)
+        return self._name(key) if same and key not in self.linker.inlined else ""
 
     def _name(self, key: Key) -> str:
         return self.linker.names.get(key, f"_{key[1]}")
@@ -130,11 +177,17 @@ class _Rewriting:
         parts = returned(self.linker.reached[key])
         assert parts is not None
         assignments, value = parts
-        callee = _Rewriting(self.linker, self.linker.reached[key])
+        definition = self.linker.reached[key]
+        passed = arguments(call, definition.parameters)
+        given = {p: self._render(v) for p, v in passed.items() if p not in self.linker.dropped[key]}
+        callee = _Rewriting(self.linker, definition, {p: text for p, text in given.items() if p != text})
         for assignment in assignments:
             self.before += [*callee._comments(assignment), *callee._statement(assignment)]
         text = callee._render(value)
         self.before += callee.before
+        if name := self.linker.inlined[key]:
+            self.before.append(f"    {name} = {text}")
+            return name
         return f"({text})" if _binds_less(value, self.parents.get(id(call))) else text
 
     def _header(self, node: ast.FunctionDef) -> list[tuple[int, int, str]]:

@@ -8,14 +8,17 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
 from ..contact import normal as plain
 from ..contact import tangential as slipping
 from ..contact.medium import GRADED
 from ..emit import physics, python
 from ..emit.graded import normal as graded_normal
+from ..emit.graded.families import family
 from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
 from ..emit.imports import RUNTIME
+from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential
 from ..emit.physics.text import NormalModule
@@ -23,18 +26,41 @@ from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
 from ..records import read_entry
+from .grouping import rules, ungrouped
 from .library import Module
 from .module import COUNTS
 
+FOLDERS = (RUNTIME, physics.RUNTIME, GRADED_RUNTIME)
 OWN = Path(__file__).with_name("runtime")
+"""New modules, and definitions in place of others of the same name."""
 
 
 @cache
 def runtime() -> dict[str, Module]:
-    paths = [p for folder in (RUNTIME, physics.RUNTIME, GRADED_RUNTIME, OWN) for p in sorted(folder.glob("*.py"))]
-    return {path.stem: Module(path.stem, path.read_text()) for path in paths} | {
-        "_nodes": Module("_nodes", nodes_source(COUNTS))
-    }
+    texts = {path.stem: path.read_text() for folder in FOLDERS for path in sorted(folder.glob("*.py"))}
+    texts |= {"_nodes": nodes_source(COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
+    modules = {name: _module(name, text) for name, text in texts.items()}
+    for path in sorted(OWN.glob("*.py")):
+        own = _module(path.stem, path.read_text())
+        modules.setdefault(path.stem, own).definitions.update(own.definitions)
+    return modules
+
+
+@cache
+def _rules() -> dict[str, int]:
+    return rules((RUNTIME / "_integrals.py").read_text())
+
+
+def _module(name: str, text: str) -> Module:
+    return Module(name, ungrouped(text, _rules()))
+
+
+def stored(path: str) -> str | None:
+    """A file of the package in the catalogue, if there is one."""
+    try:
+        return (load().folder / path).read_text()
+    except (NoCatalogueError, OSError):
+        return None
 
 
 def stored_entries(profile: Profile) -> dict[str, Entry]:
@@ -57,10 +83,19 @@ def evidence(name: str) -> dict[str, Any] | None:
 
 def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
     """The text of the normal module of a profile of the catalogue."""
+    return stored(f"normal/{name}.py") or python.module_source(entries)
+
+
+def graded_refusal(profile: Profile) -> str:
+    """Why no module of a profile is emitted for a graded half space; empty if one is."""
     try:
-        return (load().folder / "normal" / f"{name}.py").read_text()
-    except (NoCatalogueError, OSError):
-        return python.module_source(entries)
+        family(profile)
+    except (NotReducibleError, AssertionError, ValueError):
+        return (
+            "the rules of the graded half space do not hold its pieces; "
+            "the nearest are sums of powers of r, with at most one break of straight or parabolic pieces"
+        )
+    return ""
 
 
 def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> dict[str, Module]:
@@ -75,15 +110,15 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     wanted : str
         Name of the physics.
     """
-    modules = {**runtime(), f"normal.{profile.name}": Module(f"normal.{profile.name}", normal)}
+    modules = {**runtime(), f"normal.{profile.name}": _module(f"normal.{profile.name}", normal)}
     if wanted == "normal":
         return modules
     if wanted == "graded":
         key = f"graded.{profile.name}"
-        return {**modules, key: Module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
+        return {**modules, key: _module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
     write, above = {
         "adhesive": (adhesive.module_source, stuck.derive),
         "tangential": (tangential.module_source, slipping.derive),
     }[wanted]
-    return {**modules, key: Module(key, write(own, above(profile)))}
+    return {**modules, key: _module(key, write(own, above(profile, plain=entries), interface=False))}

@@ -14,7 +14,7 @@ from ..exits import USAGE, CommandError
 
 LARGEST = 100_000
 SECTION = re.compile(r"\s*\[+\s*([\w.\"'-]+)\s*\]+")
-KEY = re.compile(r"\s*[\"']?([\w-]+)[\"']?\s*=")
+KEY = re.compile(r"\s*[\"']?([\w.-]+)[\"']?\s*=")
 
 
 class SceneError(CommandError):
@@ -79,8 +79,10 @@ class SceneText:
                 found = number if current == section and not found else found
             elif current == section and key and (match := KEY.match(line)) and match[1] == key:
                 return number
-            elif not current and section and (match := KEY.match(line)) and match[1] == section:
-                found = number
+            elif not current and section and (match := KEY.match(line)):
+                if key and match[1] == f"{section}.{key}":
+                    return number
+                found = number if match[1].split(".")[0] == section else found
         return found
 
     def problem(self, section: str, key: str, message: str) -> None:

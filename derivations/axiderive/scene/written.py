@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from . import interface
-from .check import DIGITS, Value
+from .check import Value
+from .contact import DIGITS
 
 if TYPE_CHECKING:
-    from .compose import Request
+    from .request import Request
 
 TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""

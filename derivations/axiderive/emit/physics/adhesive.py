@@ -37,9 +37,9 @@ SUMMARY = {
 }
 
 
-def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
-    """The module of one profile with a compact contact."""
-    return _Adhesive(module, entries).source()
+def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
+    """The module of one profile with a compact contact; without its interface, what that rests on."""
+    return _Adhesive(module, entries).source(interface=interface)
 
 
 def exponent(profile: Profile) -> sp.Expr | None:
@@ -59,13 +59,13 @@ class _Adhesive:
         self.power = exponent(self.profile)
         self.example = Example(self.profile, entries, "adhesive")
 
-    def source(self) -> str:
+    def source(self, *, interface: bool) -> str:
         inverse = (
             branch_functions(self.module)
             if self.power is None
             else power_law_functions(self.module, self.entries, self.power)
         )
-        public = [self.public(suffix) for suffix in SUMMARY] + [self.pull_off()]
+        public = [*map(self.public, SUMMARY), self.pull_off()] if interface else []
         title = f"{self.profile.title} with adhesion"
         body = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules() + inverse)
         return body.replace(text.NORMAL, self.profile.name)

@@ -32,10 +32,10 @@ ORDER = [
 ]
 
 
-def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
-    """The module of one profile with a compact contact."""
+def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
+    """The module of one profile with a compact contact; without its interface, what that rests on."""
     example = Example(module.profile, entries, "tangential", module.entries)
-    public = [_public(module, entries[suffix], example) for suffix in SUMMARY]
+    public = [_public(module, entries[suffix], example) for suffix in SUMMARY] if interface else []
     title = f"{module.profile.title} under a tangential load"
     source = text.module(title, module.profile.subtitle, IMPORTS, public, _private(module))
     return source.replace(text.NORMAL, module.profile.name)

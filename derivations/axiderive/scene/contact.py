@@ -1,0 +1,182 @@
+"""Numbers of one contact at the values of a scene: integrals of the definition, never the module's own rules."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import mpmath as mp
+import numpy as np
+import sympy as sp
+
+from .. import notation as nt
+from ..emit import example
+from ..entry import Entry
+from ..exits import FAILED, CommandError
+from ..expression import ExpressionError
+from ..expression.definition import Definition
+from ..expression.numeric import Numeric
+from ..expression.validity import examine
+from ..profiles.profile import Profile
+from . import interface
+
+if TYPE_CHECKING:
+    from .request import Request
+
+DIGITS = 20
+UNITS = {"a": "m", "d": "m", "F": "N"}
+MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25}
+"""Material values where a scene leaves them free."""
+
+
+def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
+    """Values of all parameters, and the radius up to which the contact is compact.
+
+    Free parameters of an expression are all drawn as 1, where q and 1/q are the
+    same: here they differ, unless the profile is not compact then.
+    """
+    drawn = {p.name: float(v) for p, v in profile.sketch.values}
+    own = {p.name: request.values.get(p.name, drawn.get(p.name, 1.0)) for p in profile.parameters}
+    material = {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
+    if request.own is None:
+        return own | material, np.inf
+    free = [p.name for p in profile.parameters if p.name not in request.values]
+    moved = {
+        name: own[name] * (1.3 if name in map(str, profile.breaks) else 1.0 + 0.13 * (i + 1))
+        for i, name in enumerate(free)
+    }
+    try:
+        reach = _reach(profile, own | moved)
+    except ExpressionError:
+        moved, reach = {}, _reach(profile, own)
+    return own | moved | material, reach
+
+
+def _reach(profile: Profile, values: Mapping[str, float]) -> float:
+    found = examine(profile, {p: values[p.name] for p in profile.parameters}).compact_to
+    return np.inf if found is None else found
+
+
+def worked(contact: Contact) -> str:
+    """The worked example in words, by the definition."""
+    with mp.workdps(DIGITS):
+        a = contact.worked()
+        name, value = contact.request.at or ("a", a)
+        states = {"a": mp.mpf(a), "d": contact.depth(a), "F": contact.force(a)}
+    shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {UNITS[k]}" for k, v in states.items() if k != name)
+    return f"Example: at {name} = {value:g} {UNITS[name]} it is {shown}."
+
+
+class Contact:
+    """Numbers of one contact at frozen and chosen values."""
+
+    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
+        self.profile, self.entries, self.request = profile, entries, request
+        self.all, self.reach = values_of(profile, request)
+        self.exact = {p: sp.Rational(self.all[p.name]) for p in profile.parameters}
+        self.compact = profile.contact == "compact"
+        self.definition = Definition(profile, self.given(), DIGITS) if self.compact else None
+        self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
+
+    def given(self) -> dict[sp.Symbol, sp.Expr]:
+        """Parameters, and abbreviations as floats of 40 digits."""
+        known: dict[sp.Symbol, sp.Expr] = dict(self.exact)
+        for symbol, expr in self.profile.abbreviations:
+            known[symbol] = sp.Rational(str(sp.N(expr.xreplace(known), 40)))
+        return known
+
+    def radii(self) -> list[float]:
+        """Contact radii of the size of the profile, on both sides of its breaks, and that of the worked example."""
+        return [*self._drawn(), *([self.worked()] if self.request.at else [])]
+
+    def _drawn(self) -> list[float]:
+        known = {s: float(v) for s, v in self.given().items()}
+        breaks = [known[b] for b in self.profile.breaks]
+        if breaks:
+            inner = [] if self.profile.truncated else [0.6 * breaks[0]]
+            found = [*inner, 1.4 * breaks[-1]]
+            return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
+        drawn = dict(self.profile.sketch.values)
+        lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
+        scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
+        top = scale * self.profile.sketch.a if lengths else 1e-3
+        if self.profile.largest is not None:
+            top = min(top, 0.9 * float(self.profile.largest.xreplace(self.given())))
+        if self.profile.chain and self.profile.chain[-1] in known:
+            top = min(top, 0.8 * known[self.profile.chain[-1]])
+        top = min(top, 0.9 * self.reach)
+        return [0.4 * top, top]
+
+    def between(self, a: float) -> list[float]:
+        """A place in the last piece below the contact radius, where there is more than one."""
+        inner = [b for b in (float(self.given()[b]) for b in self.profile.breaks) if b < a]
+        return [0.5 * (inner[-1] + a)] if inner else []
+
+    def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
+        assert self.definition is not None
+        with mp.workdps(DIGITS + 10):
+            if suffix == "w" and at is not None and at <= a:
+                return self.normal("d", a) - self.height(at)
+            if suffix == "p" and at is not None and at >= a:
+                return mp.mpf(0)
+            key = (suffix, a, at)
+            if key not in self.found:
+                self.found[key] = self.definition.quantity(suffix, a, at)
+            return (mp.mpf(self.all["E_star"]) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
+
+    def height(self, at: float) -> mp.mpf:
+        known = self.given() | {nt.r: sp.Rational(at)}
+        return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
+
+    def moved(self, a: float) -> mp.mpf:
+        """The retraction of Hess; 0 without adhesion."""
+        if self.request.physics != "adhesive":
+            return mp.mpf(0)
+        return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
+
+    def depth(self, a: float) -> mp.mpf:
+        return self.normal("d", a) - self.moved(a)
+
+    def force(self, a: float) -> mp.mpf:
+        return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
+
+    def curve(self, quantity: str, a: Any) -> Any:
+        """Depth or force in doubles, to see where it rises."""
+        numeric = Numeric(self.profile, {s: float(v) for s, v in self.given().items()})
+        E, lost = self.all["E_star"], np.zeros_like(a)
+        if self.request.physics == "adhesive":
+            lost = np.sqrt(2.0 * np.pi * a * self.all["dgamma"] / E)
+        return numeric.depth(a) - lost if quantity == "d" else E * numeric.force(a) - 2.0 * E * a * lost
+
+    def outermost(self, quantity: str, a: float) -> bool:
+        """Whether the load rises through this radius and no larger one carries the same."""
+        values = self.curve(quantity, a * np.array([0.999, *1.03 ** np.arange(120)]))
+        return bool(values[0] < values[1]) and bool(np.all(values[2:] > values[1]))
+
+    def worked(self) -> float:
+        """Contact radius of the worked example.
+
+        Raises
+        ------
+        CommandError
+            If no contact carries its load.
+        """
+        name, value = self.request.at or ("a", 0.0)
+        if name == "a":
+            return value
+        floor = float(self.given()[self.profile.breaks[0]]) if self.profile.truncated else 0.0
+        grid = max(self._drawn()) * 10.0 ** np.linspace(-8.0, 8.0, 4001)
+        grid = grid[grid > floor]
+        load = self.curve(name, grid)
+        rises = np.flatnonzero((load[:-1] <= value) & (load[1:] > value))
+        if not len(rises):
+            message = (
+                f"no contact radius carries {name} = {value:g}; change want.at, or name a radius, at = {{ a = ... }}"
+            )
+            raise CommandError(message, FAILED)
+        low, high = grid[rises[-1]], grid[rises[-1] + 1]
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            above = bool(self.curve(name, np.array([middle]))[0] > value)
+            low, high = (low, middle) if above else (middle, high)
+        return float(high)

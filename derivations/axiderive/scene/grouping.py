@@ -1,0 +1,89 @@
+"""Rules that are called in groups of points, as plain functions: a module of a scene needs no groups.
+
+`in_groups` takes what the integrand needs apart, to select it point by point.
+Here the rule integrates all points with the nodes of the widest interval, which
+costs time and no accuracy, and takes an integrand of its lengths alone.
+"""
+
+from __future__ import annotations
+
+import ast
+
+MARK = "in_groups"
+Edit = tuple[int, int, str]
+
+
+class _Text:
+    """Source with the byte offsets of its nodes."""
+
+    def __init__(self, text: str) -> None:
+        self.data, self.tree = text.encode(), ast.parse(text)
+        self.starts = [0]
+        for line in text.splitlines(keepends=True):
+            self.starts.append(self.starts[-1] + len(line.encode()))
+
+    def span(self, node: ast.expr | ast.stmt | ast.arg) -> tuple[int, int]:
+        assert node.end_lineno is not None and node.end_col_offset is not None
+        return self.starts[node.lineno - 1] + node.col_offset, self.starts[node.end_lineno - 1] + node.end_col_offset
+
+    def source(self, node: ast.expr) -> str:
+        start, end = self.span(node)
+        return self.data[start:end].decode()
+
+    def edited(self, edits: list[Edit]) -> str:
+        out, place = [], 0
+        for start, end, new in sorted(edits):
+            out += [self.data[place:start], new.encode()]
+            place = end
+        return b"".join([*out, self.data[place:]]).decode()
+
+
+def rules(text: str) -> dict[str, int]:
+    """The rules of a module by name, with the number of lengths their integrand takes."""
+    return {n.name: _arity(n) for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and _marked(n)}
+
+
+def ungrouped(text: str, known: dict[str, int]) -> str:
+    """The module with these rules, and calls of them, written plainly."""
+    if not any(name in text for name in known):
+        return text
+    own, edits = _Text(text), []
+    for node in ast.walk(own.tree):
+        if isinstance(node, ast.FunctionDef) and _marked(node):
+            edits += _plain_rule(own, node)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in known:
+            edits += _plain_call(own, node, known[node.func.id])
+    return own.edited(edits)
+
+
+def _marked(node: ast.FunctionDef) -> bool:
+    return any(isinstance(d, ast.Name) and d.id == MARK for d in node.decorator_list)
+
+
+def _arity(rule: ast.FunctionDef) -> int:
+    slope = rule.args.args[0].arg
+    calls = (n for n in ast.walk(rule) if isinstance(n, ast.Call))
+    return next(len(c.args) for c in calls if isinstance(c.func, ast.Name) and c.func.id == slope)
+
+
+def _plain_rule(own: _Text, rule: ast.FunctionDef) -> list[Edit]:
+    """Without the mark, with a width, and integrating what it returned."""
+    last = rule.body[-1]
+    assert isinstance(last, ast.Return) and isinstance(last.value, ast.Tuple)
+    integrand, stop, factor, holds, otherwise = (own.source(part) for part in last.value.elts)
+    value = f"integral_in_strip({integrand}, {stop}, width)"
+    value = value if factor == "1.0" else f"{factor} * {value}"
+    value = value if holds == "True" else f"np.where({holds}, {value}, {otherwise})"
+    mark, end = own.span(rule.decorator_list[0])[0] - 1, own.span(rule.args.args[-1])[1]
+    return [(mark, own.starts[rule.lineno - 1], ""), (end, end, ", width: Array = 1.0"), (*own.span(last.value), value)]
+
+
+def _plain_call(own: _Text, call: ast.Call, arity: int) -> list[Edit]:
+    """`rule(_slope, (R, b), r, a)` becomes `rule(lambda t: _slope(t, R, b), r, a)`."""
+    slope, given = call.args[0], call.args[1]
+    if not isinstance(given, ast.Tuple):
+        return []
+    fields = ["t", "root"][:arity]
+    passed = ", ".join([*fields, *(own.source(value) for value in given.elts)])
+    text = f"lambda {', '.join(fields)}: {own.source(slope)}({passed})"
+    return [(own.span(slope)[0], own.span(given)[1], text)]

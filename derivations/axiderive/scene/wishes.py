@@ -1,0 +1,96 @@
+"""What a scene wants and where it goes: functions, the worked example, folder, module and formats."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from .. import notation as nt
+from . import interface
+from .text import SceneText, near
+from .units import UnitError, kind_of, value_of
+
+if TYPE_CHECKING:
+    from .reading import Scene
+
+FORMATS = ("python", "tex", "pdf", "json")
+DEFAULT = {
+    "normal": ["depth", "force", "pressure", "displacement"],
+    "graded": ["depth", "force", "pressure", "displacement"],
+    "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
+    "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
+}
+FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
+
+
+def want(text: SceneText, scene: Scene) -> None:
+    table = text.table("want", ("quantities", "at"))
+    contact = scene.profile.contact if scene.profile else "compact"
+    known = available(scene.physics, contact)
+    default = [name for name in DEFAULT[scene.physics] if name in known]
+    raw = table.get("quantities", default)
+    if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
+        text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
+        return
+    for name in raw:
+        if name not in known:
+            text.problem("want", "quantities", f"unknown quantity {name[:40]!r} of {scene.physics}{near(name, known)}")
+    scene.quantities = list(dict.fromkeys(name for name in raw if name in known))
+    if "at" in table:
+        _example(text, scene, table["at"])
+
+
+def _example(text: SceneText, scene: Scene, raw: object) -> None:
+    """The place of the worked example: one radius, depth or force of a contact whose values are all frozen."""
+    form = 'at = { F = "50 mN" }, or a depth d, or a contact radius a'
+    if not isinstance(raw, dict) or len(raw) != 1 or not set(raw) <= {"a", "d", "F"}:
+        text.problem("want", "at", f"at names one field of the contact; write {form}")
+        return
+    ((key, given),) = raw.items()
+    try:
+        value = value_of(given, kind_of(nt.describe(key)))
+    except UnitError as error:
+        text.problem("want", "at", f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+        return
+    if not value > 0.0 and (key == "a" or scene.physics != "adhesive"):
+        text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
+        return
+    profile = scene.profile
+    if scene.physics == "graded" or profile is None or profile.contact != "compact":
+        message = "a worked example is given for a compact contact on a homogeneous half space; leave at out"
+        text.problem("want", "at", message)
+        return
+    needs = [*(p.name for p in profile.parameters), *interface.MATERIAL[scene.physics]]
+    free = [name for name in needs if name not in scene.values]
+    if free and not text.problems:
+        text.problem("want", "at", f"a worked example needs values of all parameters; freeze {', '.join(free)} too")
+        return
+    scene.at = (key, value)
+
+
+def available(physics: str, contact: str) -> list[str]:
+    """Names of the functions of a physics; those of the normal contact come with tangential ones."""
+    own = list(interface.functions(physics, contact))
+    if physics == "tangential":
+        own += list(interface.functions("normal", contact))
+    return [*own, interface.PULL_OFF] if physics == "adhesive" else own
+
+
+def output(text: SceneText, scene: Scene) -> None:
+    table = text.table("output", ("folder", "module", "formats"))
+    stem = re.sub(r"\W+", "_", scene.name).strip("_") or "scene"
+    stem = stem if stem[0].isalpha() else f"scene_{stem}"
+    scene.module = table.get("module", f"{stem[:60]}.py")
+    if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
+        text.problem(
+            "output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
+        )
+    scene.folder = table.get("folder", stem[:60])
+    if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
+        text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")
+    elif scene.folder.startswith(("/", "~")) or ".." in scene.folder.split("/") or "\\" in scene.folder:
+        message = f"folder {scene.folder[:60]!r} leaves the place of the scene; use a name below it, or --out DIR"
+        text.problem("output", "folder", message)
+    scene.formats = table.get("formats", list(FORMATS))
+    if not isinstance(scene.formats, list) or any(name not in FORMATS for name in scene.formats):
+        text.problem("output", "formats", f"formats must be a list out of {', '.join(FORMATS)}")
