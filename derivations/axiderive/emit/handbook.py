@@ -48,7 +48,7 @@ def handbook_sources(
         Text by path relative to the folder of the handbook.
     """
     models = page_models(derived, evidence or {}) if models is None else models
-    template = _environment().get_template("profile.tex.j2")
+    template = templates().get_template("profile.tex.j2")
     files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
     return files | book_sources([summary(model) for model in models.values()], chapter11)
 
@@ -58,14 +58,8 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
 
     A model is a pure function of the problems of its profile.
     """
-<<<<<<< HEAD
     ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
-=======
-    model = spread.model(profile_id, derived, evidence, number)
-    text = templates().get_template("profile.tex.j2").render(model)
-    return f"profiles/{profile_id}.tex", text, {key: model[key] for key in SUMMARISED}
->>>>>>> own-profiles
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
