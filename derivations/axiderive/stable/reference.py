@@ -52,6 +52,9 @@ def _root(curve: Entry, values: Floats, target: float) -> arb:
             step = radius * arb(2) ** (-2 * BITS)
             value, ahead = (enclosed(curve, values, ((nt.a, x),), 2 * BITS + WANTED) for x in (radius, radius + step))
             radius = (radius - (value - target) * step / (ahead - value)).mid()
+        if not abs(enclosed(curve, values, ((nt.a, radius),), 2 * BITS) / target - 1) < arb(2) ** -BITS:
+            message = f"{curve.key}: no radius for {target}, next to a stationary value"
+            raise UnknownError(message)
         return radius
     finally:
         ctx.prec = before

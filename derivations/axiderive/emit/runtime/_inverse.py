@@ -42,5 +42,5 @@ def inverse(
             break
     # the last step is linear in t: it removes the rounding of the logarithm
     refined = t + t * ((value - y) / y) / slope
-    root = np.where(np.isfinite(refined) & (np.abs(refined - t) < 1e-6 * t), refined, t)
+    root = np.minimum(np.where(np.isfinite(refined) & (np.abs(refined - t) < 1e-6 * t), refined, t), largest)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))
