@@ -23,4 +23,3 @@ def module_source(profile: Profile, group: str) -> str:
     lines = text.wrapped(REASONS[group].format(title=profile.title, name=profile.name))
     literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
     return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)
-

@@ -66,7 +66,7 @@ def _halves(x: Array) -> tuple[Array, Array]:
 
 
 def nth_root(x: Array, n: Array, more: int = 0) -> Array:
-    """x**(1/(n + more)) for x >= 0; Newton's step makes good what the rounding of 1/(n + more) did, up to ln(x) units."""
+    """x**(1/(n + more)) for x >= 0; Newton's step makes good what the rounded exponent did, up to ln(x) units."""
     degree = n + more
     y = x ** (1.0 / degree)
     return np.where((x > 0.0) & (x < np.inf), y + y * ((x / (y**n * y**more) - 1.0) / degree), y)
