@@ -13,10 +13,10 @@ from axiderive import notation as nt
 from axiderive.contact.normal import derive
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
-from axiderive.proof import integrals
+from axiderive.proof import ball_rules, integrals
 from axiderive.proof.evaluate import case_at, evaluate
 from axiderive.proof.quadrature import check
-from axiderive.proof.rules import exponential_rule, gauss_rule, integrate
+from axiderive.proof.rules import exponential_rule, gauss_rule, integrate, middle
 from axiderive.proof.sampling import NEARLY_ONE, NEARLY_ZERO, points
 from axiderive.proof.shape import number, shape
 
@@ -166,3 +166,29 @@ def test_a_point_on_a_border_has_no_case() -> None:
     entry = derive(load("cone"))["p"]
     with pytest.raises(LookupError, match="border"):
         case_at(entry, {nt.r: sp.Integer(1), nt.a: sp.Integer(1)})
+
+
+@pytest.mark.parametrize("name", ["sphere", "gaussian", "wavy_paraboloid", "sphere_tipped_cone", "power_law"])
+def test_balls_compute_the_profile_as_mpmath_does(name: str) -> None:
+    profile = load(name)
+    point = points(profile, derive(profile)["d"].cases[-1].chain, 1, 3)[0]
+    with mp.workdps(DIGITS), ball_rules.at_working_precision():
+        for piece in shape(profile, point.values).stretches:
+            place = piece.lo / 3 + piece.hi * 2 / 3
+            got = middle(piece.bend_ball(ball_rules.ball(place)))
+            assert abs(got / piece.bend(place) - 1) < mp.mpf(10) ** (3 - DIGITS)
+
+
+def test_rules_sum_balls_as_numbers() -> None:
+    with mp.workdps(DIGITS + integrals.GUARD), ball_rules.at_working_precision():
+        for lo, hi, singular in ((mp.mpf(0), mp.mpf(1) / 2, (0j, 2 + 0j)), (mp.mpf(1) / 3, mp.mpf(1), (2 + 0j,))):
+            numbers = integrate(lambda x: mp.sqrt(x) / mp.sqrt(2 - x), lo, hi, singular, DIGITS)
+            balls = integrate(
+                lambda x: x.sqrt() / (2 - x).sqrt(), lo, hi, singular, DIGITS, panel=ball_rules.sum_over_balls
+            )
+            assert abs(balls / numbers - 1) < mp.mpf(10) ** (-DIGITS - 20)
+
+
+def test_a_function_that_balls_lack_is_named() -> None:
+    with pytest.raises(ValueError, match="has the function erf"):
+        ball_rules.bound(sp.erf(nt.r), nt.r, {})(ball_rules.ball(mp.mpf(1)))

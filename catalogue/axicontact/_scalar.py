@@ -42,13 +42,13 @@ MATH = SimpleNamespace(
     ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0,
 )  # fmt: skip
 _namespaces: dict[int, dict[str, Any]] = {}
-_twins: dict[FunctionType, Callable[..., float] | None] = {}
+_twins: dict[Callable[..., Any], Callable[..., float] | None] = {}
 
 
 def scalar(function: Callable[..., Any]) -> Callable[..., float] | None:
     """The function over plain numbers, or None if it needs arrays or is no function of a module."""
     if function in _twins:
-        return _twins[function]  # type: ignore[index]
+        return _twins[function]
     if not isinstance(function, FunctionType) or function.__globals__.get(function.__name__) is not function:
         return None
     twin = None if _needs_arrays(function, set()) else _namespace(function.__globals__)[function.__name__]
@@ -62,7 +62,7 @@ def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
     if names & NEEDS_ARRAYS or any(hasattr(np, n) and not hasattr(MATH, n) for n in names - set(function.__globals__)):
         return True
     spaces = [function.__globals__, *(vars(m) for n in names if _own(m := function.__globals__.get(n), ModuleType))]
-    called = (space.get(name) for space in spaces for name in names)
+    called: list[Any] = [space.get(name) for space in spaces for name in names]
     return any(_needs_arrays(f, seen) for f in called if _own(f, FunctionType) and f not in seen)
 
 

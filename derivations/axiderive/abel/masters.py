@@ -247,13 +247,21 @@ class CapMoment(Master):
 
     @staticmethod
     def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
-        # a^2 - s^2 = exp(v): no root is left at a, and b < a keeps the range finite
-        def integrand(v: Number) -> Number:
-            width = mp.exp(v)
-            return width ** ((k + 1) / 2) / mp.sqrt(R * R - a * a + width) / 2
+        gap, far, half = (R - a) * (R + a), min(a, R), mp.mpf(1) / 2
 
-        ends = mp.log((a - b) * (a + b)), 2 * mp.log(a)
-        return mp.quad(integrand, mp.linspace(*ends, int(mp.ceil(ends[1] - ends[0])) + 1))
+        def primitive(v: Number) -> Number:
+            """In v = a^2 - s^2 or v = R^2 - s^2, whichever is the shorter way to a branch point."""
+            if gap == 0:
+                return v ** (k / 2) / k if k else mp.log(v) / 2
+            if gap > 0:
+                power = (k + 1) / 2
+                return v**power / (k + 1) / mp.sqrt(gap) * mp.hyp2f1(half, power, power + 1, -v / gap)
+            return mp.sqrt(v) * (-gap) ** ((k - 1) / 2) * mp.hyp2f1((1 - k) / 2, half, 3 * half, v / gap)
+
+        # both primitives agree in as many digits as b is smaller than the radii
+        with mp.extradps(max(0, 2 * int(mp.log10(far / b))) + 5):
+            start = (far - b) * (far + b)
+            return primitive(far * far) - (primitive(start) if start else mp.mpf(0))
 
 
 MASTERS: tuple[type[Master], ...] = (

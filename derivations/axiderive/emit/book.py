@@ -7,17 +7,46 @@ from typing import Any
 
 from .. import __version__
 from . import front, laws, page, references
-from .prose import escaped, prose
+from .prose import escaped
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
 PLACES = {"plane": 2, "loads": 3, "materials": 4}
 """Chapters of the profiles whose id begins so, counted from zero; the others are compact or complete."""
 
 
+QUESTIONS = (
+    ("Is the pressure given, and not the shape?", ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power")),
+    ("Is the body long, and the same in every section: a roller, a wedge, a rail?", (
+        "plane.parabola", "plane.wedge", "plane.power_law", "plane.truncated_wedge", "plane.rounded_wedge",
+        "plane.rounded_punch", "plane.flat_punch", "plane.eccentric_punch",
+    )),
+    ("Does a sharp edge bound the contact whatever the load?", (
+        "flat_punch", "capped_cylinder", "concave_paraboloid", "concave_quartic", "concave_power",
+    )),
+    ("Is the edge of a flat or slightly curved face rounded?", ("rounded_punch", "rounded_curved_punch")),
+    ("Is a tip worn or ground flat?", ("truncated_cone", "truncated_paraboloid")),
+    ("Is a pointed tip blunt?", ("sphere_tipped_cone", "rounded_cone", "hyperboloid")),
+    ("Does the radius of curvature change at a known distance from the axis?", ("capped_paraboloid",)),
+    ("Is the surface wavy, or a single smooth bump?", ("wavy_paraboloid", "gaussian")),
+    ("Is the shape a ball or an ellipsoid, and the contact not small against it?", ("sphere", "ellipsoid")),
+    ("Is the tip pointed, with straight flanks?", ("cone",)),
+    ("Is it round, with one radius of curvature?", ("paraboloid",)),
+    ("Is it flatter than that at the tip, or a power of r that was measured?", (
+        "quartic", "sextic", "power_law", "polynomial",
+    )),
+)  # fmt: skip
+"""What to ask about a body, and the profiles that answer it."""
+
+
+def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
+    titles = {m["name"]: m["title"] for m in summaries}
+    return [(words, [(name, titles[name]) for name in names if name in titles]) for words, names in QUESTIONS]
+
+
 def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] | None) -> dict[str, Any]:
     """What the template of the main file prints."""
     chapters = [(title, [m for m in summaries if m["chapter"] == i + 1]) for i, title in enumerate(CHAPTERS)]
-    keys = sorted(key for m in summaries for key in m["keys"])
+    keys = [key for m in summaries for key in m["keys"]]
     return {
         "chapters": [(title, members) for title, members in chapters if members],
         "suffixes": front.suffixes(),
@@ -26,12 +55,13 @@ def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] |
         "masters": front.master_rows(),
         "laws": laws.laws(),
         "rules": front.rule_rows(),
+        "chart": _chart(summaries),
         "matrix": front.matrix(summaries),
         "chapter11": chapter11 and _chapter(chapter11),
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],
-        "key_rows": front.columns(keys, 4),
+        "key_groups": front.by_problem(keys),
         "keys_count": {"profiles": len(summaries), "entries": len(keys)},
         "version": __version__,
     }
@@ -40,15 +70,11 @@ def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] |
 def _chapter(record: Mapping[str, Any]) -> dict[str, Any]:
     """The record of the chapter with its words as LaTeX; formulas of the errata stay as they are written."""
     rows = [
-        row | {"title": prose(row["title"]), "residual": page.power_of_ten(row["residual"])} for row in record["rows"]
+        row | {"title": escaped(row["title"]), "residual": page.power_of_ten(row["residual"])} for row in record["rows"]
     ]
     errata = [
-        erratum
-        | {
-            "place": escaped(erratum["place"]),
-            "reason": prose(erratum["reason"]),
-            "evidence": prose(erratum["evidence"]),
-        }
+        {name: text if name in ("printed", "right") else escaped(text) for name, text in erratum.items()}
         for erratum in record["errata"]
     ]
-    return {"rows": rows, "errata": errata}
+    steps = [step | {"claim": escaped(step["claim"])} for step in record.get("steps", [])]
+    return {"rows": rows, "errata": errata, "steps": steps}

@@ -49,7 +49,7 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
 
 def _domain(n: nt.Notation) -> str:
     text = re.sub(rf"(?<!\w){re.escape(n.name)}(?!\w)", lambda m: n.latex, n.domain)
-    return text.replace("pi/2", r"\pi/2").replace(">=", r"\ge ")
+    return text.replace("pi/2", r"\pi/2").replace(">=", r"\ge ").replace("<=", r"\le ")
 
 
 def _unit(unit: str) -> str:
@@ -136,14 +136,32 @@ RULED = (
 )
 
 
-def rule_rows() -> list[tuple[str, list[dict[str, str]]]]:
+def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]]]]:
     """The rules that hold for every profile, on the graded half space, by the title of their system."""
     return [
-        (blocks.TITLES[system][0], [_rule_row(system, suffix) for suffix in suffixes]) for system, suffixes in RULED
+        (blocks.TITLES[system][0], _paired([_rule_row(system, suffix) for suffix in suffixes]))
+        for system, suffixes in RULED
     ]
 
 
-def _rule_row(system: str, suffix: str) -> dict[str, str]:
+HALF = 100.0
+"""Points for a rule on half a line."""
+
+
+def _paired(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Neighbours that are short go on one line."""
+    lines: list[list[dict[str, Any]]] = []
+    for row in rows:
+        behind = 10 + 2.0 * len(row["remark"]) if row["remark"] else 0
+        row["narrow"] = width(row["tex"]) + behind <= HALF
+        if row["narrow"] and lines and len(lines[-1]) == 1 and lines[-1][0]["narrow"]:
+            lines[-1].append(row)
+        else:
+            lines.append([row])
+    return lines
+
+
+def _rule_row(system: str, suffix: str) -> dict[str, Any]:
     found = rules.rule(system, suffix)
     assert found is not None
     tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
@@ -198,8 +216,10 @@ def definition_rows() -> list[tuple[str, str, str]]:
     return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
 
 
-def columns(items: list[str], count: int) -> list[list[str]]:
-    """Items in columns read downwards, as rows for a table; the last ones are padded with empty text."""
-    height = -(-len(items) // count)
-    padded = items + [""] * (height * count - len(items))
-    return [[padded[row + column * height] for column in range(count)] for row in range(height)]
+def by_problem(keys: Sequence[str]) -> list[tuple[str, list[str]]]:
+    """Ends of the keys by what they begin with, in alphabetical order."""
+    found: dict[str, list[str]] = {}
+    for key in keys:
+        problem, _, suffix = key.rpartition(".")
+        found.setdefault(problem, []).append(suffix)
+    return sorted(found.items())

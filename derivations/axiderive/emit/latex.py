@@ -8,7 +8,7 @@ from ..entry import Entry
 from .handbook import handbook_sources
 from .printer import Printer
 from .ranges import condition, regions
-from .rows import LEFT
+from .rows import left_of, names_of
 
 __all__ = ["entry_latex", "handbook_sources", "latex"]
 
@@ -23,9 +23,9 @@ def entry_latex(entry: Entry) -> str:
     found = []
     for pairs, expr in regions(entry):
         chain = next(case.chain for case in entry.cases if case.expr == expr)
-        printer = Printer(chain)
+        printer = Printer(chain, names_of(entry))
         found.append((printer(expr), condition(entry, pairs, chain, printer)))
-    left = "" if isinstance(entry.cases[0].expr, sp.Equality) else LEFT[entry.suffix].partition("=")[0] + "="
+    left = "" if isinstance(entry.cases[0].expr, sp.Equality) else left_of(entry).partition("=")[0] + "="
     if len(found) == 1:
         return left + found[0][0]
     return left + r"\begin{cases}" + r" \\ ".join(f"{text}, & {where}" for text, where in found) + r"\end{cases}"

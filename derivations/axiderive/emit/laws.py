@@ -36,6 +36,9 @@ class LawText:
         return {"E()": self.relaxation, "J()": self.creep, "Phi_m()": self.ramp}
 
 
+TITLES = {"mx": "Maxwell fluid", "kv": "Kelvin--Voigt solid", "sls": "Standard solid", "pc": "Power-law creep"}
+
+
 @cache
 def laws() -> tuple[LawText, ...]:
     """E(t), J(t) and Phi_m(t) of every law."""
@@ -46,7 +49,7 @@ def _law(law: viscoelastic.Law) -> LawText:
     printer = Printer(names={EXPONENT: "m"})
     return LawText(
         law.suffix,
-        law.name.replace("_", " "),
+        TITLES[law.suffix],
         f"E(t)={printer(law.relaxation)}",
         f"J(t)={printer(law.creep)}",
         rf"\Phi_{{m}}(t)={printer(law.ramp)}",

@@ -10,10 +10,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
+from ..contact.systems import BODIES
 from ..entry import Entry
 from ..profiles.profile import Profile
 from .printer import Printer
 from .prose import prose
+from .symbols import LETTERS
 from .values import Numbers
 from .width import width
 
@@ -75,17 +77,18 @@ def _plain(value: Any) -> str:
     return f"{float(value):g}"
 
 
-MOST_CALLED = ("d", "F", "P", "p", "w", "s", "phi")
+MOST_CALLED = ("d", "F", "P", "p", "w", "s", "phi", "E_star", "G_star", "H", "h_N")
 
 
 def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
     """How the generated functions are called, one line per function."""
     package, _, name = profile_id.rpartition(".")
-    lines = [f"from axicontact.{package or 'normal'} import {name}"]
+    source = "" if name in BODIES.names else f".{package or 'normal'}"
+    lines = [f"from axicontact{source} import {name}"]
     for entry in entries.values():
         if entry.suffix in MOST_CALLED:
-            fields = [s.name for s in entry.quantity.arguments]
-            keywords = [str(getattr(p, "label", p)) for p in entry.parameters]
+            fields = [LETTERS.get(s, s.name) for s in entry.quantity.arguments]
+            keywords = [LETTERS.get(p, str(getattr(p, "label", p))) for p in entry.parameters]
             arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
             lines.append(f"{name}.{entry.quantity.function}({', '.join(arguments)})")
     return lines
@@ -163,7 +166,8 @@ def evidence_rows(
 
     Those of the problem the spread begins with as a table, the others in short: the fewest digits that agreed.
     """
-    table, grid = [], []
+    table: list[dict[str, Any]] = []
+    grid: list[dict[str, Any]] = []
     for key, entries in own.items():
         records = evidence.get(key, {}).get("entries", {})
         for suffix, entry in entries.items():

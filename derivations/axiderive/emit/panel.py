@@ -25,7 +25,10 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
     if profile.contact == "prescribed":
         return _load_panel(profile)
     if not profile.pieces:
-        return [("Valid for", prose(profile.validity))]
+        shorthands = [
+            rf"$\displaystyle {Printer()(symbol)}={Printer()(expr)}$" for symbol, expr in profile.abbreviations
+        ]
+        return [("Valid for", prose(profile.validity)), *(("Shorthand", text) for text in shorthands)]
     place = "x" if plane else "r"
     lines = [("Profile", shape_tex(profile, place))]
     bounded = {rule.right for rule in profile.rules if rule.left.is_number}
@@ -114,5 +117,6 @@ def _domain(symbol: Any) -> str:
         re.sub(rf"(?<!\w){record.name}(?!\w)", lambda m: record.latex, record.domain)
         .replace("pi/2", r"\pi/2")
         .replace(">=", r"\ge ")
+        .replace("<=", r"\le ")
     )
     return f"${text}$" if text else ""

@@ -113,7 +113,8 @@ class Printer:
             above, behind = sums, [factor for factor in behind if factor not in sums]
         elif below and sums and (root_above or len(sums) < len(behind)):
             above, behind = above + sums, [factor for factor in behind if factor not in sums]
-        bare = len(above) == 1 and above[0][0].is_Add and above[0][1] == 1 and number.p == 1
+        alone = bool(below or below_root or number.q != 1) or not (behind or root_above)
+        bare = len(above) == 1 and above[0][0].is_Add and above[0][1] == 1 and number.p == 1 and alone
         top = [self.sum(above[0][0])] if bare else self._scale(number.p, above)
         bottom = self._scale(number.q, below) + below_root
         if parts.root and root_above and [base for base, _ in parts.root.factors] == [sp.pi]:

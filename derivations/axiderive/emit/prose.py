@@ -33,6 +33,9 @@ _PHRASES = {
     "1/E_star = sum (1 - nu_i^2)/E_i": r"$1/E^{*}=\sum_i(1-\nu_i^2)/E_i$",
     "F/(pi a^2)": r"$F_{\mathrm N}/(\pi a^2)$",
     "c_N(x) = H |x|^k": r"$c_{\mathrm N}(x)=H\,|x|^k$",
+    "c_T(x) = H_x |x|^k": r"$c_{\mathrm T}(x)=H_x\,|x|^k$",
+    "1/G_star = sum (2 - nu_i)/(4 G_i)": r"$1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)$",
+    "J = (t/t_0)^alpha/E": r"$J=(t/t_0)^\alpha/E$",
 }
 """Formulas of the notation that no rule reads."""
 _MINIMA = {"F_min": r"F_{\mathrm{min}}", "d_min": r"d_{\mathrm{min}}"}

@@ -16,7 +16,7 @@ from typing import Any
 
 import mpmath as mp
 
-from .special import BRACKETED, FUNCTIONS, Value
+from .special import BRACKETED, FUNCTIONS, STRUVE, Value
 
 Environment = Mapping[str, Any]
 """Name -> number, sequence (for A_j), function, or definition that is evaluated where it is used.
@@ -258,6 +258,8 @@ class _Parser:
             name = ("bar " if name == "bar" else "") + self.text()
         elif not name[0].isalpha():
             raise SyntaxError(self.message("a symbol"))
+        if token == r"\mathbf" and name in STRUVE:
+            return self.struve(name)
         if name == "Delta":
             name += " " + self.take().lstrip("\\")
         subscript = ""
@@ -290,6 +292,12 @@ class _Parser:
         name = self.text() + self.text()
         self.take("_")
         return self.function(f"{name}_{self.text()}")
+
+    def struve(self, name: str) -> Node:
+        self.take("_")
+        order = self.argument()
+        (argument,) = self.arguments()
+        return Node(lambda env: STRUVE[name](order(env), argument(env)))
 
     def function(self, name: str) -> Node:
         arguments = self.arguments()

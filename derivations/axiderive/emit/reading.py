@@ -14,6 +14,7 @@ from ..entry import Case, Entry
 from ..proof.evaluate import case_at, decades, evaluate
 from ..proof.evaluate import holds as holds_at
 from ..proof.sampling import points
+from ..proof.shape import number
 from . import laws
 from .printed import Printed, holding, holds, name_in_print
 from .readback import environment, read
@@ -65,7 +66,8 @@ def _points(entry: Entry, kind: str, entries: Entries, count: int, seed: int) ->
     if kind in ("root", "composition"):
         source = entries[{"ad": "d", "Fd": "d", "aP": "P"}.get(entry.suffix, "F")]
     drawn = [
-        (case, points(entry.profile, _lengths(case), count, seed, _fields(source, case, kind))) for case in source.cases
+        (case, points(entry.profile, _lengths(case), count, seed, _fields(entry, source, case)))
+        for case in source.cases
     ]
     return [(case, _completed(entry, case, point.values)) for case, found in drawn for point in found]
 
@@ -87,10 +89,10 @@ POISSON = sp.Rational(2, 7)
 STABLE_EXPONENT = sp.Rational(17, 10)
 
 
-def _fields(entry: Entry, case: Case, kind: str) -> tuple[sp.Symbol, ...]:
+def _fields(entry: Entry, source: Entry, case: Case) -> tuple[sp.Symbol, ...]:
     lengths = {s for x in case.chain for s in x.free_symbols}
-    own = {*entry.quantity.arguments, *entry.parameters, *case.expr.free_symbols, *lengths}
-    own -= {nt.F, nt.d} if kind in ("root", "composition") else set()
+    own = {*source.quantity.arguments, *source.parameters, *entry.parameters, *case.expr.free_symbols, *lengths}
+    own -= {nt.F, nt.d} if source is not entry else set()
     fixed = {*entry.profile.parameters, *SEPARATE, nt.coefficients, nt.j, nt.N}
     integrated = {integral.limits[0][0] for integral in case.expr.atoms(sp.Integral)}
     return tuple(s for s in sorted(own - fixed - integrated, key=str) if isinstance(s, sp.Symbol))
@@ -145,7 +147,15 @@ def _value(expr: sp.Expr, values: Values) -> Any:
     return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
+def _slipping(printed: Printed, values: Values) -> Values:
+    """A tangential force between full stick and full slip under the force that the outer radius belongs to."""
+    force = evaluate(case_at(printed.base["F"], values).expr, values, DIGITS + 15)
+    return values | {nt.F: force, nt.F_x: force * number(values[nt.mu]) * 3 / 7}
+
+
 def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
+    if entry.suffix == "c":
+        values = _slipping(printed, values)
     if one.kind == "formula":
         return _formula(one, printed, case, values)
     if one.kind == "rule":
@@ -201,10 +211,6 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
         return _law(one, entry, printed, case, values)
     statements = read(one.regions[0].tex)
     if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
-        if entry.suffix == "c":  # the closed radius is one of the force that the outer radius belongs to
-            force = case_at(printed.base["F"], values).expr
-            values[nt.F] = evaluate(force, values, DIGITS + 15)
-            values[nt.F_x] = values[nt.F] * values[nt.mu].p / values[nt.mu].q * 3 / 7
         _balance(entry, case, values)
         env = printed.environment(values)
         left, right = (member(env) for member in statements[0].members)
@@ -246,6 +252,8 @@ def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -
     if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
         values[nt.F] = values[nt.F] * evaluate(case.expr.lhs, values, DIGITS) / evaluate(case.expr.rhs, values, DIGITS)
     values[nt.E_star] = sp.Integer(3)
+    if nt.a not in values and entry.suffix.startswith("step") and "ad" in printed.base:
+        values[nt.a] = evaluate(case_at(printed.base["ad"], values).expr, values, DIGITS + 15)
     env = printed.environment(values)
     statements = read(one.regions[0].tex)
     env = environment(statements[1:], env)

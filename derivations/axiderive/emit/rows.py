@@ -131,8 +131,8 @@ def system_of(entry: Entry) -> str:
 
 def left_of(entry: Entry) -> str:
     """The left side of the row."""
-    kind = system_of(entry).rpartition(".")[2]
-    return nt.describe(entry.suffix).latex if kind in BODIES.names else LEFTS.get(kind, LEFT)[entry.suffix]
+    table = LEFTS.get(system_of(entry).rpartition(".")[2], LEFT)
+    return table.get(entry.suffix) or nt.describe(entry.quantity.symbol).latex
 
 
 @lru_cache(maxsize=4096)
@@ -220,13 +220,14 @@ def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
 PULLED_OFF = ("ac", "Fc", "dc", "am", "Fm", "dm")
 
 
-def _names(entry: Entry) -> dict[sp.Symbol, str]:
+def names_of(entry: Entry) -> dict[sp.Symbol, str]:
+    """Names in print that differ from those of the notation."""
     return {a_c: radius_name(entry.suffix)} if entry.suffix in PULLED_OFF else {}
 
 
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
-    own = _names(entry)
+    own = names_of(entry)
     expr = expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp))
     if isinstance(expr, sp.Equality):
         printer = Printer(chain, with_kappa(expr).names | own)
@@ -308,7 +309,7 @@ def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
 
 def _place(one: Row, wide: bool) -> float:
     """The force follows the depth at once where they have lines of their own."""
-    return 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
+    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
 
 
 HALF = 122.0

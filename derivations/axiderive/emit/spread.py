@@ -95,7 +95,7 @@ def _order(text: str) -> tuple[int, ...]:
     return tuple(int(x) for x in text.strip("()").split("."))
 
 
-NOTHING = {
+NOTHING: dict[str, Any] = {
     "worked": None,
     "picture": None,
     "plots": None,

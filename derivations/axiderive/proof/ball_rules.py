@@ -10,7 +10,7 @@ import mpmath as mp
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
-from .rules import Number, Rule
+from .rules import Number, Rule, middle
 
 _root = sp.Function("root_of")
 NATIVE: dict[str, Callable[..., arb]] = {
@@ -39,11 +39,6 @@ def ball(value: Number) -> arb:
     """The binary fraction that a number of mpmath is."""
     sign, mantissa, exponent, _ = value._mpf_
     return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
-
-
-def middle(value: arb) -> Number:
-    mantissa, exponent = value.mid().man_exp()
-    return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
 
 
 @lru_cache(maxsize=512)

@@ -24,7 +24,7 @@ from .shape import Number, Values, number, shape
 from .unevaluated import evaluate_case, evaluate_integral
 
 PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
-NESTED = 30
+NESTED = 46
 """Digits of a pressure on the graded half space, which is an integral of integrals."""
 NESTED_LOST = 6
 ILL = 60

