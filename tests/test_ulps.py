@@ -27,10 +27,10 @@ from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
 
 ROOT = Path(axicontact.__file__).parents[1]
 POINTS, MANY = 8, 120
-CLOSED, RULE = 7.5, 20.0
+CLOSED, RULE = 7.5, 26.0
 CONDITIONED = {
     *(f"power_law.{suffix}" for suffix in ("ad", "aF", "Fd", "dF")),
-    *(f"gaussian.{suffix}" for suffix in ("p", "ad", "aF")),
+    *(f"gaussian.{suffix}" for suffix in ("p", "ad", "aF", "Fd")),
     "concave_quartic.p",
     "wavy_paraboloid.p",
     "wavy_paraboloid.ad",
