@@ -19,6 +19,7 @@ NATIVE: dict[str, Callable[..., arb]] = {
     "sin": lambda x: x.sin(),
     "cos": lambda x: x.cos(),
     "tan": lambda x: x.tan(),
+    "IncompleteBeta": lambda z, p, q: z.beta_lower(p, q),
 }
 
 
@@ -41,6 +42,11 @@ def ball(value: Number) -> arb:
     return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
 
 
+def foreign(expr: sp.Expr) -> list[str]:
+    """Names of the functions of an expression that Arb is not told."""
+    return sorted({str(node.func) for node in expr.atoms(sp.Function)} - set(functions()))
+
+
 @lru_cache(maxsize=512)
 def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> tuple[Callable[..., arb], tuple[sp.Expr, ...]]:
     """A function of the arguments and of the numbers that Python would read as floats."""
@@ -48,7 +54,7 @@ def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> tuple[Callable
         lambda node: node.is_Pow and node.exp.is_Rational and node.exp.q == 2,
         lambda node: _root(node.base) ** node.exp.p,
     )
-    unknown = sorted({str(node.func) for node in rooted.atoms(sp.Function)} - set(functions()))
+    unknown = foreign(rooted)
     if unknown:
         message = f"{expr} has the function {unknown[0]}, which Arb is not told; add it to balls.FUNCTIONS"
         raise ValueError(message)

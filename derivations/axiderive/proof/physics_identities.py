@@ -12,7 +12,7 @@ from ..entry import Case, Entry
 from ..profiles.profile import Profile
 from .balls import NotAvailableError, enclose_value
 from .evaluate import at_precision, case_at, decades, evaluate
-from .evidence import Evidence, judge, not_available, residual
+from .evidence import Evidence, Outcome, judge, not_available, residual
 from .identities import over_contact
 from .integrals import GUARD
 from .physics_quadrature import formula_value
@@ -38,7 +38,7 @@ def _judge(entry: Entry, compared: str, rows: Rows, digits: int, seed: int) -> E
 
 def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50, seed: int = 0) -> list[Evidence]:
     """Full slip as the stick zone shrinks to what it starts from, and the traction summed over the contact."""
-    found = [traction_over_contact(profile, entries, digits, seed)]
+    found = [traction_over_contact(profile, entries, digits, seed), superposed(entries["tau"], plain["p"])]
     floor = profile.breaks[0] if profile.truncated else None
     for suffix, source, compared in (("F", "F", "mu F"), ("u", "us", "displacement at full slip")):
         rows: Rows = []
@@ -56,6 +56,20 @@ def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50
                 rows.append((values, residual(got, wanted)))
         found.append(_judge(entries[suffix], f"c at its smallest: {compared}", rows, digits, seed))
     return found
+
+
+def superposed(entry: Entry, pressure: Entry) -> Evidence:
+    """In every case mu times the pressure of the contact of radius a, less that of radius c where it sticks."""
+    cases, count = {case.chain: case.expr for case in pressure.cases}, 0
+    for case in entry.cases:
+        outer = cases.get(tuple(x for x in case.chain if x != nt.c))
+        inner = cases.get(tuple(nt.a if x == nt.c else x for x in case.chain if x != nt.a))
+        if case.below(nt.c, nt.r):
+            inner = sp.S.Zero
+        if outer is not None and inner is not None:
+            count += sp.expand(case.expr - nt.mu * (outer - inner.subs(nt.a, nt.c))) == 0
+    outcome: Outcome = "passed" if count == len(entry.cases) else "failed"
+    return Evidence(entry.key, f"mu times the difference of two {pressure.key}, symbolically", outcome, count=count)
 
 
 def traction_over_contact(profile: Profile, entries: Entries, digits: int, seed: int) -> Evidence:

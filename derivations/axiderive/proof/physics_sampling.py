@@ -52,7 +52,10 @@ def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, 
     many = len(source.cases) > MANY
     each = max(1 if tame or many else 2, -(-count // len(source.cases)))
     out: list[Point] = []
-    for chain in [case.chain for case in source.cases]:
+    chains = [case.chain for case in source.cases]
+    if tame and suffix == "tau":  # seconds each; that every case is a difference of two pressures is shown symbolically
+        chains = chains[:: -(-len(chains) // MANY)]
+    for chain in chains:
         candidates = (_point(profile, chain, i, len(out), seed, fields, graded, tame) for i in itertools.count())
         growing = profile.contact == "compact" and suffix in PULL_OFF
         kept = (p for p in candidates if not growing or _grows(profile, p.values, graded))

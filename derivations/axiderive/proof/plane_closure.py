@@ -21,12 +21,13 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
+from . import ball_rules
 from . import plane_integrals as integrals
 from .evaluate import at_precision, case_at
 from .evidence import Evidence, judge, residual
-from .rules import integrate
+from .rules import integrate, middle
 from .sampling import Point, points
-from .shape import Number, Values, number
+from .shape import Number, Values, number, numeric_symbols
 
 LOST = 6
 """Digits by which the agreement may fall short of the digits of the quadrature."""
@@ -50,6 +51,19 @@ class Pressed:
     def at(self, s: Number, expr: sp.Expr) -> Number:
         return at_precision(expr, {**self.values, nt.x: s})
 
+    def formula(self, expr: sp.Expr) -> Callable[[Number], Number]:
+        """The pressure as a function of the place, by Arb where it has all functions."""
+        if ball_rules.foreign(expr):
+            return lambda s: self.at(s, expr)
+        symbols = [symbol for symbol in numeric_symbols(self.values) if symbol != nt.x and expr.has(symbol)]
+        inside = ball_rules.bound(expr, nt.x, {symbol: number(self.values[symbol]) for symbol in symbols})
+
+        def pressure(s: Number) -> Number:
+            with ball_rules.at_working_precision():
+                return middle(inside(ball_rules.ball(s)))
+
+        return pressure
+
     def integral(self, kernel: Callable[[Number, Number], Number], poles: list[complex], digits: int) -> Number:
         """int kernel(s, p(s)) ds over the contact."""
         angles = [self._angle(left) for left, *_ in self.pieces] + [self._angle(self.pieces[-1][1])]
@@ -60,9 +74,9 @@ class Pressed:
         total = mp.mpf(0)
         for (_, _, expr), lo, hi in zip(self.pieces, angles, angles[1:], strict=False):
 
-            def integrand(u: Number, expr: sp.Expr = expr) -> Number:
+            def integrand(u: Number, pressure: Callable[[Number], Number] = self.formula(expr)) -> Number:  # noqa: B008
                 s = self.middle + self.half * mp.sin(u)
-                p = self.at(s, expr)
+                p = pressure(s)
                 both = kernel(s, p) + (kernel(-s, p) if self.even else 0)
                 return both * self.half * mp.cos(u)
 

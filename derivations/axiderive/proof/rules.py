@@ -31,8 +31,21 @@ NARROWEST_STRIP = 1.0
 DEEPEST_CUT = 200
 
 
+class LostError(ArithmeticError):
+    """All digits of a value are lost."""
+
+
 def middle(ball: arb) -> Number:
-    """The number in the middle of a ball of Arb, rounded to the working precision."""
+    """The number in the middle of a ball of Arb, rounded to the working precision.
+
+    Raises
+    ------
+    LostError
+        If the ball has no middle: a root of something that rounding left on the wrong side of zero.
+    """
+    if not ball.is_finite():
+        message = f"nothing is left of a value at {mp.mp.dps} digits; carry more"
+        raise LostError(message)
     mantissa, exponent = ball.mid().man_exp()
     return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
 

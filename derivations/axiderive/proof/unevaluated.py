@@ -13,7 +13,7 @@ from ..entry import Case
 from . import ball_rules
 from .balls import NotAvailableError, enclose_value
 from .evaluate import at_precision, decades
-from .rules import integrate
+from .rules import LostError, integrate
 from .shape import Number, Values, concrete, number, numeric_symbols
 
 
@@ -33,17 +33,26 @@ def evaluate_integral(expr: sp.Expr, values: Values, digits: int, radii: tuple[c
     The lower limit may be an algebraic singular point, where terms with
     x**((k - 1)/2) cancel: twice the digits are carried for k = 0, more for k < 0.
     """
-    carried = digits / (1 + _least(values))
-    with mp.workdps(int(carried) + 2 * decades(values) + 40):
-        plain = concrete(expr, values)
-        pieces = {integral: _definite(integral, values, digits, radii) for integral in plain.atoms(sp.Integral)}
-        stand_ins = {integral: sp.Dummy("I", real=True) for integral in pieces}
-        reduced = plain.xreplace(stand_ins)
-        known = {**values, **{stand_ins[i]: value for i, value in pieces.items()}}
+    carried = int(digits / (1 + _least(values))) + 2 * decades(values) + 40
+    plain = concrete(expr, values)
+    for precision in (carried, 2 * carried):
         try:
-            return enclose_value(reduced, known, digits)
-        except NotAvailableError:
-            return at_precision(reduced, known)
+            with mp.workdps(precision):
+                return _evaluated(plain, values, digits, radii)
+        except LostError:
+            continue  # nodes next to a branch point that a difference of near lengths makes out
+    message = f"{expr} has no value to {digits} digits with {2 * carried}; the point may be a branch point of it"
+    raise ArithmeticError(message)
+
+
+def _evaluated(plain: sp.Expr, values: Values, digits: int, radii: tuple[complex, ...]) -> Number:
+    pieces = {integral: _definite(integral, values, digits, radii) for integral in plain.atoms(sp.Integral)}
+    stand_ins = {integral: sp.Dummy("I", real=True) for integral in pieces}
+    known = {**values, **{stand_ins[i]: value for i, value in pieces.items()}}
+    try:
+        return enclose_value(plain.xreplace(stand_ins), known, digits)
+    except NotAvailableError:
+        return at_precision(plain.xreplace(stand_ins), known)
 
 
 def _least(values: Values) -> float:
