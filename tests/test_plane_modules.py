@@ -24,8 +24,10 @@ import sympy as sp
 from axiderive import notation as nt
 from axiderive.contact.plane import derive
 from axiderive.emit.imports import RUNTIME
+from axiderive.emit.nodes import nodes_source
 from axiderive.emit.plane import module_source, module_sources
-from axiderive.emit.python import symbols_source
+from axiderive.emit.python import NODE_COUNTS
+from axiderive.emit.symbols import symbols_source
 from axiderive.entry import Case, Entry
 from axiderive.profiles import plane
 from axiderive.proof import plane_quadrature
@@ -54,8 +56,9 @@ def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     """The runtime and these modules as a package."""
     base = folder / package
     (base / "plane").mkdir(parents=True)
-    for path in [*RUNTIME.glob("*.py"), *Path(import_module("axicontact").__path__[0]).glob("_nodes.py")]:
+    for path in RUNTIME.glob("*.py"):
         (base / path.name).write_text(path.read_text())
+    (base / "_nodes.py").write_text(nodes_source(NODE_COUNTS))
     (base / "__init__.py").write_text("")
     (base / "_symbols.py").write_text(symbols_source({"theta", "R", "A", "b", "h", "n", "a", "E_star"}))
     for path_, text in sources.items():

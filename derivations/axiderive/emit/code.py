@@ -201,16 +201,23 @@ def _with_root(base: sp.Expr, whole: sp.Expr, inner: sp.Expr, degree: sp.Expr) -
     """base**(whole + inner/degree) by the helpers that round no exponent."""
     text = python(base)
     if degree != 1:
-        special = {(0, 1): f"nth_root({text}, {python(degree)})", (1, -1): f"without_root({text}, {python(degree)})"}
+        shown = _degree(degree)
+        special = {(0, 1): f"nth_root({text}, {shown})", (1, -1): f"without_root({text}, {shown})"}
         name = special.get((whole, inner))
         if name is not None:
             return name, ATOM
         if inner == 1:
-            return f"{_wrapped(base, PRODUCT)}{_whole_power(whole)} * nth_root({text}, {python(degree)})", PRODUCT
-        return f"nth_root({text}, {python(degree)}) ** {python(whole * degree + inner)}", POWER
+            return f"{_wrapped(base, PRODUCT)}{_whole_power(whole)} * nth_root({text}, {shown})", PRODUCT
+        return f"nth_root({text}, {shown}) ** {python(whole * degree + inner)}", POWER
     if whole == -1:
         return f"lower_power({text}, {python(inner)})", ATOM
     return f"{_power(base, whole)[0]} * {_power(base, inner)[0]}", PRODUCT
+
+
+def _degree(degree: sp.Expr) -> str:
+    """The degree of a root; n + 1 as `n, 1`, because the sum would be rounded."""
+    whole, rest = degree.as_independent(nt.n, as_Add=True)
+    return f"n, {int(whole)}" if rest == nt.n and whole.is_Integer and whole > 0 else python(degree)
 
 
 def _whole_power(whole: sp.Expr) -> str:

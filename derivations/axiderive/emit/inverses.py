@@ -75,13 +75,13 @@ class Inverses:
             return self.functions.add(name, (field,), lines, {*contact.needs, *target.needs})
         radius = self.functions.functions[self.compact.entries[inner].quantity.function]
         target = self.functions.functions[outer]
-        if self.compact.b is None:
+        if self.compact.b is None and self.profile.largest is None:
             lines = [f"return {target.call(radius.call())}"]
             return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs})
         return self._corrected(name, field, target, radius, self.functions.functions[TARGET[inner][0]])
 
     def _corrected(self, name: str, field: str, target: Private, radius: Private, curve: Private) -> Private:
-        """Next to a break the radius says too little; dF/dd = 2 E* a makes good what its rounding lost."""
+        """Next to a break or the largest contact the radius says too little; dF/dd = 2 E* a makes good what it lost."""
         stiffness = python(HOMOGENEOUS.stiffness())
         missed = f"{field} - {curve.call('a')}"
         change = f"{stiffness} * ({missed})" if field == "d" else f"({missed}) / ({stiffness})"
@@ -148,7 +148,8 @@ class Inverses:
             needs = needs | {str(s) for s in largest.free_symbols}
             lines.append(f"largest = {python(largest)} * np.ones_like({field})")
             lines.append(f"a = {call}")
-            lines.append(f"return np.where({target.call('largest')} >= {field}, a, np.nan)")
+            # the largest depth and the argument are both rounded
+            lines.append(f"return np.where({target.call('largest')} * {1 + 2**-50!r} >= {field}, a, np.nan)")
         return self.functions.add(name, (field,), lines, needs | set(target.needs) | self._start_needs())
 
     def _start(self) -> str:

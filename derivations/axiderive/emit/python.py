@@ -26,7 +26,7 @@ from .nodes import nodes_source
 from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
 
-NODE_COUNTS = (16, 24, 32, 64)
+NODE_COUNTS = (8, 16, 24, 32, 64, 128)
 
 
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:

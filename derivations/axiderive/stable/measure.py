@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
@@ -30,6 +30,8 @@ class Sample:
     arguments: tuple[float, ...]
     keywords: dict[str, Any]
     exact: arb
+    values: Floats
+    """All numbers by symbol; for an inverse with the radius near the exact one."""
 
 
 @dataclass(frozen=True)
@@ -43,9 +45,6 @@ class Errors:
     lost: int
     where: str = ""
 
-    def record(self) -> dict[str, Any]:
-        return asdict(self)
-
 
 def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: int, seed: int = 17) -> Iterator[Sample]:
     """Calls whose exact value is a normal number."""
@@ -58,10 +57,10 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
         except UnknownError:
             continue
         if SMALLEST < abs(float(exact)) < LARGEST:
-            yield Sample(*_call(entry, arguments), exact)
+            yield Sample(*_call(entry, arguments), exact, arguments)
 
 
-def _value(function: Callable[..., float], point: Sample) -> float:
+def value(function: Callable[..., float], point: Sample) -> float:
     try:
         return float(function(*point.arguments, **point.keywords))
     except OverflowError:
@@ -119,7 +118,7 @@ def ulps(got: float, exact: arb) -> float:
 
 def measure(function: Callable[..., float], points: list[Sample], tolerance: float = 5.0) -> Errors:
     """The errors of a function at these points."""
-    found = [ulps(_value(function, s), s.exact) for s in points]
+    found = [ulps(value(function, s), s.exact) for s in points]
     if not found:
         return Errors(0, math.nan, math.nan, 0, 0)
     finite = [x for x in found if math.isfinite(x)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
 
@@ -14,7 +16,7 @@ from ..proof.balls import Ball, NotAvailableError
 from ..proof.shape import coefficient, concrete
 from .samples import TERMS, Floats
 
-BITS, HIGHEST, WANTED = 160, 1 << 13, 70
+BITS, HIGHEST, WANTED, STEP = 160, 1 << 13, 70, 90
 CURVES = {"ad": ("d", None), "aF": ("F", None), "Fd": ("d", "F"), "dF": ("F", "d")}
 """Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
 
@@ -30,31 +32,64 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
     rounded to a double there, and the radius that belongs to it found again.
     """
     entry = entries[suffix]
-    if suffix not in CURVES or entry.profile.contact == "complete":
+    if not _is_inverse(entry):
         return values, enclosed(entry, values, ())
-    given, asked = CURVES[suffix]
-    symbol = entry.quantity.arguments[0]
-    target = float(enclosed(entries[given], values, ()))
+    target = float(enclosed(entries[CURVES[suffix][0]], values, ()))
     if not 2.3e-308 < target < 1.7e308:
         message = f"{entry.key}: the argument {target} is no normal number"
         raise UnknownError(message)
-    radius = _root(entries[given], values, target)
-    result = radius if asked is None else enclosed(entries[asked], values, ((nt.a, radius),))
-    return {**values, symbol: target}, result
+    arguments = {**values, entry.quantity.arguments[0]: target}
+    return arguments, _at(entries, suffix, arguments)
 
 
-def _root(curve: Entry, values: Floats, target: float) -> arb:
-    """Newton's iteration from the radius that was rounded away, its slope from a difference."""
-    before, ctx.prec = ctx.prec, 4 * BITS
+def condition(entries: dict[str, Entry], suffix: str, arguments: Floats) -> float:
+    """The sum of |d ln value/d ln x| over the arguments, by exact differences."""
+    entry, total = entries[suffix], arb(0)
+    hidden = {nt.a} if _is_inverse(entry) else set()
+    with _precision(4 * BITS):
+        here = _at(entries, suffix, arguments, STEP + WANTED)
+        for symbol, number in arguments.items():
+            if symbol in hidden or isinstance(number, tuple):
+                continue
+            moved = {**arguments, symbol: arb(number) * (1 + arb(2) ** -STEP)}
+            total += abs(_at(entries, suffix, moved, STEP + WANTED) / here - 1) * arb(2) ** STEP
+    return float(total)
+
+
+def _is_inverse(entry: Entry) -> bool:
+    return entry.suffix in CURVES and entry.profile.contact != "complete"
+
+
+def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:
+    entry = entries[suffix]
+    if not _is_inverse(entry):
+        return enclosed(entry, arguments, (), wanted)
+    given, asked = CURVES[suffix]
+    radius = _root(entries[given], arguments, arguments[entry.quantity.arguments[0]])
+    return radius if asked is None else enclosed(entries[asked], arguments, ((nt.a, radius),), wanted)
+
+
+@contextmanager
+def _precision(bits: int) -> Iterator[None]:
+    before, ctx.prec = ctx.prec, bits
     try:
+        yield
+    finally:
+        ctx.prec = before
+
+
+def _root(curve: Entry, values: Floats, target: float | arb) -> arb:
+    """Newton's iteration from the radius that was rounded away, its slope from a difference."""
+    with _precision(4 * BITS):
         radius = arb(values[nt.a])
         for _ in range(4):
             step = radius * arb(2) ** (-2 * BITS)
             value, ahead = (enclosed(curve, values, ((nt.a, x),), 2 * BITS + WANTED) for x in (radius, radius + step))
             radius = (radius - (value - target) * step / (ahead - value)).mid()
+        if not abs(enclosed(curve, values, ((nt.a, radius),), 2 * BITS) / target - 1) < arb(2) ** -BITS:
+            message = f"{curve.key}: no radius for {target}, next to a stationary value"
+            raise UnknownError(message)
         return radius
-    finally:
-        ctx.prec = before
 
 
 def enclosed(entry: Entry, values: Floats, exact: tuple[tuple[sp.Symbol, arb], ...], wanted: int = WANTED) -> arb:

@@ -1,0 +1,104 @@
+"""The measured accuracy of the emitted functions of one problem, as it is kept with the evidence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ..contact.systems import problem
+from ..entry import Entry
+from .emitted import form, loaded
+from .measure import Sample, count_for, samples, ulps, value
+from .naive import naive
+from .reference import UnknownError, condition
+from .samples import DOMAINS
+
+COUNT, SEED = 30, 17
+TOLERANCE = 5.0
+CHECKED = 4
+"""Points above the tolerance whose condition is found."""
+Record = dict[str, Any]
+
+
+def record(key: str, sources: Mapping[str, str], count: int = COUNT, seed: int = SEED) -> dict[str, Record]:
+    """Errors of every function of a problem of normal contact, by suffix.
+
+    Parameters
+    ----------
+    key : str
+        Key of the problem, as `cone`.
+    sources : mapping of str to str
+        The texts of the package by path; the module and what it imports are taken from there.
+    count, seed : int
+        Points in either domain, a tenth where the exact value is an integral; where they start.
+
+    Returns
+    -------
+    dict
+        `form` and `nodes` as `emitted.form` tells, for `bench` and `extreme` the worst error in units of the last
+        place, the share above five and the number of lost values, and where the printed formula can be evaluated
+        by NumPy the same of it under `naive`.  Where errors exceed five units, `over_condition` is the largest of
+        them over 1 + the sum of |d ln value/d ln argument|, which rounding one argument would cost anyway.
+        Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
+    """
+    found = problem(key)
+    entries = found.derive()
+    with loaded(sources, found.module) as module:
+        return {
+            suffix: _entry(
+                entries, suffix, getattr(module, entry.quantity.function), sources[found.module], count, seed
+            )
+            for suffix, entry in entries.items()
+        }
+
+
+def _entry(
+    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], source: str, count: int, seed: int
+) -> Record:
+    entry = entries[suffix]
+    kind, nodes = form(source, entry.quantity.function)
+    row: Record = {"form": kind, "nodes": nodes, "sample": {"seed": seed, "count": max(1, count_for(entry, count))}}
+    printed = naive(entry)
+    for domain in DOMAINS:
+        points = list(samples(entries, suffix, domain, row["sample"]["count"], seed))
+        errors = [ulps(value(function, point), point.exact) for point in points]
+        row[domain.name] = _summary(errors) | _conditioned(entries, suffix, points, errors)
+        if printed is not None:
+            row[domain.name]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in points])
+    return row
+
+
+def _summary(errors: list[float]) -> Record:
+    finite = [error for error in errors if math.isfinite(error)]
+    lost = len(errors) - len(finite)
+    if not errors:
+        return {"points": 0}
+    above = sum(error > TOLERANCE for error in errors)
+    return {
+        "points": len(errors),
+        "worst_ulp": rounded_up(max(finite, default=math.inf)),
+        "share_above_5": round(above / len(errors), 4),
+        "lost": lost,
+    }
+
+
+def _conditioned(entries: Mapping[str, Entry], suffix: str, points: list[Sample], errors: list[float]) -> Record:
+    wrong = [i for i in np.argsort(errors)[::-1] if TOLERANCE < errors[i] < math.inf][:CHECKED]
+    shares = []
+    for i in wrong:
+        try:
+            shares.append(errors[i] / (1.0 + condition(dict(entries), suffix, points[i].values)))
+        except UnknownError:
+            continue
+    return {"over_condition": rounded_up(max(shares))} if shares else {}
+
+
+def rounded_up(x: float) -> float:
+    """To two digits."""
+    if not 0.0 < x < math.inf:
+        return x
+    unit = 10.0 ** (math.floor(math.log10(x)) - 1)
+    return float(f"{math.ceil(x / unit) * unit:.2g}")
