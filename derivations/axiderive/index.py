@@ -79,8 +79,8 @@ class Index:
 
     def source(self, entry: Row) -> str:
         """Text of the generated function behind an entry."""
-        name = entry["profile"].rpartition(".")[2]
-        path = self.folder.joinpath(*entry["physics"].split("."), f"{name}.py")
+        _, *parts, _ = entry["python"].partition("(")[0].split(".")
+        path = self.folder.joinpath(*parts).with_suffix(".py")
         text = path.read_text()
         for node in ast.parse(text).body:
             if isinstance(node, ast.FunctionDef) and node.name == entry["function"]:

@@ -36,15 +36,19 @@ def _rows(index: Index, topic: str) -> list[Row]:
     return [
         {
             "name": row["name"],
-            "profile f(r)": [f"{piece['text']} ({piece['conditions'] or 'else'})" for piece in row["shape"]]
-            if len(row["shape"]) > 1
-            else row["shape"][0]["text"],
+            "profile f(r)": _shape(row["shape"]),
             "parameters": row["parameters"],
             "contact": row["contact"],
             "formulas": sum(problem["formulas"] for problem in row["problems"].values()),
         }
         for row in index.profiles
     ]
+
+
+def _shape(pieces: list[Row]) -> str | list[str]:
+    if len(pieces) > 1:
+        return [f"{piece['text']} ({piece['conditions'] or 'else'})" for piece in pieces]
+    return "".join(piece["text"] for piece in pieces)
 
 
 def shown(index: Index, key: str, form: str) -> str:

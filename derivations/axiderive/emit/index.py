@@ -104,6 +104,10 @@ def _rows(
     return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
 
 
+def _dotted(path: str) -> str:
+    return path.removesuffix(".py").replace("/", ".")
+
+
 def _signatures(source: str) -> dict[str, str]:
     """The arguments of every public function of a module: `r, a, *, theta, E_star`."""
     found = {}
@@ -139,7 +143,7 @@ def _entry(
         "latex": [{"conditions": region.condition, "text": region.tex} for region in row(entry).regions],
         "composed": list(entry.composed) if entry.composed else [],
         "definition": _text(entry.definition),
-        "python": f"{problem.system.package}.{problem.name}.{quantity.function}({arguments})",
+        "python": f"{_dotted(problem.module)}.{quantity.function}({arguments})",
         "unit": nt.describe(quantity.symbol).unit,
         "domain": list(dict.fromkeys(domain for domain in domains if domain)),
         "sources": [*entry.references, *problem.profile.sources],

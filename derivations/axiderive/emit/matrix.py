@@ -73,9 +73,9 @@ def markdown(found: Mapping[str, Any]) -> str:
     """Two tables, for the README: the profiles of revolution by physics, and the others."""
     names = [system.name for system in systems.SYSTEMS if system.pool is systems.ROUND]
     rows = [["profile", *names]]
-    rows += [
-        [f"`{p}`", *(cells.get(name, LEFT_OUT) for name in names)] for p, cells in found["profiles"].items() if names[0] in cells
-    ]
+    for profile, cells in found["profiles"].items():
+        if names[0] in cells:
+            rows.append([f"`{profile}`", *(cells.get(name, LEFT_OUT) for name in names)])
     others = [["profile", "formulas"]]
     others += [[f"`{p}`", *cells.values()] for p, cells in found["profiles"].items() if names[0] not in cells]
     legend = "; ".join(f"{sign} {text}" for sign, text in found["legend"].items())
