@@ -26,9 +26,11 @@ def power_law_functions(module: NormalModule, entries: Mapping[str, Entry], powe
 
 def _radius(entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
     forms = {control: evaluation_form(entries[own].cases[0].expr, facts_of(())) for control, own in ENTRY.items()}
-    lines = [f"{name} = {python(expr)}" for name, expr in forms["force"].steps]
-    lines += ['if control == "force":', f"    radius = {python(forms['force'].value)}"]
-    lines += ["else:", f"    radius = {python(forms['depth'].value)}"]
+    shared = [step for step in forms["force"].steps if step in forms["depth"].steps]
+    lines = [f"{name} = {python(expr)}" for name, expr in shared]
+    for head, form in zip(('if control == "force":', "else:"), forms.values(), strict=True):
+        own = [f"    {name} = {python(expr)}" for name, expr in form.steps if (name, expr) not in shared]
+        lines += [head, *own, f"    radius = {python(form.value)}"]
     value = "np.where(dgamma > 0.0, radius, 0.0)"
     return [*lines, f"return np.where(n > 0.5, {value}, np.nan)" if power == n else f"return {value}"]
 
