@@ -250,7 +250,7 @@ def test_differences_name_changed_new_and_stale_files(root):
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     def index(*names):
         rows = {"profiles": [{"name": n} for n in names], "entries": [{"profile": n, "key": f"{n}.p"} for n in names]}
-        return json.dumps(rows).encode()
+        return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
 
     shared = {"axicontact/__init__.py": b"all", "handbook/handbook.tex": b"all"}
     writing.publish({**shared, "axicontact/index.json": index("cone", "sphere", "gone")}, tmp_path, prune=False)
@@ -260,6 +260,7 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     merged = json.loads(files["axicontact/index.json"])
     assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
     assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]
+    assert list(merged["matrix"]["profiles"]) == ["cone", "paraboloid", "sphere"]
 
 
 def _hash_seed_and_number(number):

@@ -1,11 +1,20 @@
-"""Closed forms of elastic contact as NumPy functions, one module per profile."""
+"""Closed forms of elastic contact as NumPy functions, a package per kind of contact, a module per profile."""
 
 from __future__ import annotations
 
 from importlib import import_module
 from typing import Any
 
-__all__ = ["normal"]
+__all__ = [
+    "adhesive",
+    "graded",
+    "loads",
+    "materials",
+    "normal",
+    "plane",
+    "tangential",
+    "viscoelastic",
+]
 
 
 def __getattr__(name: str) -> Any:

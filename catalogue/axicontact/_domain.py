@@ -12,6 +12,8 @@ from ._symbols import SYMBOLS
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+INSIDE = {name: (domain.low, domain.high) for name, domain in SYMBOLS.items()}
+
 
 def require(**parameters: ArrayLike) -> None:
     """Check parameters against the domains of the notation.
@@ -24,9 +26,11 @@ def require(**parameters: ArrayLike) -> None:
         If a value is not a real number or an array of real numbers.
     """
     for name, value in parameters.items():
+        if type(value) is float:
+            low, high = INSIDE[name]
+            if low < value < high:
+                continue
         domain = SYMBOLS[name]
-        if type(value) is float and domain.low < value < domain.high:
-            continue
         letter = domain.letter or name
         array = numbers(letter, value)
         above = (domain.low <= array) if domain.closed == "low" else (domain.low < array)

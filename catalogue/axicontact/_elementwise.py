@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ._scalar import scalar
+from ._scalar import PLAIN, scalar
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -36,13 +36,13 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
         if type(number) is not float or not SMALL < number < LARGE:
             break
     else:
-        plain = scalar(function)
+        plain = PLAIN.get(function) or scalar(function)
         if plain is not None:
             try:
                 value = plain(*fields, **parameters)
             except (ArithmeticError, ValueError):
                 value = 0.0
-            if LEAST < abs(value) < GREATEST:
+            if LEAST < value < GREATEST or LEAST < -value < GREATEST:
                 return value
     arguments = [_real(value) for value in fields]
     names = [name for name, value in parameters.items() if np.ndim(value) > 0]

@@ -65,15 +65,16 @@ def _halves(x: Array) -> tuple[Array, Array]:
     return high, x - high
 
 
-def nth_root(x: Array, n: Array) -> Array:
-    """x**(1/n) for x >= 0; Newton's step makes good what the rounding of 1/n did, up to ln(x)/n units."""
-    y = x ** (1.0 / n)
-    return np.where((x > 0.0) & (x < np.inf), y + y * ((x / y**n - 1.0) / n), y)
+def nth_root(x: Array, n: Array, more: int = 0) -> Array:
+    """x**(1/(n + more)) for x >= 0; Newton's step makes good what the rounded exponent did, up to ln(x) units."""
+    degree = n + more
+    y = x ** (1.0 / degree)
+    return np.where((x > 0.0) & (x < np.inf), y + y * ((x / (y**n * y**more) - 1.0) / degree), y)
 
 
-def without_root(x: Array, n: Array) -> Array:
-    """x**(1 - 1/n) for x >= 0, as x over its root."""
-    return np.where((x > 0.0) & (x < np.inf), x / nth_root(x, n), x)
+def without_root(x: Array, n: Array, more: int = 0) -> Array:
+    """x**(1 - 1/(n + more)) for x >= 0, as x over its root."""
+    return np.where((x > 0.0) & (x < np.inf), x / nth_root(x, n, more), x)
 
 
 def lower_power(x: Array, n: Array) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from ._elementwise import Array
 
 Curve = Callable[[Array], tuple[Array, Array]]
-ITERATIONS, PATIENCE, SETTLED = 120, 12, 1e-12
+ITERATIONS, PATIENCE, POLISHING, SETTLED = 120, 12, 4, 1e-12
 
 
 def inverse(
@@ -40,7 +40,13 @@ def inverse(
         error = np.log1p((value - y) / y)
         if not np.any((np.abs(step) > SETTLED) | (np.abs(error) > SETTLED)):
             break
-    # the last step is linear in t: it removes the rounding of the logarithm
-    refined = t + t * ((value - y) / y) / slope
-    root = np.where(np.isfinite(refined) & (np.abs(refined - t) < 1e-6 * t), refined, t)
+    # the last steps are linear in t: they remove the rounding of the logarithm, and what is left next to a kink
+    for _ in range(POLISHING):
+        change = t * ((value - y) / y) / slope
+        change = np.where(np.abs(change) < 1e-6 * t, change, 0.0)
+        t = t + change
+        if not np.any(np.abs(change) > 1e-14 * t):
+            break
+        y, slope = curve(t)
+    root = np.minimum(t, largest)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))

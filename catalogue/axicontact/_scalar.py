@@ -42,17 +42,17 @@ MATH = SimpleNamespace(
     ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0,
 )  # fmt: skip
 _namespaces: dict[int, dict[str, Any]] = {}
-_twins: dict[Callable[..., Any], Callable[..., float] | None] = {}
+PLAIN: dict[Callable[..., Any], Callable[..., float] | None] = {}
 
 
 def scalar(function: Callable[..., Any]) -> Callable[..., float] | None:
     """The function over plain numbers, or None if it needs arrays or is no function of a module."""
-    if function in _twins:
-        return _twins[function]
+    if function in PLAIN:
+        return PLAIN[function]
     if not isinstance(function, FunctionType) or function.__globals__.get(function.__name__) is not function:
         return None
     twin = None if _needs_arrays(function, set()) else _namespace(function.__globals__)[function.__name__]
-    _twins[function] = twin
+    PLAIN[function] = twin
     return twin
 
 

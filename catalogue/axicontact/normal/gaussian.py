@@ -569,7 +569,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
 
     largest = 1.5019752682686114 * s * np.ones_like(d)
     a = inverse(curve, d, np.full_like(d, s / 1000.0), (0.0, 2.0), largest)
-    return np.where(_depth(largest, h, s) >= d, a, np.nan)
+    return np.where(_depth(largest, h, s) * 1.0000000000000009 >= d, a, np.nan)
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
@@ -579,12 +579,16 @@ def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
 
     largest = 1.5019752682686114 * s * np.ones_like(F)
     a = inverse(curve, F, np.full_like(F, s / 1000.0), (0.0, 3.0), largest)
-    return np.where(_force(largest, h, s, E_star) >= F, a, np.nan)
+    return np.where(_force(largest, h, s, E_star) * 1.0000000000000009 >= F, a, np.nan)
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, h, s), h, s, E_star)
+    a = _radius_from_depth(d, h, s)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, h, s)), 0.0)
+    return _force(a, h, s, E_star) + change
 
 
 def _depth_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, h, s, E_star), h, s)
+    a = _radius_from_force(F, h, s, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, h, s, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, h, s) + change

@@ -569,7 +569,7 @@ def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
-    return nth_root(ratio, n + 1)
+    return nth_root(ratio, n, 1)
 
 
 def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
@@ -581,4 +581,4 @@ def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
 def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
-    return np.sqrt(np.pi) * A * kappa * without_root(ratio, n + 1)
+    return np.sqrt(np.pi) * A * kappa * without_root(ratio, n, 1)
