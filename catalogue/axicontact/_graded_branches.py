@@ -1,0 +1,45 @@
+"""Stable branches of an adhesive contact on the graded half space, on the grids of the homogeneous one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ._adhesion import XI
+from ._branches import Branches, branches
+from ._elementwise import Array
+from ._graded_punch import graded_retraction, punch_stiffness, stationary
+
+Rate = Callable[..., Array]
+
+
+def graded_branches(
+    rate: Rate,
+    geometry: tuple[Array, ...],
+    radii: Array,
+    high: Array | float,
+    H: Array,
+    k: Array,
+    dgamma: Array,
+    control: str,
+) -> Branches:
+    """The branches on which the load grows with a: a**((1 + k)/2) g'(a) over a level.
+
+    With g' weighted by a**(k/2), it is the condition of the homogeneous half space.
+    """
+
+    def weighted(a: Array) -> Array:
+        return a ** (k / 2.0) * rate(a, *geometry) * (XI[control] / stationary(control, k))
+
+    return branches(weighted, radii, high, control, H, dgamma)
+
+
+def growth_of(
+    rate: Rate, geometry: tuple[Array, ...], H: Array, k: Array, dgamma: Array, control: str
+) -> Callable[[Array], Array]:
+    """Derivative of the depth or the force of the adhesive contact."""
+
+    def growth(a: Array) -> Array:
+        slope = rate(a, *geometry) - stationary(control, k) * graded_retraction(a, H, k, dgamma) / (2.0 * a)
+        return slope * punch_stiffness(a, H, k) if control == "force" else slope
+
+    return growth

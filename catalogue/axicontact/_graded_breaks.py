@@ -1,0 +1,147 @@
+"""The same for profiles with a break at r = b: flank, rim, rounding, rounded cone and cone with a spherical tip.
+
+Their growth takes the radius and root = sqrt(a**2 - b**2), which the radius alone cannot carry close to b.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ._elementwise import Array
+from ._graded_growth import sphere_depth, sphere_force, sphere_rate
+from ._graded_rules import NODES, raised, sine_integral, sinh_over, weighted
+from ._integrals import difference_root, integral
+
+
+def flank_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
+    """g(a) of the flank f' = 1 for r > b."""
+    return a * sine_integral(np.arctan2(root, b), k)
+
+
+def flank_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
+    return np.where(t < b, 0.0, sine_integral(np.arctan2(root, b), k) + b / t * (root / t) ** (k - 1.0))
+
+
+def flank_force(a: Array, root: Array, b: Array, k: Array) -> Array:
+    sine = root / a
+    return a * a * a**k * (raised(sine, k) * (b / a) + sine_integral(np.arctan2(root, b), k)) / (2.0 + k)
+
+
+def rim_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
+    """g(a) of the rim f' = r for r > b."""
+    sine = root / a
+    return a * a * raised(sine, k) / (1.0 + k) + 0.0 * b
+
+
+def rim_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
+    sine = root / t
+    return np.where(t < b, 0.0, t * ((1.0 - k) / (1.0 + k) * raised(sine, k) + sine ** (k - 1.0)))
+
+
+def rim_force(a: Array, root: Array, b: Array, k: Array) -> Array:
+    sine = root / a
+    return a**3 * a**k * raised(sine, k) * (3.0 + k - (1.0 + k) * sine**2) / ((1.0 + k) * (3.0 + k)) + 0.0 * b
+
+
+def rounding_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
+    """g(a) of the rounding f' = r - b for r > b."""
+    return a * a * _rounding(root, b, k, lambda y, fall: fall)
+
+
+def rounding_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
+    return _rounding(root, b, k, lambda y, fall: 2.0 * t * np.cos(y) - b)
+
+
+def rounding_force(a: Array, root: Array, b: Array, k: Array) -> Array:
+    return a**3 * a**k * _rounding(root, b, k, lambda y, fall: fall * np.cos(y) ** 2)
+
+
+def _rounding(root: Array, b: Array, k: Array, of: Callable[..., Array]) -> Array:
+    """Integral of of(y, cos(y) - cos(Y)) sin(y)**k from 0 to Y = arccos(b/a)."""
+    angle = np.arctan2(root, b)
+
+    def smooth(y: Array) -> Array:
+        fall = 2.0 * np.sin((angle + y) / 2.0) * np.sin((angle - y) / 2.0)
+        return of(y, fall) * np.sinc(y / np.pi) ** k
+
+    return raised(angle, k) * weighted(smooth, angle, k, 32)
+
+
+def rounded_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
+    """g(a) of f' = r/b for r < b, 1 beyond: the cone with a parabolic tip."""
+    beyond = a / b * _tip(a, root, b, k) + sine_integral(np.arctan2(root, b), k)
+    return a * np.where(a < b, a / b / (1.0 + k), beyond)
+
+
+def rounded_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
+    beyond = 2.0 * t / b * _tip(t, root, b, k) + sine_integral(np.arctan2(root, b), k)
+    return np.where(t < b, 2.0 * t / b / (1.0 + k), beyond)
+
+
+def rounded_force(a: Array, root: Array, b: Array, k: Array) -> Array:
+    tip = a / b * (_tip(a, root, b, k) - _tip(a, root, b, k + 2.0))
+    inside = 2.0 * a / b / ((1.0 + k) * (3.0 + k))
+    return a * a * a**k * np.where(a < b, inside, tip + flank_force(a, root, b, k) / (a * a * a**k))
+
+
+def _tip(a: Array, root: Array, b: Array, k: Array) -> Array:
+    """Integral of cos(y) sin(y)**k from arccos(b/a) to pi/2."""
+    log = np.where(root < 0.5 * a, np.log(root / a), 0.5 * np.log1p(-((np.minimum(b, a) / a) ** 2)))
+    return -np.expm1((1.0 + k) * log) / (1.0 + k)
+
+
+def tipped_depth(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
+    """g(a) of the sphere R up to r = b, continued by its tangent cone."""
+    beyond = a**-k * a * _cap(a, root, R, b, k, lambda below, far: 1.0 / far)
+    beyond = beyond + _tangent(R, b) * flank_depth(a, root, b, k)
+    return np.where(a <= b, sphere_depth(*_within(a, R, b), k), beyond)
+
+
+def tipped_rate(t: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
+    beyond = t**-k * _cap(t, root, R, b, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
+    beyond = beyond + _tangent(R, b) * sine_integral(np.arctan2(root, b), k)
+    return np.where(t <= b, sphere_rate(*_within(t, R, b), k), beyond)
+
+
+def tipped_force(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
+    beyond = _cap(a, root, R, b, k, lambda below, far: below / far)
+    beyond = beyond + _tangent(R, b) * flank_force(a, root, b, k)
+    return np.where(a <= b, sphere_force(*_within(a, R, b), k), beyond)
+
+
+def _tangent(R: Array, b: Array) -> Array:
+    return b / difference_root(R, b)
+
+
+def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:
+    inner = np.minimum(a, b)
+    return inner, difference_root(R, inner)
+
+
+def _cap(t: Array, root: Array, R: Array, b: Array, k: Array, of: Callable[..., Array]) -> Array:
+    """Integral of z**k of(t**2 - z**2, sqrt(R**2 - t**2 + z**2)) over sqrt(t**2 - b**2) < z < t.
+
+    In ln(z) where the ends are close, else the whole sphere less what is beyond b.
+    """
+    end, lower = difference_root(R, b), np.maximum(root, 1e-300)
+    stretch = np.where(root < 0.5 * t, np.log(t / lower), -0.5 * np.log1p(-((b / t) ** 2)))
+
+    def smooth(x: Array) -> Array:
+        far = np.hypot(end, lower * np.sqrt(np.expm1(2.0 * x)))
+        below = -t * t * np.expm1(2.0 * (x - stretch))
+        return (lower * np.exp(x)) ** k * lower * np.exp(x) * of(below, far)
+
+    inside = np.sqrt(np.maximum((R - t) * (R + t), 1e-300))
+
+    def whole(stop: Array) -> Array:
+        def grown(v: Array) -> Array:
+            z, far = inside * np.sinh(v), inside * np.cosh(v)
+            return sinh_over(v) ** k * far * of((t - z) * (t + z), far)
+
+        last = np.arcsinh(stop / inside)
+        return (inside * last) ** k * last * weighted(grown, last, k)
+
+    apart = (t < R) & (lower < 0.5 * t)
+    return np.where(apart, whole(t) - whole(lower), integral(smooth, stretch, NODES))

@@ -1,0 +1,169 @@
+"""How a contact on the graded half space grows: depth, force and rate g'(t) of the shapes that profiles are made of.
+
+With s = t cos(y) the depth is g(t) = t times the integral of f'(s) sin(y)**k over a
+quarter turn, and the force 2 H/(1 + k) t**k times that of f'(s) s**2 sin(y)**k.
+Every function below is one of these integrals, or a closed form of it; `*_force` is
+the force over 2 H/(1 + k), `root` the distance sqrt(t**2 - b**2) or sqrt(R**2 - t**2).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from ._elementwise import Array
+from ._graded_rules import raised, sine_integral, sinh_over, weighted
+from ._integrals import integral_by_panels
+
+FAR = 40.0
+
+
+def power_factor(n: Array, k: Array) -> Array:
+    """Gamma(n/2 + 1) Gamma((1 + k)/2)/Gamma((n + 1 + k)/2): the depth of f = r**n over a**n."""
+    half = (1.0 + k) / 2.0
+    return (1.0 + k + n) / (1.0 + k) * _gamma(1.0 + half) / _rising(1.0 + n / 2.0, half)
+
+
+def power_depth(a: Array, n: Array, k: Array) -> Array:
+    """g(a) of f = r**n."""
+    return power_factor(n, k) * a**n
+
+
+def power_rate(t: Array, n: Array, k: Array) -> Array:
+    return power_factor(n, k) * n * t ** (n - 1.0)
+
+
+def power_force(a: Array, n: Array, k: Array) -> Array:
+    return power_factor(n, k) * (n / (n + 1.0 + k)) * a**n * a * a**k
+
+
+def power_mean(a: Array, n: Array, k: Array) -> Array:
+    """Force over the square of the radius."""
+    return power_factor(n, k) * (n / (n + 1.0 + k)) * a ** (n - 1.0) * a**k
+
+
+def _gamma(x: Array) -> Array:
+    return np.vectorize(math.gamma, otypes=[float])(x)
+
+
+def _rising(x: Array, e: Array) -> Array:
+    """Gamma(x + e)/Gamma(x) for x >= 1 and 0 < e < 1."""
+    x, e = np.asarray(x, dtype=np.float64), np.asarray(e, dtype=np.float64)
+    near = _gamma(np.minimum(x, FAR) + e) / _gamma(np.minimum(x, FAR))
+    # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
+    w = np.maximum(x, FAR) + (e - 1.0) / 2.0
+    first = -e * (e * e - 1.0) / 24.0
+    second = e * (e - 1.0) * (e - 2.0) * (e - 3.0) * (e + 1.0) * (5.0 * e + 7.0) / 5760.0
+    third = second * (e - 4.0) * (e - 5.0) / -504.0 * (35.0 * (e + 1.0) ** 2 + 42.0 * (e + 1.0) + 16.0)
+    third = third / (5.0 * e + 7.0)
+    return np.where(x < FAR, near, w**e * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)))
+
+
+def sphere_depth(a: Array, root: Array, k: Array) -> Array:
+    """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
+    v = np.arcsinh(a / root)
+    return a * (root / a * v) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+
+
+def sphere_rate(t: Array, root: Array, k: Array) -> Array:
+    v = np.arcsinh(t / root)
+
+    def integrand(x: Array) -> Array:
+        return sinh_over(x) ** k * (1.0 + (np.cosh(v) / np.cosh(x)) ** 2)
+
+    return (root / t * v) ** k * v * weighted(integrand, v, k)
+
+
+def sphere_force(a: Array, root: Array, k: Array) -> Array:
+    v = np.arcsinh(a / root)
+
+    def integrand(x: Array) -> Array:
+        return sinh_over(x) ** k * (np.sinh(v - x) * np.sinh(v + x))
+
+    return (root * v) ** k * root * (root * v) * weighted(integrand, v, k)
+
+
+def hyperboloid_depth(a: Array, b: Array, k: Array) -> Array:
+    """g(a) of f = sqrt(r**2 + b**2) - b."""
+    return a * (np.hypot(a, b) / a) ** k * sine_integral(np.arctan2(a, b), k)
+
+
+def hyperboloid_rate(t: Array, b: Array, k: Array) -> Array:
+    c = np.hypot(t, b)
+    return (c / t) ** k * sine_integral(np.arctan2(t, b), k) * (1.0 - k * (b / c) ** 2) + t / c * (b / c)
+
+
+def hyperboloid_force(a: Array, b: Array, k: Array) -> Array:
+    angle = np.arctan2(a, b)
+
+    def integrand(y: Array) -> Array:
+        return np.sinc(y / np.pi) ** k * np.sin(angle - y) * np.sin(angle + y)
+
+    c = np.hypot(a, b)
+    return c**k * c * c * raised(angle, k) * weighted(integrand, angle, k)
+
+
+def gaussian_depth(a: Array, s: Array, k: Array) -> Array:
+    """g(a) of f = 1 - exp(-r**2/s**2)."""
+    return 2.0 * (a / s) ** 2 * _bell(a, s, k, lambda fall: np.exp(-fall))
+
+
+def gaussian_rate(t: Array, s: Array, k: Array) -> Array:
+    return 4.0 * t / s / s * _bell(t, s, k, lambda fall: (1.0 - fall) * np.exp(-fall))
+
+
+def gaussian_force(a: Array, s: Array, k: Array) -> Array:
+    return 2.0 * a * a**k * _bell(a, s, k, lambda fall: fall * np.exp(-fall))
+
+
+def _bell(a: Array, s: Array, k: Array, of: Callable[..., Array]) -> Array:
+    """Integral of x**k of(fall) from 0 to 1, where fall = (a/s)**2 (1 - x**2)."""
+    square = (a / s) ** 2
+    one = np.ones_like(np.asarray(square, dtype=np.float64))
+    return weighted(lambda x: of((1.0 - x) * (1.0 + x) * square), one, k)
+
+
+def waves_depth(a: Array, q: Array, k: Array) -> Array:
+    """g(a) of f = 1 - cos(q r)."""
+    return q * a * _waves(a, q, k, lambda x, _: np.sin(x))
+
+
+def waves_rate(t: Array, q: Array, k: Array) -> Array:
+    return q * _waves(t, q, k, lambda x, _: np.sin(x) + x * np.cos(x))
+
+
+def waves_force(a: Array, q: Array, k: Array) -> Array:
+    return q * a * a * a**k * _waves(a, q, k, lambda x, cosine: np.sin(x) * cosine * cosine)
+
+
+def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array]) -> Array:
+    """Integral of of(q a cos(y), cos(y)) sin(y)**k over a quarter turn: one panel with the weight, then plain ones."""
+    first = np.minimum(np.pi / 2.0, 8.0 / np.maximum(q * a, 1e-300))
+
+    def smooth(y: Array) -> Array:
+        return of(q * a * np.cos(y), np.cos(y)) * np.sinc(y / np.pi) ** k
+
+    def rest(y: Array) -> Array:
+        return of(q * a * np.cos(first + y), np.cos(first + y)) * np.sin(first + y) ** k
+
+    total = raised(first, k) * weighted(smooth, first, k)
+    return total + integral_by_panels(rest, np.pi / 2.0 - first, first, 64)
+
+
+def steepest_waves(k: Array) -> Array:
+    """The least wavelength**2/(h R) at which g' of a paraboloid with waves of height h nowhere falls below zero."""
+    return np.vectorize(_steepest_waves, otypes=[float])(k)
+
+
+@cache
+def _steepest_waves(k: float) -> float:
+    # with x = q a, g' of the waves is q W(x) and that of the paraboloid 2 x/((1 + k) q R)
+    x = np.arange(1.0, 40.0, 0.02)
+    ratio = -waves_rate(x, 1.0, k) / x
+    place = int(np.argmax(ratio))
+    low, top, high = (float(ratio[place + step]) for step in (-1, 0, 1))
+    largest = top - (high - low) ** 2 / (8.0 * (high - 2.0 * top + low))
+    return float(2.0 * np.pi**2 * (1.0 + k) * largest)

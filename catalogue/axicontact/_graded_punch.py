@@ -1,0 +1,67 @@
+"""The flat punch on the graded half space, and adhesion as its retraction."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._elementwise import Array
+from ._graded_displacement import punch_share
+from ._graded_pressure import power_growth
+from ._integrals import difference_root
+
+STATIONARY = {"force": (3.0, 1.0), "depth": (1.0, -1.0)}
+"""xi = 3 + k under control of the force, 1 - k of the depth: at pull-off the retraction is 2 a g'(a)/xi."""
+
+
+def punch_stiffness(a: Array, H: Array, k: Array) -> Array:
+    """dF/dd of a contact of radius a."""
+    return 2.0 * H / (1.0 + k) * a * a**k
+
+
+def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
+    """Pressure per depth: infinite at the edge, zero outside."""
+    root = difference_root(a, r)
+    return np.where(r <= a, H / np.pi * root**k / root, 0.0)
+
+
+def punch_displacement(r: Array, a: Array, k: Array) -> Array:
+    """Displacement per depth."""
+    return np.where(r > a, punch_share(r, a, k), 1.0)
+
+
+def graded_retraction(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    """sqrt(2 pi dgamma a**(1 - k)/H)."""
+    return a ** ((1.0 - k) / 2.0) * np.sqrt(2.0 * np.pi * dgamma / H)
+
+
+def stationary(control: str, k: Array) -> Array:
+    """The number xi of the condition of stationarity."""
+    constant, slope = STATIONARY[control]
+    return constant + slope * k
+
+
+def tension(r: Array, a: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    """Pressure of the retracted punch."""
+    moved = graded_retraction(a, H, k, dgamma)
+    return np.where(moved > 0.0, moved * punch_pressure(r, a, H, k), 0.0)
+
+
+def unloading_radius(rate: Array, p: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    """Pull-off radius where g'(a) = rate a**(p - 1): there a**((1 + k)/2) g'(a) = xi sqrt(pi dgamma/(2 H))."""
+    level = stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
+    return (level / rate) ** (1.0 / (p - (1.0 - k) / 2.0))
+
+
+def ring_of_zero_pressure(n: Array, k: Array) -> Array:
+    """1 - (r_0/a)**2 where the pressure of a concave face vanishes first on unloading; 1 for n <= 2, at the centre.
+
+    There P (n z - 1 + k) = z**((1 + k)/2), with P the integral of `power_growth` for a = 1.
+    """
+    n, k = np.broadcast_arrays(np.atleast_1d(np.asarray(n, dtype=np.float64)), np.asarray(k, dtype=np.float64))
+    low, high = (1.0 - k) / n, np.ones_like(n)
+    for _ in range(60):
+        z = (low + high) / 2.0
+        growth = power_growth(np.sqrt(1.0 - z), np.ones_like(n), n, k)
+        beyond = growth * (n * z - 1.0 + k) > z ** ((1.0 + k) / 2.0)
+        low, high = np.where(beyond, low, z), np.where(beyond, z, high)
+    return np.where(n > 2.0, (low + high) / 2.0, 1.0)

@@ -1,0 +1,90 @@
+"""Integrals with an algebraic weight x**power at their lower end, for any power above -1.
+
+On the graded half space every integral over the growing contact carries such a
+weight, with the exponent of grading in it.  The smooth factor is expanded in
+Legendre polynomials at the nodes of Gauss; the moments of the weight are products
+of rationals, so that the weights of the rule hold for any power and for arrays of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from ._elementwise import BLOCK, Array
+from ._nodes import gauss_legendre
+
+Smooth = Callable[[Array], Array]
+NODES = 64
+
+
+def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES) -> Array:
+    """Integral of x**power smooth(x) from 0 to `stop`, over stop**(1 + power)."""
+    if np.all(np.asarray(power) >= -0.5):
+        return _sum(smooth, stop, product_weights(power, count), count)
+    # near -1 nearly all of the weight lies at the lower end, whose value is taken out
+    end = smooth(np.zeros((1, *np.shape(stop))))
+    nodes, _ = gauss_legendre(count)
+    weights = (product_weights(power + 1.0, count).T / nodes).T
+    return end[0] / (1.0 + power) + _sum(lambda x: smooth(x) - end, stop, weights, count)
+
+
+def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
+    nodes, _ = gauss_legendre(count)
+    column = (-1, *(1,) * np.ndim(stop))
+    weights = weights.reshape(count, *(1,) * (np.ndim(stop) + 1 - weights.ndim), *weights.shape[1:])
+    total = np.zeros(np.broadcast_shapes(np.shape(stop), weights.shape[1:]))
+    step = max(1, BLOCK // max(1, total.size))
+    for first in range(0, count, step):
+        part = slice(first, first + step)
+        total = total + np.sum(weights[part] * smooth(nodes[part].reshape(column) * stop), axis=0)
+    return total
+
+
+def product_weights(power: Array, count: int) -> Array:
+    """Weights of the rule for x**power on (0, 1), along a first axis."""
+    if np.ndim(power) == 0:
+        return _weights_of_number(float(power), count)
+    return _product_weights(np.asarray(power), count)
+
+
+@cache
+def _weights_of_number(power: float, count: int) -> Array:
+    return _product_weights(np.asarray(power), count)
+
+
+def _product_weights(power: Array, count: int) -> Array:
+    moment = 1.0 / (1.0 + power)
+    moments = [moment]
+    for j in range(1, count):
+        moment = moment * (power + (1.0 - j)) / (power + (1.0 + j))
+        moments.append(moment)
+    return np.tensordot(_legendre_table(count), np.stack(moments), axes=1)
+
+
+@cache
+def _legendre_table(count: int) -> Array:
+    """w_i (2 j + 1) P_j(x_i) for the nodes of Gauss on (0, 1)."""
+    nodes, weights = gauss_legendre(count)
+    x = 2.0 * nodes - 1.0
+    columns = [np.ones_like(x), x]
+    for j in range(1, count - 1):
+        columns.append(((2 * j + 1) * x * columns[j] - j * columns[j - 1]) / (j + 1))
+    return weights[:, None] * (2.0 * np.arange(count) + 1.0) * np.stack(columns, axis=1)
+
+
+def raised(x: Array, k: Array) -> Array:
+    """x**(1 + k), with no rounding of the exponent."""
+    return np.where(x > 0.0, x * x**k, 0.0)
+
+
+def sine_integral(angle: Array, k: Array) -> Array:
+    """Integral of sin(y)**k from 0 to `angle`, at most pi/2."""
+    return raised(angle, k) * weighted(lambda y: np.sinc(y / np.pi) ** k, angle, k, 32)
+
+
+def sinh_over(v: Array) -> Array:
+    """sinh(v)/v."""
+    return np.where(v > 0.0, np.sinh(v) / np.where(v > 0.0, v, 1.0), 1.0)

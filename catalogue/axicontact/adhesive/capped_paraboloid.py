@@ -1,0 +1,516 @@
+"""Paraboloid with a flatter cap with adhesion.
+
+Radius of curvature R1 up to r = b, the smaller R2 beyond: a worn sphere of finite cap curvature.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, lowest, radii_around, stable_radius
+from .._domain import numbers, require
+from .._elementwise import Array, Result, elementwise
+from ..normal import capped_paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN radii give NaN. Handbook: capped_paraboloid.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.retraction(1.0, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(E_star=E_star, dgamma=dgamma)
+    return elementwise(hess_retraction, a, E_star=E_star, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)   for a < b
+    d = a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)   for b
+    < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN radii give NaN. Handbook: capped_paraboloid.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.depth(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.648856
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_depth, a, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1)   for a < b
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 -
+    b**2)*(2*a**2 + b**2)/R2)/(3*R1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN radii give NaN. Handbook: capped_paraboloid.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.force(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.806286
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_force, a, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + 2*E_star*sqrt(a**2 -
+    r**2)/(pi*R1)   for a < b
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(2*sqrt(a**2 - r**2)
+    + 2*a*(R1 - R2)*sqrt(a**2 - b**2)/(R2*sqrt(a**2 - r**2)) - 2*b*(R1 - R2)*elliptic_e(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2)/R2 + b*(R1 - R2)*elliptic_f(asin(sqrt((a**2 - b**2)/(a**2 - r**2))),
+    r**2/b**2)/R2)/(pi*R1)   for r < b and b < a
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(2*sqrt(a**2 - r**2)
+    + 2*a*(R1 - R2)*sqrt(a**2 - r**2)/(R2*sqrt(a**2 - b**2)) - 2*r*(R1 - R2)*elliptic_e(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2)/R2 + (R1 - R2)*(-b**2 + 2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2
+    - b**2))), b**2/r**2)/(R2*r))/(pi*R1)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN radii give NaN. Handbook: capped_paraboloid.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.pressure(0.3, 1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.392583
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_pressure, r, a, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1) -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for a < b
+    w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r) + 2*a*(R1 - R2)*sqrt(a**2 - b**2)*asin(a/r)/R2 +
+    (R1 - R2)*sqrt(-a**2 + r**2)*sqrt(a**2 - b**2)/R2 - (R1 - R2)*(-b + r)*(b + r)*asin(sqrt((a**2 -
+    b**2)/(-b**2 + r**2)))/R2)/(pi*R1) - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+    for b < a
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN radii give NaN. Handbook: capped_paraboloid.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.displacement(2.0, 1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.130471
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_displacement, r, a, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
+    a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for b
+    < a
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. NaN below pull-off. Where several radii are stable, the largest, which is reached on
+    unloading. Handbook: capped_paraboloid.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.radius_from_depth(0.6489, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000023
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_force(
+    F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1) = F   for a < b
+    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 -
+    b**2)*(2*a**2 + b**2)/R2)/(3*R1) = F   for b < a
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. NaN below pull-off. Where several radii are stable, the largest, which is reached on
+    unloading. Handbook: capped_paraboloid.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> value = capped_paraboloid.radius_from_force(0.8063, R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000004
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    Under control of the force:
+
+        g'(a_c) = 3*sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Under control of the depth:
+
+        g'(a_c) = sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: capped_paraboloid.adh.ac, capped_paraboloid.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import capped_paraboloid
+    >>> state = capped_paraboloid.pull_off(R1=4.0, R2=1.0, b=0.5, E_star=1.0, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.135579
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    force = elementwise(_force, radius, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    depth = elementwise(_depth, radius, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R1, R2, b) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, R1, R2, b, E_star) - pull(a, E_star, dgamma)
+
+
+def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, R1, R2, b, E_star) - tension(r, a, E_star, dgamma)
+
+
+def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, R1, R2, b) - lift(r, a, E_star, dgamma)
+
+
+def _rate(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    return normal._slope_at(a, R1, R2, b)
+
+
+def _branches(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: _rate(a, R1, R2, b), radii_around(b), np.inf, control, E_star, dgamma)
+
+
+def _pull_off_radius(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(R1, R2, b, E_star, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, R1, R2, b, E_star, dgamma))
+
+
+def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        d,
+        _branches(R1, R2, b, E_star, dgamma, control="depth"),
+        lambda a: _depth(a, R1, R2, b, E_star, dgamma),
+        lambda a: _rate(a, R1, R2, b),
+        XI["depth"],
+        E_star,
+        dgamma,
+    )
+
+
+def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        F,
+        _branches(R1, R2, b, E_star, dgamma, control="force"),
+        lambda a: _force(a, R1, R2, b, E_star, dgamma),
+        lambda a: _rate(a, R1, R2, b),
+        XI["force"],
+        E_star,
+        dgamma,
+    )

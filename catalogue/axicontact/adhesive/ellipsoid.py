@@ -1,0 +1,480 @@
+"""Ellipsoid of revolution with adhesion.
+
+Semi-axis h along the axis, b across: the sphere stretched by h/b.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, lowest, radii_below, stable_radius
+from .._domain import numbers, require
+from .._elementwise import Array, Result, elementwise
+from ..normal import ellipsoid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN radii give NaN. Handbook: ellipsoid.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.retraction(1.0, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(E_star=E_star, dgamma=dgamma)
+    return elementwise(hess_retraction, a, E_star=E_star, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a*h*atanh(a/b)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN radii give NaN. Handbook: ellipsoid.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.depth(1.0, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.232169
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_depth, a, h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN radii give NaN. Handbook: ellipsoid.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.force(1.0, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.167876
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_force, a, h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*h*(atanh(sqrt(a**2 -
+    r**2)/sqrt(b**2 - r**2))/sqrt(b**2 - r**2) - LegendreChi2((a - sqrt(a**2 - r**2))/(b + sqrt(b**2 -
+    r**2)))/b + LegendreChi2((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 - r**2)))/b)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN radii give NaN. Handbook: ellipsoid.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.pressure(0.3, 1.0, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.197142
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_pressure, r, a, h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b + sqrt(b**2 -
+    r**2)*atan(a*sqrt(b**2 - r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for r < b
+    w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b - sqrt(-b**2 +
+    r**2)*atanh(a*sqrt(-b**2 + r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN radii give NaN. Handbook: ellipsoid.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.displacement(2.0, 1.0, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.026002
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_displacement, r, a, h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a*h*atanh(a/b)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: ellipsoid.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.radius_from_depth(0.2322, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000029
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: ellipsoid.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.radius_from_force(0.1679, h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000014
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), h=h, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    Under control of the force:
+
+        g'(a_c) = 3*sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Under control of the depth:
+
+        g'(a_c) = sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    h : array_like
+        Height of the profile [m], h > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: ellipsoid.adh.ac, ellipsoid.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> state = ellipsoid.pull_off(h=0.9, b=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.110699
+    """
+    require(h=h, b=b, E_star=E_star, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), h=h, b=b, E_star=E_star, dgamma=dgamma)
+    force = elementwise(_force, radius, h=h, b=b, E_star=E_star, dgamma=dgamma)
+    depth = elementwise(_depth, radius, h=h, b=b, E_star=E_star, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, h, b) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, h, b, E_star) - pull(a, E_star, dgamma)
+
+
+def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, h, b, E_star) - tension(r, a, E_star, dgamma)
+
+
+def _displacement(r: Array, a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, h, b) - lift(r, a, E_star, dgamma)
+
+
+def _rate(a: Array, h: Array, b: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    root = np.sqrt(np.maximum(b - a, 0.0) * (b + a))
+    return normal._slope(a, root, h, b)
+
+
+def _branches(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: _rate(a, h, b), radii_below(b), np.atleast_1d(b), control, E_star, dgamma)
+
+
+def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(h, b, E_star, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, h, b, E_star, dgamma))
+
+
+def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        d,
+        _branches(h, b, E_star, dgamma, control="depth"),
+        lambda a: _depth(a, h, b, E_star, dgamma),
+        lambda a: _rate(a, h, b),
+        XI["depth"],
+        E_star,
+        dgamma,
+    )
+
+
+def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        F,
+        _branches(h, b, E_star, dgamma, control="force"),
+        lambda a: _force(a, h, b, E_star, dgamma),
+        lambda a: _rate(a, h, b),
+        XI["force"],
+        E_star,
+        dgamma,
+    )

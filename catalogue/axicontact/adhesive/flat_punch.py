@@ -1,0 +1,118 @@
+"""Flat punch with adhesion.
+
+The elementary building block: every other contact is a superposition of flat punches.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._adhesion import PullOff, hess_retraction, require_control
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(*, a: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the edge at which it peels off.
+
+    retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for sharp edge, frictionless. Handbook: flat_punch.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Boussinesq 1885; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import flat_punch
+    >>> value = flat_punch.retraction(a=1.0, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(a=a, E_star=E_star, dgamma=dgamma)
+    return elementwise(hess_retraction, a=a, E_star=E_star, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, a: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the edge peels off, and with it the whole face.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma)
+    d = -sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded; the state is the same.
+    a : array_like
+        Contact radius [m], a > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    A smaller contact needs a greater depth and a greater force, so that the edge does not stop. Handbook:
+    flat_punch.adh.Fc, flat_punch.adh.dc.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Boussinesq 1885; Schubert 1942; Kendall 1971.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import flat_punch
+    >>> state = flat_punch.pull_off(a=1.0, E_star=1.0, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.501326
+    """
+    require(a=a, E_star=E_star, dgamma=dgamma)
+    require_control(control)
+    depth = elementwise(_pull_off_depth, a=a, E_star=E_star, dgamma=dgamma)
+    force = elementwise(_pull_off_force, a=a, E_star=E_star, dgamma=dgamma)
+    return PullOff(depth * 0.0 + a, force, depth)
+
+
+def _pull_off_depth(a: Array, E_star: Array, dgamma: Array) -> Array:
+    return -hess_retraction(a, E_star, dgamma)
+
+
+def _pull_off_force(a: Array, E_star: Array, dgamma: Array) -> Array:
+    return -2 * a * np.sqrt(2 * np.pi * E_star * a * dgamma)

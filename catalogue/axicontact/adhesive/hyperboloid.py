@@ -1,0 +1,482 @@
+"""Hyperboloid of revolution with adhesion.
+
+A cone with a smoothly rounded tip: tip radius b/tan(theta), asymptotic inclination theta.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, decades, lowest, stable_radius
+from .._domain import numbers, require
+from .._elementwise import Array, Result, elementwise
+from ..normal import hyperboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: hyperboloid.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.retraction(1.0, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(E_star=E_star, dgamma=dgamma)
+    return elementwise(hess_retraction, a, E_star=E_star, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a*tan(theta)*atan(a/b) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: hyperboloid.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.depth(1.0, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.280888
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_depth, a, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(a*b + (a - b)*(a +
+    b)*atan(a/b))*tan(theta)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: hyperboloid.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.force(1.0, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.123806
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_force, a, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(b*atan(sqrt(a**2 -
+    r**2)/sqrt(b**2 + r**2))/sqrt(b**2 + r**2) - ArctanIntegral((a - sqrt(a**2 - r**2))/(b + sqrt(b**2 +
+    r**2))) + ArctanIntegral((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 + r**2))))*tan(theta)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: hyperboloid.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.pressure(0.3, 1.0, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.269946
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*(a*asin(a/r)*atan(a/b) + b*asin(a/r) + sqrt(-a**2 + r**2)*atan(a/b) - sqrt(b**2 +
+    r**2)*atan(a*sqrt(b**2 + r**2)/(b*sqrt(-a**2 + r**2))))*tan(theta)/pi -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: hyperboloid.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.displacement(2.0, 1.0, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.018334
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_displacement, r, a, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a*tan(theta)*atan(a/b) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: hyperboloid.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.radius_from_depth(0.2809, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000021
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(a*b + (a - b)*(a +
+    b)*atan(a/b))*tan(theta) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: hyperboloid.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> value = hyperboloid.radius_from_force(0.1238, theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.99999
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    Under control of the force:
+
+        g'(a_c) = 3*sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Under control of the depth:
+
+        g'(a_c) = sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: hyperboloid.adh.ac, hyperboloid.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import hyperboloid
+    >>> state = hyperboloid.pull_off(theta=0.42, b=0.4, E_star=1.0, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.055508
+    """
+    require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    force = elementwise(_force, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    depth = elementwise(_depth, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, theta, b) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, theta, b, E_star) - pull(a, E_star, dgamma)
+
+
+def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, theta, b, E_star) - tension(r, a, E_star, dgamma)
+
+
+def _displacement(r: Array, a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, theta, b) - lift(r, a, E_star, dgamma)
+
+
+def _rate(a: Array, theta: Array, b: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    return normal._slope(a, theta, b)
+
+
+def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: _rate(a, theta, b), decades(), np.inf, control, E_star, dgamma)
+
+
+def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(theta, b, E_star, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, theta, b, E_star, dgamma))
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        d,
+        _branches(theta, b, E_star, dgamma, control="depth"),
+        lambda a: _depth(a, theta, b, E_star, dgamma),
+        lambda a: _rate(a, theta, b),
+        XI["depth"],
+        E_star,
+        dgamma,
+    )
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        F,
+        _branches(theta, b, E_star, dgamma, control="force"),
+        lambda a: _force(a, theta, b, E_star, dgamma),
+        lambda a: _rate(a, theta, b),
+        XI["force"],
+        E_star,
+        dgamma,
+    )

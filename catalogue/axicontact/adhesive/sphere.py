@@ -1,0 +1,469 @@
+"""Sphere with adhesion.
+
+The exact spherical shape; differs from the paraboloid by terms of order a^2/R^2.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, lowest, radii_below, stable_radius
+from .._domain import numbers, require
+from .._elementwise import Array, Result, elementwise
+from ..normal import sphere as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN radii give NaN. Handbook:
+    sphere.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.retraction(1.0, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(E_star=E_star, dgamma=dgamma)
+    return elementwise(hess_retraction, a, E_star=E_star, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN radii give NaN. Handbook:
+    sphere.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.depth(1.0, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.554056
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_depth, a, R=R, E_star=E_star, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN radii give NaN. Handbook:
+    sphere.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.force(1.0, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.614011
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_force, a, R=R, E_star=E_star, dgamma=dgamma)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(R*atanh(sqrt(a**2 -
+    r**2)/sqrt(R**2 - r**2))/sqrt(R**2 - r**2) - LegendreChi2((a - sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2)))
+    + LegendreChi2((a + sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2))))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN radii give NaN. Handbook:
+    sphere.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.pressure(0.3, 1.0, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.384331
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_pressure, r, a, R=R, E_star=E_star, dgamma=dgamma)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*(-R*asin(a/r) + a*asin(a/r)*atanh(a/R) + sqrt(R**2 - r**2)*atan(a*sqrt(R**2 - r**2)/(R*sqrt(-a**2 +
+    r**2))) + sqrt(-a**2 + r**2)*atanh(a/R))/pi -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for r < R
+    w = 2*(-R*asin(a/r) + a*asin(a/r)*atanh(a/R) - sqrt(-R**2 + r**2)*atanh(a*sqrt(-R**2 + r**2)/(R*sqrt(-a**2
+    + r**2))) + sqrt(-a**2 + r**2)*atanh(a/R))/pi -
+    2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for R < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN radii give NaN. Handbook:
+    sphere.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.displacement(2.0, 1.0, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.09904
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_displacement, r, a, R=R, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: sphere.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.radius_from_depth(0.5541, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    1.000023
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, E_star=E_star, dgamma=dgamma)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: sphere.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.radius_from_force(0.614, R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.999997
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), R=R, E_star=E_star, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    Under control of the force:
+
+        g'(a_c) = 3*sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Under control of the depth:
+
+        g'(a_c) = sqrt(2)*sqrt(pi)*sqrt(dgamma)/(2*sqrt(E_star)*sqrt(a_c))
+        F = F(a_c)
+        d = d(a_c)
+        with the depth g(a) without adhesion
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: sphere.adh.ac, sphere.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> state = sphere.pull_off(R=1.5, E_star=1.0, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.068448
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), R=R, E_star=E_star, dgamma=dgamma)
+    force = elementwise(_force, radius, R=R, E_star=E_star, dgamma=dgamma)
+    depth = elementwise(_depth, radius, R=R, E_star=E_star, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, R, E_star) - pull(a, E_star, dgamma)
+
+
+def _pressure(r: Array, a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, R, E_star) - tension(r, a, E_star, dgamma)
+
+
+def _displacement(r: Array, a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, R) - lift(r, a, E_star, dgamma)
+
+
+def _rate(a: Array, R: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    root = np.sqrt(np.maximum(R - a, 0.0) * (R + a))
+    return normal._slope(a, root, R)
+
+
+def _branches(R: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: _rate(a, R), radii_below(R), np.atleast_1d(R), control, E_star, dgamma)
+
+
+def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(R, E_star, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, R, E_star, dgamma))
+
+
+def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        d,
+        _branches(R, E_star, dgamma, control="depth"),
+        lambda a: _depth(a, R, E_star, dgamma),
+        lambda a: _rate(a, R),
+        XI["depth"],
+        E_star,
+        dgamma,
+    )
+
+
+def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+    return stable_radius(
+        F,
+        _branches(R, E_star, dgamma, control="force"),
+        lambda a: _force(a, R, E_star, dgamma),
+        lambda a: _rate(a, R),
+        XI["force"],
+        E_star,
+        dgamma,
+    )

@@ -1,0 +1,131 @@
+"""Concave paraboloid with adhesion on a power-law graded half space.
+
+Concave parabolic face of depth h: the pressure vanishes first at the centre.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..._adhesion import PullOff, require_control
+from ..._domain import require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_growth import power_factor
+from ..._graded_punch import graded_retraction, punch_stiffness
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(*, a: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the edge at which it peels off.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_paraboloid.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import concave_paraboloid
+    >>> value = concave_paraboloid.retraction(a=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(a=a, H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a=a, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the edge peels off, and with it the whole face.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) - 8*H*a**(k + 1)*h/((k + 1)**2*(k +
+    3))
+    d = -2*h/(k + 1) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded; the state is the same.
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    A smaller contact needs a greater depth and a greater force, so that the edge does not stop. Handbook:
+    concave_paraboloid.fgm.adh.Fc, concave_paraboloid.fgm.adh.dc.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Barber 1976; Schubert 1942; Kendall 1971.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import concave_paraboloid
+    >>> state = concave_paraboloid.pull_off(a=1.0, h=0.15, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.637368
+    """
+    require(a=a, h=h, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    depth = elementwise(_pull_off_depth, a=a, h=h, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_pull_off_force, a=a, h=h, H=H, k=k, dgamma=dgamma)
+    return PullOff(depth * 0.0 + a, force, depth)
+
+
+def _pull_off_depth(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -h * power_factor(2.0, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _pull_off_force(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -punch_stiffness(a, H, k) * (
+        h * power_factor(2.0, k) * 2.0 / (2.0 + 1.0 + k) + graded_retraction(a, H, k, dgamma)
+    )

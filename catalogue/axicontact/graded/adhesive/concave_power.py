@@ -1,0 +1,141 @@
+"""Concave power law with adhesion on a power-law graded half space.
+
+Concave face of depth h; complete contact needs the force F_min.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, require_control
+from ..._domain import require, require_order
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_growth import power_factor
+from ..._graded_punch import graded_retraction, punch_stiffness
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(*, a: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the edge at which it peels off.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_power.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import concave_power
+    >>> value = concave_power.retraction(a=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(a=a, H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a=a, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the edge peels off, and with it the whole face.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) - 2*H*a**(k + 1)*h*n*gamma(k/2 +
+    1/2)*gamma(n/2 + 1)/((k + 1)*(k + n + 1)*gamma(k/2 + n/2 + 1/2))
+    d = -h*gamma((k + 1)/2)*gamma(n/2 + 1)/gamma((k + n + 1)/2) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded; the state is the same.
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    A smaller contact needs a greater depth and a greater force, so that the edge does not stop. Handbook:
+    concave_power.fgm.adh.Fc, concave_power.fgm.adh.dc.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Barber 1976; Schubert 1942; Kendall 1971.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import concave_power
+    >>> state = concave_power.pull_off(a=1.0, h=0.15, n=3.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.705991
+    """
+    require(a=a, h=h, n=n, H=H, k=k, dgamma=dgamma)
+    require_order(
+        np.asarray(n) > 1.0 - np.asarray(k),
+        "n > 1 - k",
+        "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",
+        n=n,
+        k=k,
+    )
+    require_control(control)
+    depth = elementwise(_pull_off_depth, a=a, h=h, n=n, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_pull_off_force, a=a, h=h, n=n, H=H, k=k, dgamma=dgamma)
+    return PullOff(depth * 0.0 + a, force, depth)
+
+
+def _pull_off_depth(a: Array, h: Array, n: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -h * power_factor(n, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _pull_off_force(a: Array, h: Array, n: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -punch_stiffness(a, H, k) * (h * power_factor(n, k) * n / (n + 1.0 + k) + graded_retraction(a, H, k, dgamma))

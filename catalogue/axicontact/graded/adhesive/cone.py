@@ -1,0 +1,482 @@
+"""Cone with adhesion on a power-law graded half space.
+
+Rigid cone of inclination theta. Self-similar: the mean pressure does not depend on the load.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, power_law_radius, require_control
+from ..._domain import numbers, require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_punch import (
+    graded_retraction,
+    punch_displacement,
+    punch_stiffness,
+    stationary,
+    tension,
+    unloading_radius,
+)
+from ..normal import cone as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN radii give NaN. Handbook:
+    cone.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.retraction(1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = sqrt(pi)*a*tan(theta)*gamma((k + 1)/2)/(2*gamma(k/2 + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN radii give NaN. Handbook:
+    cone.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.depth(1.0, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.242109
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_depth, a, theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + sqrt(pi)*H*a**(k +
+    2)*tan(theta)*gamma((k + 1)/2)/((k + 1)*(k + 2)*gamma(k/2 + 1))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN radii give NaN. Handbook:
+    cone.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.force(1.0, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    -0.050645
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_force, a, theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) +
+    H*r**k*tan(theta)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, -k/2)*gamma((k + 1)/2)/(4*sqrt(pi)*gamma(k/2 +
+    1))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN radii give NaN. Handbook:
+    cone.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.pressure(0.3, 1.0, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.132137
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_pressure, r, a, theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r*IncompleteBeta(a**2/r**2, k/2 + 1, (1 -
+    k)/2))*cos(pi*k/2)*tan(theta)*gamma((k + 1)/2)/(2*sqrt(pi)*gamma(k/2 + 1)) - sqrt(2)*a**(1/2 -
+    k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN radii give NaN. Handbook:
+    cone.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.displacement(2.0, 1.0, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    -0.008176
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_displacement, r, a, theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    sqrt(pi)*a*tan(theta)*gamma((k + 1)/2)/(2*gamma(k/2 + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. NaN below pull-off. Handbook: cone.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.radius_from_depth(0.2421, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.999978
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + sqrt(pi)*H*a**(k +
+    2)*tan(theta)*gamma((k + 1)/2)/((k + 1)*(k + 2)*gamma(k/2 + 1)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. NaN below pull-off. Handbook: cone.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.radius_from_force(-0.05065, theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.999964
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Handbook: cone.fgm.adh.ac, cone.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> state = cone.pull_off(theta=0.35, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.067902
+    """
+    require(theta=theta, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), theta=theta, H=H, k=k, dgamma=dgamma)
+    force = elementwise(partial(_pull_off_force, control=control), radius, theta=theta, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(partial(_pull_off_depth, control=control), radius, theta=theta, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, theta, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, theta, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, theta, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, theta, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _pull_off_radius(theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    rate = normal._rate(np.ones_like(H * k), theta, k)
+    own = unloading_radius(rate, 1.0, H, k, dgamma, control)
+    return np.where(dgamma > 0.0, own, 0.0)
+
+
+def _pull_off_depth(a: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
+    return normal._depth(a, theta, k) * (1.0 - 2.0 * 1.0 / stationary(control, k))
+
+
+def _radius_from_depth(d: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    a_c = _pull_off_radius(theta, H, k, dgamma, control="depth")
+    least = _pull_off_depth(a_c, theta, H, k, dgamma, control="depth")
+    plain = normal._radius_from_depth(np.maximum(d, 0.0), theta, k)
+    return power_law_radius(d, a_c, least, 1.0, (1.0 - k) / 2.0, plain)
+
+
+def _pull_off_force(a: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
+    return normal._force(a, theta, H, k) * (1.0 - 2.0 * (1.0 + 1.0 + k) / stationary(control, k))
+
+
+def _radius_from_force(F: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    a_c = _pull_off_radius(theta, H, k, dgamma, control="force")
+    least = _pull_off_force(a_c, theta, H, k, dgamma, control="force")
+    plain = normal._radius_from_force(np.maximum(F, 0.0), theta, H, k)
+    return power_law_radius(F, a_c, least, 1.0 + 1.0 + k, (3.0 + k) / 2.0, plain)

@@ -1,0 +1,123 @@
+"""Flat punch with adhesion on a power-law graded half space.
+
+The elementary building block: every other contact is a superposition of flat punches.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..._adhesion import PullOff, require_control
+from ..._domain import require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_punch import graded_retraction, punch_stiffness
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(*, a: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the edge at which it peels off.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for sharp edge, frictionless. Handbook: flat_punch.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Boussinesq 1885; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import flat_punch
+    >>> value = flat_punch.retraction(a=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(a=a, H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a=a, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, a: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the edge peels off, and with it the whole face.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1)
+    d = -sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded; the state is the same.
+    a : array_like
+        Contact radius [m], a > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    A smaller contact needs a greater depth and a greater force, so that the edge does not stop. Handbook:
+    flat_punch.fgm.adh.Fc, flat_punch.fgm.adh.dc.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Boussinesq 1885; Schubert 1942; Kendall 1971.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import flat_punch
+    >>> state = flat_punch.pull_off(a=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.401061
+    """
+    require(a=a, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    depth = elementwise(_pull_off_depth, a=a, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_pull_off_force, a=a, H=H, k=k, dgamma=dgamma)
+    return PullOff(depth * 0.0 + a, force, depth)
+
+
+def _pull_off_depth(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -graded_retraction(a, H, k, dgamma)
+
+
+def _pull_off_force(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)

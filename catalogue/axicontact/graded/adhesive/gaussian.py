@@ -1,0 +1,501 @@
+"""Gaussian bump with adhesion on a power-law graded half space.
+
+A smooth asperity of height h and width s; compact up to a/s = 1.50198, where the depth is largest.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, require_control
+from ..._branches import Branches, lowest, radii_to, stable_radius
+from ..._domain import numbers, require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_branches import graded_branches, growth_of
+from ..._graded_inverse import gaussian_reach
+from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..normal import gaussian as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN radii give NaN. Handbook: gaussian.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.retraction(1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = 2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN radii give NaN. Handbook: gaussian.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.depth(1.0, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.383487
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_depth, a, h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 8*H*a**(k + 3)*h*1F1(2, (k +
+    5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN radii give NaN. Handbook: gaussian.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.force(1.0, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.127728
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_force, a, h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) +
+    H*Integral((4*h*sqrt(r**2 + u**(2/(k + 1)))*1F1(1, (k + 3)/2, -(r**2 + u**(2/(k + 1)))/s**2)/(s**2*(k +
+    1)) - 8*h*(r**2 + u**(2/(k + 1)))**(3/2)*1F1(2, (k + 3)/2 + 1, -(r**2 + u**(2/(k + 1)))/s**2)/(s**4*(k
+    + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN radii give NaN. Handbook: gaussian.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.pressure(0.3, 1.0, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.243364
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_pressure, r, a, h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*cos(pi*k/2)*Integral((2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) -
+    2*h*r**2*sin(psi)**2*1F1(1, (k + 3)/2, -r**2*sin(psi)**2/s**2)/(s**2*(k + 1)))*tan(psi)**k, (psi, 0,
+    asin(a/r)))/pi - sqrt(2)*a**(1/2 - k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 -
+    k)/2)/(sqrt(pi)*sqrt(H))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN radii give NaN. Handbook: gaussian.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.displacement(2.0, 1.0, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.014645
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_displacement, r, a, h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. NaN below pull-off. Where several radii are stable, the largest, which is reached on
+    unloading. Handbook: gaussian.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.radius_from_depth(0.3835, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.000026
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(
+    F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 8*H*a**(k + 3)*h*1F1(2, (k + 5)/2,
+    -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. NaN below pull-off. Where several radii are stable, the largest, which is reached on
+    unloading. Handbook: gaussian.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.radius_from_force(0.1277, h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.999912
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), h=h, s=s, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    h : array_like
+        Height of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: gaussian.fgm.adh.ac, gaussian.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> state = gaussian.pull_off(h=0.7, s=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.04078
+    """
+    require(h=h, s=s, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), h=h, s=s, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_force, radius, h=h, s=s, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(_depth, radius, h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, h, s, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, h, s, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, h, s, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, h, s, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return graded_branches(
+        normal._rate,
+        (h, s, k),
+        radii_to(gaussian_reach(s, k)),
+        np.atleast_1d(gaussian_reach(s, k)),
+        H,
+        k,
+        dgamma,
+        control,
+    )
+
+
+def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(h, s, H, k, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, h, s, H, k, dgamma))
+
+
+def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(h, s, H, k, dgamma, control="depth")
+    slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control="depth")
+    return stable_radius(d, found, lambda a: _depth(a, h, s, H, k, dgamma), slope, 1.0, H, 0.0)
+
+
+def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(h, s, H, k, dgamma, control="force")
+    slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control="force")
+    return stable_radius(F, found, lambda a: _force(a, h, s, H, k, dgamma), slope, 1.0, H, 0.0)

@@ -1,0 +1,472 @@
+"""Paraboloid with adhesion on a power-law graded half space.
+
+The tip of every smooth indenter and the parabolic approximation of the sphere: Hertz's contact.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, power_law_radius, require_control
+from ..._domain import numbers, require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_punch import (
+    graded_retraction,
+    punch_displacement,
+    punch_stiffness,
+    stationary,
+    tension,
+    unloading_radius,
+)
+from ..normal import paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN radii give NaN. Handbook: paraboloid.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.retraction(1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN radii give NaN. Handbook: paraboloid.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.depth(1.0, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.249337
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_depth, a, R=R, H=H, k=k, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R*(k + 1)**2*(k +
+    3))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN radii give NaN. Handbook: paraboloid.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.force(1.0, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.091247
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_force, a, R=R, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) + 2*H*(a**2 -
+    r**2)**(k/2 + 1/2)/(pi*R*(k + 1)**2)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN radii give NaN. Handbook: paraboloid.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.pressure(0.3, 1.0, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.157411
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_pressure, r, a, R=R, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (a**2*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**2*IncompleteBeta(a**2/r**2, (k + 3)/2, (1 -
+    k)/2))*cos(pi*k/2)/(pi*R*(k + 1)) - sqrt(2)*a**(1/2 -
+    k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN radii give NaN. Handbook: paraboloid.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.displacement(2.0, 1.0, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.010356
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_displacement, r, a, R=R, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. NaN below pull-off. Handbook: paraboloid.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.radius_from_depth(0.2493, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.999959
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R*(k + 1)**2*(k + 3)) =
+    F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. NaN below pull-off. Handbook: paraboloid.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.radius_from_force(0.09125, R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.000003
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), R=R, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Handbook: paraboloid.fgm.adh.ac, paraboloid.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> state = paraboloid.pull_off(R=1.6, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.081681
+    """
+    require(R=R, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), R=R, H=H, k=k, dgamma=dgamma)
+    force = elementwise(partial(_pull_off_force, control=control), radius, R=R, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(partial(_pull_off_depth, control=control), radius, R=R, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, R, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, R, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, R, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    rate = normal._rate(np.ones_like(H * k), R, k)
+    own = unloading_radius(rate, 2.0, H, k, dgamma, control)
+    return np.where(dgamma > 0.0, own, 0.0)
+
+
+def _pull_off_depth(a: Array, R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
+    return normal._depth(a, R, k) * (1.0 - 2.0 * 2.0 / stationary(control, k))
+
+
+def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    a_c = _pull_off_radius(R, H, k, dgamma, control="depth")
+    least = _pull_off_depth(a_c, R, H, k, dgamma, control="depth")
+    plain = normal._radius_from_depth(np.maximum(d, 0.0), R, k)
+    return power_law_radius(d, a_c, least, 2.0, (1.0 - k) / 2.0, plain)
+
+
+def _pull_off_force(a: Array, R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
+    return normal._force(a, R, H, k) * (1.0 - 2.0 * (2.0 + 1.0 + k) / stationary(control, k))
+
+
+def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    a_c = _pull_off_radius(R, H, k, dgamma, control="force")
+    least = _pull_off_force(a_c, R, H, k, dgamma, control="force")
+    plain = normal._radius_from_force(np.maximum(F, 0.0), R, H, k)
+    return power_law_radius(F, a_c, least, 2.0 + 1.0 + k, (3.0 + k) / 2.0, plain)

@@ -1,0 +1,529 @@
+"""Curved punch with a rounded edge with adhesion on a power-law graded half space.
+
+A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, require_control
+from ..._branches import Branches, lowest, radii_around, stable_radius
+from ..._domain import numbers, require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_branches import graded_branches, growth_of
+from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..normal import rounded_curved_punch as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN radii give NaN. Handbook: rounded_curved_punch.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.retraction(1.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.291826
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(
+    a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for a < b
+    d = -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN radii give NaN. Handbook: rounded_curved_punch.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.depth(1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250739
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_depth, a, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def force(
+    a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k +
+    3))   for a < b
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
+    b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k -
+    b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k + 3)))/(k + 1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN radii give NaN. Handbook: rounded_curved_punch.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.force(1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.263614
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_force, a, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    dgamma: ArrayLike,
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -H*retraction*(a**2 - r**2)**(k/2 - 1/2)/pi + H*Integral((-r**2 + t**2)**(k/2 - 1/2)*Derivative(g(t),
+    t), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN radii give NaN. Handbook: rounded_curved_punch.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.pressure(0.45, 1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.101652
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_pressure, r, a, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    dgamma: ArrayLike,
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
+    2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN radii give NaN. Handbook: rounded_curved_punch.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.displacement(3.0, 1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.01933
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_displacement, r, a, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
+    -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R2*(k +
+    1)) + a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: rounded_curved_punch.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.radius_from_depth(0.2507, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.499967
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(
+    F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) =
+    F   for a < b
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
+    b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k -
+    b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k + 3)))/(k + 1) = F   for b < a
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: rounded_curved_punch.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> value = rounded_curved_punch.radius_from_force(0.2636, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.499995
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: rounded_curved_punch.fgm.adh.ac, rounded_curved_punch.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66).
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_curved_punch
+    >>> state = rounded_curved_punch.pull_off(R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.272777
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_force, radius, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(_depth, radius, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R1, R2, b, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, R1, R2, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, R1, R2, b, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, R1, R2, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return graded_branches(normal._rate, (R1, R2, b, k), radii_around(b), np.inf, H, k, dgamma, control)
+
+
+def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(R1, R2, b, H, k, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, R1, R2, b, H, k, dgamma))
+
+
+def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(R1, R2, b, H, k, dgamma, control="depth")
+    slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="depth")
+    return stable_radius(d, found, lambda a: _depth(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0)
+
+
+def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(R1, R2, b, H, k, dgamma, control="force")
+    slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="force")
+    return stable_radius(F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0)

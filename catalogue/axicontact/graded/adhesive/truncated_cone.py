@@ -1,0 +1,497 @@
+"""Truncated cone with adhesion on a power-law graded half space.
+
+Flat face of radius b with a conical flank: a worn or blunted cone. The contact radius starts at b.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, require_control
+from ..._branches import Branches, lowest, radii_beyond, stable_radius
+from ..._domain import numbers, require, require_reach
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_branches import graded_branches, growth_of
+from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..normal import truncated_cone as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: truncated_cone.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.retraction(1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: truncated_cone.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.depth(1.0, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.121084
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_depth, a, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
+    b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 + 1/2))*tan(theta)/((k + 1)*(k + 2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: truncated_cone.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.force(1.0, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    -0.004056
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_force, a, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) +
+    H*Integral((b*(-b**2/(r**2 + u**(2/(k + 1))) + 1)**((k + 1)/2 - 1)*tan(theta)/sqrt(r**2 + u**(2/(k + 1)))
+    + tan(theta)*IncompleteBeta(-b**2/(r**2 + u**(2/(k + 1))) + 1, (k + 1)/2, 1/2)/2)/sqrt(r**2 + u**(2/(k +
+    1))), (u, (b**2 - r**2)**(k/2 + 1/2), (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))   for r < b
+    p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) +
+    H*Integral((b*(-b**2/(r**2 + u**(2/(k + 1))) + 1)**((k + 1)/2 - 1)*tan(theta)/sqrt(r**2 + u**(2/(k + 1)))
+    + tan(theta)*IncompleteBeta(-b**2/(r**2 + u**(2/(k + 1))) + 1, (k + 1)/2, 1/2)/2)/sqrt(r**2 + u**(2/(k +
+    1))), (u, 0, (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: truncated_cone.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.pressure(0.3, 1.0, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.088535
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_pressure, r, a, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
+    2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN radii give NaN. Handbook: truncated_cone.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.displacement(2.0, 1.0, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    -0.001984
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_displacement, r, a, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: truncated_cone.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.radius_from_depth(0.1211, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.000031
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(
+    F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
+    b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 + 1/2))*tan(theta)/((k + 1)*(k + 2)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. NaN below pull-off. Where several radii are stable, the largest, which is
+    reached on unloading. Handbook: truncated_cone.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.radius_from_force(-0.004056, theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.999999
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force", *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: truncated_cone.fgm.adh.ac, truncated_cone.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> state = truncated_cone.pull_off(theta=0.42, b=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.130028
+    """
+    require(theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(partial(_pull_off_radius, control=control), theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    force = elementwise(_force, radius, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(_depth, radius, theta=theta, b=b, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, theta, b, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, theta, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, theta, b, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, theta, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return graded_branches(normal._rate, (theta, b, k), radii_beyond(b), np.inf, H, k, dgamma, control)
+
+
+def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(theta, b, H, k, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, theta, b, H, k, dgamma))
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(theta, b, H, k, dgamma, control="depth")
+    slope = growth_of(normal._rate, (theta, b, k), H, k, dgamma, control="depth")
+    return stable_radius(d, found, lambda a: _depth(a, theta, b, H, k, dgamma), slope, 1.0, H, 0.0)
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(theta, b, H, k, dgamma, control="force")
+    slope = growth_of(normal._rate, (theta, b, k), H, k, dgamma, control="force")
+    return stable_radius(F, found, lambda a: _force(a, theta, b, H, k, dgamma), slope, 1.0, H, 0.0)

@@ -1,0 +1,549 @@
+"""Wavy paraboloid with adhesion on a power-law graded half space.
+
+A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._adhesion import PullOff, require_control
+from ..._branches import Branches, lowest, radii_of_waves, stable_radius
+from ..._domain import numbers, require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_branches import graded_branches, growth_of
+from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..normal import wavy_paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
+    """Retraction of the indenter from the state without adhesion, at constant contact radius.
+
+    retraction = sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Retraction at constant contact radius, rule of Hess [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
+    Handbook: wavy_paraboloid.fgm.adh.Dl.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.retraction(1.0, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.250663
+    """
+    require(H=H, k=k, dgamma=dgamma)
+    return elementwise(graded_retraction, a, H=H, k=k, dgamma=dgamma)
+
+
+def depth(
+    a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
+
+    d = pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)
+    + a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
+    Handbook: wavy_paraboloid.fgm.adh.d.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.depth(1.0, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.235393
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_depth, a, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def force(
+    a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Normal force at contact radius a, negative in tension.
+
+    F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-pi**(1/2 - k/2)*a**(k/2 +
+    1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 +
+    2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k +
+    1)**2*(k + 3)))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
+    Handbook: wavy_paraboloid.fgm.adh.F.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.force(1.0, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.055493
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_force, a, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    R: ArrayLike,
+    h: ArrayLike,
+    wavelength: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    dgamma: ArrayLike,
+) -> Result:
+    """Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.
+
+    p = -H*retraction*(a**2 - r**2)**(k/2 - 1/2)/pi + H*Integral((-r**2 + t**2)**(k/2 - 1/2)*Derivative(g(t),
+    t), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
+    Handbook: wavy_paraboloid.fgm.adh.p.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.pressure(0.3, 1.0, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.127235
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_pressure, r, a, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def displacement(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    R: ArrayLike,
+    h: ArrayLike,
+    wavelength: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    dgamma: ArrayLike,
+) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
+    2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
+    Handbook: wavy_paraboloid.fgm.adh.w.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.displacement(2.0, 1.0, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    0.005689
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_displacement, r, a, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius at indentation depth d, on the branch that is stable under a given depth.
+
+    pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2) +
+    a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
+    several radii are stable, the largest, which is reached on unloading. Handbook:
+    wavy_paraboloid.fgm.adh.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.radius_from_depth(0.2354, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(value, 6)
+    1.000007
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def radius_from_force(
+    F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
+) -> Result:
+    """Contact radius under the normal force F, on the branch that is stable under a given force.
+
+    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-pi**(1/2 - k/2)*a**(k/2 +
+    1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 +
+    2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k +
+    1)**2*(k + 3))) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
+    several radii are stable, the largest, which is reached on unloading. Handbook:
+    wavy_paraboloid.fgm.adh.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.radius_from_force(
+    ...     0.05549, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01
+    ... )
+    >>> round(value, 6)
+    0.999998
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=numbers("F", F), R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+
+
+def pull_off(
+    control: str = "force",
+    *,
+    R: ArrayLike,
+    h: ArrayLike,
+    wavelength: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    dgamma: ArrayLike,
+) -> PullOff:
+    """State at which the contact breaks on unloading.
+
+    At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and
+
+        a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))
+
+    where xi = 3 + k under control of the force and 1 - k under control of the depth.
+
+    Parameters
+    ----------
+    control : {"force", "depth"}
+        What is held while the contact is unloaded.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+
+    Returns
+    -------
+    PullOff
+        Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The least force, or depth, of a stable contact. Where it has several minima, or one at a corner of the
+    profile, the lowest. Handbook: wavy_paraboloid.fgm.adh.ac, wavy_paraboloid.fgm.adh.am.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> state = wavy_paraboloid.pull_off(R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25, dgamma=0.01)
+    >>> round(state.force, 6)
+    -0.089215
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    require_control(control)
+    radius = elementwise(
+        partial(_pull_off_radius, control=control), R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma
+    )
+    force = elementwise(_force, radius, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    depth = elementwise(_depth, radius, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return PullOff(radius, force, depth)
+
+
+def _depth(a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R, h, wavelength, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, R, h, wavelength, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._pressure(r, a, R, h, wavelength, H, k) - tension(r, a, H, k, dgamma)
+
+
+def _displacement(
+    r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array
+) -> Array:
+    return normal._displacement(r, a, R, h, wavelength, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(
+        r, a, k
+    )
+
+
+def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return graded_branches(
+        normal._rate, (R, h, wavelength, k), radii_of_waves(wavelength, 4.0 * wavelength), np.inf, H, k, dgamma, control
+    )
+
+
+def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    found = _branches(R, h, wavelength, H, k, dgamma, control)
+    load = _force if control == "force" else _depth
+    return lowest(found, lambda a: load(a, R, h, wavelength, H, k, dgamma))
+
+
+def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(R, h, wavelength, H, k, dgamma, control="depth")
+    slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control="depth")
+    return stable_radius(d, found, lambda a: _depth(a, R, h, wavelength, H, k, dgamma), slope, 1.0, H, 0.0)
+
+
+def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    found = _branches(R, h, wavelength, H, k, dgamma, control="force")
+    slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control="force")
+    return stable_radius(F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, 1.0, H, 0.0)

@@ -1,0 +1,488 @@
+"""Concave quartic on a power-law graded half space.
+
+Concave face of fourth order: the pressure vanishes first on the ring r = a/2.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._domain import require
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_displacement import power_sag, punch_share
+from ..._graded_growth import power_factor
+from ..._graded_pressure import power_pressure
+from ..._graded_punch import punch_pressure, punch_stiffness, ring_of_zero_pressure
+from ...normal import concave_quartic as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = -h*r**4/a**4
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.profile(0.3, a=1.0, h=0.15)
+    >>> round(value, 6)
+    -0.001215
+    """
+    return normal.profile(r, a=a, h=h)
+
+
+def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Normal force.
+
+    F = 2*H*a**(k + 1)*(d + 8*h/((k + 3)*(k + 5)))/(k + 1)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN, and so do loads
+    below those of complete contact. Handbook: concave_quartic.fgm.F.
+
+    References
+    ----------
+    chapter 11, equation (11.45); chapter 11, equation (11.51); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.force(0.6, a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    1.072527
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_force, d, a=a, h=h, H=H, k=k)
+
+
+def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = H*(d*(a**2 - r**2)**(k/2 - 1/2) + 8*h*(a**2 - r**2)**(k/2 - 1/2)/((k + 1)*(k + 3)) - 32*h*(a**2 -
+    r**2)**(k/2 + 1/2)*(a**2*k + a**2 + 2*r**2)/(a**4*(k + 1)**2*(k + 3)**2))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN, and so do loads
+    below those of complete contact. Handbook: concave_quartic.fgm.p.
+
+    References
+    ----------
+    chapter 11, equation (11.47); chapter 11, equation (11.53); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.pressure(0.3, 0.6, a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.170462
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_pressure, r, d, a=a, h=h, H=H, k=k)
+
+
+def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) + 8*h*r**4*IncompleteBeta(a**2/r**2, (k + 5)/2, (1
+    - k)/2)/(a**4*(k + 1)*(k + 3)))*cos(pi*k/2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN, and so do loads
+    below those of complete contact. Handbook: concave_quartic.fgm.w.
+
+    References
+    ----------
+    chapter 11, equation (11.44); chapter 11, equation (11.56); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.displacement(2.0, 0.6, a=1.0, h=0.15, k=0.25)
+    >>> round(value, 6)
+    0.142698
+    """
+    require(a=a, h=h, k=k)
+    return elementwise(_displacement, r, d, a=a, h=h, k=k)
+
+
+def stiffness(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*H*a**(k + 1)/(k + 1)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_quartic.fgm.k.
+
+    References
+    ----------
+    chapter 11, equation (11.46); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.stiffness(a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    1.6
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_stiffness, a=a, H=H, k=k)
+
+
+def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = F*a**(-k - 1)*(k + 1)/(2*H) - 8*h/((k + 3)*(k + 5))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN, and so do loads
+    below those of complete contact. Handbook: concave_quartic.fgm.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.46); chapter 11, equation (11.51); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.depth_from_force(1.073, a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.600295
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_depth_from_force, F, a=a, h=h, H=H, k=k)
+
+
+def zero_radius(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
+    """Radius of the ring where the pressure first vanishes on unloading.
+
+    r_zero = a*sqrt(1 - k)/2
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the ring where the pressure first vanishes on unloading [m]. The shape to which the
+        arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_quartic.fgm.rz.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.zero_radius(a=1.0, h=0.15, k=0.25)
+    >>> round(value, 6)
+    0.433013
+    """
+    require(a=a, h=h, k=k)
+    return elementwise(_zero_radius, a=a, h=h, k=k)
+
+
+def minimum_depth(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
+    """Least indentation depth of complete contact.
+
+    d = -4*h*(k - 1)/((k + 1)**2*(k + 3))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_quartic.fgm.dmin.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.minimum_depth(a=1.0, h=0.15, k=0.25)
+    >>> round(value, 6)
+    0.088615
+    """
+    require(a=a, h=h, k=k)
+    return elementwise(_minimum_depth, a=a, h=h, k=k)
+
+
+def minimum_force(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Least normal force of complete contact.
+
+    F = 8*H*a**(k + 1)*h*(k**2 + 7)/((k + 1)**3*(k + 3)*(k + 5))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Handbook: concave_quartic.fgm.Fmin.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import concave_quartic
+    >>> value = concave_quartic.minimum_force(a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.254312
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_minimum_force, a=a, h=h, H=H, k=k)
+
+
+def _force(d: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+    complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
+    return np.where(
+        complete, punch_stiffness(a, H, k) * (d + h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k)), np.nan
+    )
+
+
+def _pressure(r: Array, d: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+    complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
+    edge = (d + h * power_factor(4.0, k)) * punch_pressure(r, a, H, k)
+    hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, 4.0, k) / a**4.0
+    return np.where(complete, np.where(r < a, edge - hollow, edge), np.nan)
+
+
+def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
+    complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
+    outside = d * punch_share(r, a, k) + h * power_sag(r, a, 4.0, k) / a**4.0
+    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h)), np.nan)
+
+
+def _stiffness(a: Array, H: Array, k: Array) -> Array:
+    return punch_stiffness(a, H, k)
+
+
+def _depth_from_force(F: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+    complete = _minimum_force(a, h, H, k) * (1.0 - 1e-15) <= F
+    return np.where(
+        complete, F / punch_stiffness(a, H, k) - h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k), np.nan
+    )
+
+
+def _zero_radius(a: Array, h: Array, k: Array) -> Array:
+    return a * np.sqrt(1.0 - ring_of_zero_pressure(4.0, k)) + 0.0 * h
+
+
+def _minimum_depth(a: Array, h: Array, k: Array) -> Array:
+    lifted = 4.0 * ring_of_zero_pressure(4.0, k) - 1.0 + k
+    return h * power_factor(4.0, k) * (1.0 - k) / lifted + 0.0 * a
+
+
+def _minimum_force(a: Array, h: Array, H: Array, k: Array) -> Array:
+    return punch_stiffness(a, H, k) * (_minimum_depth(a, h, k) + h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k))

@@ -1,0 +1,634 @@
+"""Flat punch with a rounded edge on a power-law graded half space.
+
+Flat face of radius b running tangentially into a rounding of radius R: between flat punch and sphere.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._domain import require, require_reach
+from ..._elementwise import Array, Result, elementwise
+from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
+from ..._graded_displacement import punch_share, rounding_sag
+from ..._graded_inverse import radius_beyond
+from ..._graded_pressure import rounding_pressure
+from ..._graded_punch import punch_stiffness
+from ..._integrals import difference_root
+from ...normal import rounded_punch as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
+    """Profile f(r) of the indenter.
+
+    f = 0   for 0 < r < b
+    f = (-b + r)**2/(2*R)   for b < r
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Profile of the indenter, measured from its apex [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.profile(0.486, R=1.45, b=1.15)
+    >>> round(value, 6)
+    0.0
+    """
+    return normal.profile(r, R=R, b=b)
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k +
+    1))/R
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.fgm.d.
+
+    References
+    ----------
+    chapter 11, equation (11.61); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.depth(1.62, R=1.45, b=1.15, k=0.25)
+    >>> round(value, 6)
+    0.186464
+    """
+    require(R=R, b=b, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_depth, a, R=R, b=b, k=k)
+
+
+def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Normal force.
+
+    F = H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 +
+    1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.fgm.F.
+
+    References
+    ----------
+    chapter 11, equation (11.51); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.force(1.62, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.474013
+    """
+    require(R=R, b=b, H=H, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_force, a, R=R, b=b, H=H, k=k)
+
+
+def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = H*Integral((-r**2 + t**2)**(k/2 - 1/2)*Derivative(g(t), t), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact, by a rule that carries the weight of
+    the grading. Handbook: rounded_punch.fgm.p.
+
+    References
+    ----------
+    chapter 11, equation (11.53); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.pressure(0.486, 1.62, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.047349
+    """
+    require(R=R, b=b, H=H, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_pressure, r, a, R=R, b=b, H=H, k=k)
+
+
+def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
+    """Displacement of the surface into the half space, inside and outside the contact.
+
+    w = 2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the displacement inside the contact. Handbook:
+    rounded_punch.fgm.w.
+
+    References
+    ----------
+    chapter 11, equation (11.56); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.displacement(3.24, 1.62, R=1.45, b=1.15, k=0.25)
+    >>> round(value, 6)
+    0.033833
+    """
+    require(R=R, b=b, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_displacement, r, a, R=R, b=b, k=k)
+
+
+def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Contact stiffness dF/dd.
+
+    dF/dd = 2*H*a**(k + 1)/(k + 1)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact stiffness dF/dd [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.fgm.k.
+
+    References
+    ----------
+    chapter 11, equation (11.46); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.stiffness(1.62, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    2.924245
+    """
+    require(R=R, b=b, H=H, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_stiffness, a, H=H, k=k)
+
+
+def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Mean pressure F/(pi a^2).
+
+    p_mean = H*(-a**k*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k
+    + 4*a**2 - b**2*k - b**2)/(a**2*(k + 1)*(k + 3)))/(pi*R*(k + 1)*(k + 2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Mean pressure F/(pi a^2) [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Handbook: rounded_punch.fgm.pm.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.mean_pressure(1.62, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.057492
+    """
+    require(R=R, b=b, H=H, k=k)
+    require_reach(a, b, "graded.normal.flat_punch")
+    return elementwise(_mean_pressure, a, R=R, b=b, H=H, k=k)
+
+
+def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
+    """Contact radius at indentation depth d.
+
+    (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k + 1))/R =
+    d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.fgm.ad.
+
+    References
+    ----------
+    chapter 11, equation (11.48); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.radius_from_depth(0.1865, R=1.45, b=1.15, k=0.25)
+    >>> round(value, 6)
+    1.620053
+    """
+    require(R=R, b=b, k=k)
+    return elementwise(_radius_from_depth, d, R=R, b=b, k=k)
+
+
+def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Contact radius under the normal force F.
+
+    H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k +
+    4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.fgm.aF.
+
+    References
+    ----------
+    chapter 11, equation (11.51); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.radius_from_force(0.474, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    1.619994
+    """
+    require(R=R, b=b, H=H, k=k)
+    return elementwise(_radius_from_force, F, R=R, b=b, H=H, k=k)
+
+
+def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Normal force at indentation depth d.
+
+    F = F(a(d)), through the contact radius.
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.fgm.Fd.
+
+    References
+    ----------
+    chapter 11, equation (11.48); chapter 11, equation (11.51); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.force_from_depth(0.1865, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.474119
+    """
+    require(R=R, b=b, H=H, k=k)
+    return elementwise(_force_from_depth, d, R=R, b=b, H=H, k=k)
+
+
+def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = d(a(F)), through the contact radius.
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: rounded_punch.fgm.dF.
+
+    References
+    ----------
+    chapter 11, equation (11.48); chapter 11, equation (11.51); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.normal import rounded_punch
+    >>> value = rounded_punch.depth_from_force(0.474, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.186459
+    """
+    require(R=R, b=b, H=H, k=k)
+    return elementwise(_depth_from_force, F, R=R, b=b, H=H, k=k)
+
+
+def _depth_at(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
+    return rounding_depth(a, root, b, k) / R
+
+
+def _rate_at(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
+    """Rate g'(a) of the depth."""
+    return rounding_rate(a, root, b, k) / R
+
+
+def _force_at(a: Array, root: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    growth = rounding_force(a, root, b, k) / R
+    return 2.0 * H / (1.0 + k) * growth
+
+
+def _depth(a: Array, R: Array, b: Array, k: Array) -> Array:
+    return np.where(a >= b, _depth_at(a, difference_root(a, b), R, b, k), np.nan)
+
+
+def _rate(a: Array, R: Array, b: Array, k: Array) -> Array:
+    return np.where(a >= b, _rate_at(a, difference_root(a, b), R, b, k), np.nan)
+
+
+def _force(a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    return np.where(a >= b, _force_at(a, difference_root(a, b), R, b, H, k), np.nan)
+
+
+def _force_rate_at(a: Array, root: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    """Derivative of the force."""
+    return punch_stiffness(a, H, k) * _rate_at(a, root, R, b, k)
+
+
+def _stiffness(a: Array, H: Array, k: Array) -> Array:
+    return punch_stiffness(a, H, k)
+
+
+def _mean_pressure(a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    return _force(a, R, b, H, k) / (np.pi * a * a)
+
+
+def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    inside = np.minimum(r, a)
+    growth = rounding_pressure(inside, a, b, k) / R
+    return np.where(a >= b, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
+
+
+def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+    depth = _depth(a, R, b, k)
+    sag = rounding_sag(r, a, b, k) / R
+    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, b=b))
+
+
+def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
+    return radius_beyond(_depth_at, _rate_at, d, b, (R, b, k))
+
+
+def _radius_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    return radius_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k))
+
+
+def _force_from_depth(d: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    return _force(_radius_from_depth(d, R, b, k), R, b, H, k)
+
+
+def _depth_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    return _depth(_radius_from_force(F, R, b, H, k), R, b, k)

@@ -1,0 +1,21 @@
+"""Cylinder with a parabolic cap: no tangential functions.
+
+Cylinder with a parabolic cap is a complete contact and knows no partial slip; it slips as a whole at F_x
+= mu F, with F from axicontact.graded.normal.capped_cylinder.force.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_REASON = (
+    "Cylinder with a parabolic cap is a complete contact and knows no partial slip; it slips as a whole at F_x "
+    "= mu F, with F from axicontact.graded.normal.capped_cylinder.force"
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("__"):
+        raise AttributeError(name)
+    message = f"{name} is not defined: {_REASON}"
+    raise AttributeError(message)

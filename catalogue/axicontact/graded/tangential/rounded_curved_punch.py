@@ -1,0 +1,404 @@
+"""Curved punch with a rounded edge under a tangential load on a power-law graded half space.
+
+A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._domain import numbers, require, require_order
+from ..._elementwise import Array, Result, elementwise
+from ..._slip import stick_force
+from ..normal import rounded_curved_punch as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def tangential_force(
+    a: ArrayLike, c: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential force with a stick zone of radius c.
+
+    F_x = mu*(F(a) - F(c))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.fgm.tan.F.
+
+    References
+    ----------
+    chapter 11, equation (11.78).
+
+    Examples
+    --------
+    >>> from axicontact.graded.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.tangential_force(1.5, 0.9, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, mu=0.3)
+    >>> round(value, 6)
+    0.283649
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_force, a, c, R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+
+
+def traction(
+    r: ArrayLike,
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential traction; zero outside the contact.
+
+    tau = mu*(p(r, a) - p(r, c))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential traction [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.fgm.tan.tau.
+
+    References
+    ----------
+    chapter 11, equation (11.79).
+
+    Examples
+    --------
+    >>> from axicontact.graded.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.traction(0.45, 1.5, 0.9, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, mu=0.3)
+    >>> round(value, 6)
+    0.036877
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_traction, r, a, c, R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+
+
+def tangential_displacement(
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    H_x: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential displacement of the indenter with a stick zone of radius c.
+
+    u_0 = H*mu*(a**2/(R1*(k + 1)) - c**2/(R1*(k + 1)))/H_x   for a < b
+    u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - c**2/(R1*(k + 1)))/H_x   for c < b and b < a
+    u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + b*c*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2)/(2*R2) - c**(1 - k)*(-b**2 +
+    c**2)**(k/2 + 1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - c**2/(R1*(k + 1)))/H_x   for b < c
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    H_x : array_like
+        Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.fgm.tan.u.
+
+    References
+    ----------
+    chapter 11, equation (11.80).
+
+    Examples
+    --------
+    >>> from axicontact.graded.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.tangential_displacement(
+    ...     1.5, 0.9, R1=6.0, R2=1.2, b=1.0, H=1.0, H_x=0.8, k=0.25, mu=0.3
+    ... )
+    >>> round(value, 6)
+    0.162962
+    """
+    require(R1=R1, R2=R2, b=b, H=H, H_x=H_x, k=k, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_displacement, a, c, R1=R1, R2=R2, b=b, H=H, H_x=H_x, k=k, mu=mu)
+
+
+def stick_radius(
+    F_x: ArrayLike,
+    a: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Radius of the stick zone under a tangential force; NaN beyond full slip.
+
+    c = Eq(mu*(4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) - 4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3))), F_x)
+
+    Parameters
+    ----------
+    F_x : array_like
+        Tangential force [N].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the stick zone [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.fgm.tan.c.
+
+    References
+    ----------
+    chapter 11, equation (11.78).
+
+    Examples
+    --------
+    >>> from axicontact.graded.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.stick_radius(0.2836, 1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, k=0.25, mu=0.3)
+    >>> round(value, 6)
+    0.900488
+    """
+    require(R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+    return elementwise(_stick_radius, F_x, a, R1=R1, R2=R2, b=b, H=H, k=k, mu=mu)
+
+
+def full_slip_displacement(
+    a: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    H: ArrayLike,
+    H_x: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential displacement at the onset of full slip.
+
+    u_0 = H*a**2*mu/(H_x*R1*(k + 1))   for a < b
+    u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)))/H_x   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    H_x : array_like
+        Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        < 1.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.fgm.tan.us.
+
+    References
+    ----------
+    chapter 11, equation (11.80).
+
+    Examples
+    --------
+    >>> from axicontact.graded.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.full_slip_displacement(
+    ...     1.5, R1=6.0, R2=1.2, b=1.0, H=1.0, H_x=0.8, k=0.25, mu=0.3
+    ... )
+    >>> round(value, 6)
+    0.203462
+    """
+    require(R1=R1, R2=R2, b=b, H=H, H_x=H_x, k=k, mu=mu)
+    return elementwise(_full_slip_displacement, a, R1=R1, R2=R2, b=b, H=H, H_x=H_x, k=k, mu=mu)
+
+
+def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    outer, inner = normal._force(a, R1, R2, b, H, k), normal._force(c, R1, R2, b, H, k)
+    gain = outer - inner
+    return mu * gain
+
+
+def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    outer, inner = normal._pressure(r, a, R1, R2, b, H, k), normal._pressure(r, c, R1, R2, b, H, k)
+    gain = outer - inner
+    return mu * np.where(r < c, gain, outer + 0.0 * c)
+
+
+def _tangential_displacement(
+    a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
+) -> Array:
+    outer, inner = normal._depth(a, R1, R2, b, k), normal._depth(c, R1, R2, b, k)
+    gain = outer - inner
+    return mu * (H / H_x) * gain
+
+
+def _stick_radius(F_x: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, R1, R2, b, H, k), F_x, mu)
+    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R1, R2, b, H, k))
+
+
+def _full_slip_displacement(
+    a: Array, R1: Array, R2: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
+) -> Array:
+    return mu * (H / H_x) * normal._depth(a, R1, R2, b, k)

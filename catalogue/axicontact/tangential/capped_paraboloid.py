@@ -1,0 +1,369 @@
+"""Paraboloid with a flatter cap under a tangential load.
+
+Radius of curvature R1 up to r = b, the smaller R2 beyond: a worn sphere of finite cap curvature.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._domain import numbers, require_order
+from .._elementwise import Array, Result, elementwise
+from .._slip import stick_force
+from ..normal import capped_paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def tangential_force(
+    a: ArrayLike, c: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential force with a stick zone of radius c.
+
+    F_x = mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1))   for a < b
+    F_x = mu*(-4*E_star*c**3/(3*R1) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 +
+    b**2)/R2)/(3*R1))   for c < b and b < a
+    F_x = mu*(2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) - 2*E_star*(2*c**3 +
+    (R1 - R2)*sqrt(-b**2 + c**2)*(b**2 + 2*c**2)/R2)/(3*R1))   for b < c
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. Handbook:
+    capped_paraboloid.tan.F.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import capped_paraboloid
+    >>> value = capped_paraboloid.tangential_force(1.0, 0.6, R1=4.0, R2=1.0, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.322427
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_force, a, c, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def traction(
+    r: ArrayLike,
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential traction; zero outside the contact.
+
+    tau = mu*(p(r, a) - p(r, c))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential traction [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. Handbook:
+    capped_paraboloid.tan.tau.
+
+    References
+    ----------
+    chapter 11, equation (11.79); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import capped_paraboloid
+    >>> value = capped_paraboloid.traction(0.3, 1.0, 0.6, R1=4.0, R2=1.0, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.085969
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_traction, r, a, c, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def tangential_displacement(
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    G_star: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential displacement of the indenter with a stick zone of radius c.
+
+    u_0 = E_star*mu*(a**2/R1 - c**2/R1)/G_star   for a < b
+    u_0 = E_star*mu*(a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - c**2/R1)/G_star   for c < b and b < a
+    u_0 = E_star*mu*(a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - c*(c + (R1 - R2)*sqrt(-b**2 +
+    c**2)/R2)/R1)/G_star   for b < c
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. Handbook:
+    capped_paraboloid.tan.u.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import capped_paraboloid
+    >>> value = capped_paraboloid.tangential_displacement(
+    ...     1.0, 0.6, R1=4.0, R2=1.0, b=0.5, E_star=1.0, G_star=0.8, mu=0.3
+    ... )
+    >>> round(value, 6)
+    0.247602
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_displacement, a, c, R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def stick_radius(
+    F_x: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Radius of the stick zone under a tangential force; NaN beyond full slip.
+
+    mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
+    mu*(-4*E_star*c**3/(3*R1) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1)) =
+    F_x   for c < b and b < a
+    mu*(2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) - 2*E_star*(2*c**3 + (R1 -
+    R2)*sqrt(-b**2 + c**2)*(b**2 + 2*c**2)/R2)/(3*R1)) = F_x   for b < c
+
+    Parameters
+    ----------
+    F_x : array_like
+        Tangential force [N].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the stick zone [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. Handbook:
+    capped_paraboloid.tan.c.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import capped_paraboloid
+    >>> value = capped_paraboloid.stick_radius(0.3224, 1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.600054
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    return elementwise(_stick_radius, F_x, a, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def full_slip_displacement(
+    a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement at the onset of full slip.
+
+    u_0 = E_star*a**2*mu/(G_star*R1)   for a < b
+    u_0 = E_star*a*mu*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/(G_star*R1)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. Handbook:
+    capped_paraboloid.tan.us.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import capped_paraboloid
+    >>> value = capped_paraboloid.full_slip_displacement(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0, G_star=0.8, mu=0.3)
+    >>> round(value, 6)
+    0.33732
+    """
+    normal._check(R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    return elementwise(_full_slip_displacement, a, R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    return mu * (normal._force(a, R1, R2, b, E_star) - normal._force(c, R1, R2, b, E_star))
+
+
+def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, R1, R2, b, E_star)
+    stuck = normal._pressure(r, c, R1, R2, b, E_star)
+    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
+    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+
+
+def _tangential_displacement(
+    a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, G_star: Array, mu: Array
+) -> Array:
+    return mu * (E_star / G_star) * (normal._depth(a, R1, R2, b) - normal._depth(c, R1, R2, b))
+
+
+def _stick_radius(F_x: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, R1, R2, b, E_star), F_x, mu)
+    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R1, R2, b, E_star))
+
+
+def _full_slip_displacement(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    return mu * (E_star / G_star) * normal._depth(a, R1, R2, b)

@@ -1,0 +1,21 @@
+"""Concave power law: no tangential functions.
+
+Concave power law is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F, with
+F from axicontact.normal.concave_power.force.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_REASON = (
+    "Concave power law is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F, with "
+    "F from axicontact.normal.concave_power.force"
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("__"):
+        raise AttributeError(name)
+    message = f"{name} is not defined: {_REASON}"
+    raise AttributeError(message)

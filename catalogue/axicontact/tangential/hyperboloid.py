@@ -1,0 +1,338 @@
+"""Hyperboloid of revolution under a tangential load.
+
+A cone with a smoothly rounded tip: tip radius b/tan(theta), asymptotic inclination theta.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._domain import numbers, require, require_order
+from .._elementwise import Array, Result, elementwise
+from .._slip import depth_gain, difference, force_gain, pressure_gain, stick_force
+from ..normal import hyperboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def tangential_force(
+    a: ArrayLike, c: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential force with a stick zone of radius c.
+
+    F_x = mu*(E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) - E_star*(b*c + (-b + c)*(b +
+    c)*atan(c/b))*tan(theta))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: hyperboloid.tan.F.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import hyperboloid
+    >>> value = hyperboloid.tangential_force(1.0, 0.6, theta=0.42, b=0.4, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.129053
+    """
+    require(theta=theta, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_force, a, c, theta=theta, b=b, E_star=E_star, mu=mu)
+
+
+def traction(
+    r: ArrayLike, a: ArrayLike, c: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential traction; zero outside the contact.
+
+    tau = mu*(p(r, a) - p(r, c))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential traction [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: hyperboloid.tan.tau.
+
+    References
+    ----------
+    chapter 11, equation (11.79); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import hyperboloid
+    >>> value = hyperboloid.traction(0.3, 1.0, 0.6, theta=0.42, b=0.4, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.035551
+    """
+    require(theta=theta, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_traction, r, a, c, theta=theta, b=b, E_star=E_star, mu=mu)
+
+
+def tangential_displacement(
+    a: ArrayLike, c: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement of the indenter with a stick zone of radius c.
+
+    u_0 = E_star*mu*(a*tan(theta)*atan(a/b) - c*tan(theta)*atan(c/b))/G_star
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: hyperboloid.tan.u.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import hyperboloid
+    >>> value = hyperboloid.tangential_displacement(1.0, 0.6, theta=0.42, b=0.4, E_star=1.0, G_star=0.8, mu=0.3)
+    >>> round(value, 6)
+    0.100582
+    """
+    require(theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_displacement, a, c, theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def stick_radius(
+    F_x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Radius of the stick zone under a tangential force; NaN beyond full slip.
+
+    mu*(E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) - E_star*(b*c + (-b + c)*(b +
+    c)*atan(c/b))*tan(theta)) = F_x
+
+    Parameters
+    ----------
+    F_x : array_like
+        Tangential force [N].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the stick zone [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: hyperboloid.tan.c.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import hyperboloid
+    >>> value = hyperboloid.stick_radius(0.1291, 1.0, theta=0.42, b=0.4, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.599797
+    """
+    require(theta=theta, b=b, E_star=E_star, mu=mu)
+    return elementwise(_stick_radius, F_x, a, theta=theta, b=b, E_star=E_star, mu=mu)
+
+
+def full_slip_displacement(
+    a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement at the onset of full slip.
+
+    u_0 = E_star*a*mu*tan(theta)*atan(a/b)/G_star
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: hyperboloid.tan.us.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import hyperboloid
+    >>> value = hyperboloid.full_slip_displacement(1.0, theta=0.42, b=0.4, E_star=1.0, G_star=0.8, mu=0.3)
+    >>> round(value, 6)
+    0.199332
+    """
+    require(theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    return elementwise(_full_slip_displacement, a, theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def _tangential_force(a: Array, c: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    whole = normal._force(a, theta, b, E_star)
+    sticking = normal._force(c, theta, b, E_star)
+    gain = 2.0 * E_star * force_gain(lambda t: normal._slope(t, theta, b), c, a)
+    return mu * difference(whole, sticking, gain, c, a)
+
+
+def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, theta, b, E_star)
+    stuck = normal._pressure(r, c, theta, b, E_star)
+    gain = E_star / np.pi * pressure_gain(lambda t: normal._slope(t, theta, b), r, c, a)
+    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
+    return mu * np.where(r < c, difference(sliding, stuck, gain, c, a), sliding + 0.0 * c)
+
+
+def _tangential_displacement(
+    a: Array, c: Array, theta: Array, b: Array, E_star: Array, G_star: Array, mu: Array
+) -> Array:
+    whole = normal._depth(a, theta, b)
+    sticking = normal._depth(c, theta, b)
+    gain = depth_gain(lambda t: normal._slope(t, theta, b), c, a)
+    return mu * (E_star / G_star) * difference(whole, sticking, gain, c, a)
+
+
+def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, theta, b, E_star), F_x, mu)
+    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, theta, b, E_star))
+
+
+def _full_slip_displacement(a: Array, theta: Array, b: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    return mu * (E_star / G_star) * normal._depth(a, theta, b)

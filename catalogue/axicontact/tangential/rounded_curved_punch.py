@@ -1,0 +1,373 @@
+"""Curved punch with a rounded edge under a tangential load.
+
+A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._domain import numbers, require, require_order
+from .._elementwise import Array, Result, elementwise
+from .._slip import stick_force
+from ..normal import rounded_curved_punch as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def tangential_force(
+    a: ArrayLike, c: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential force with a stick zone of radius c.
+
+    F_x = mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1))   for a < b
+    F_x = mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    4*E_star*c**3/(3*R1))   for c < b and b < a
+    F_x = mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    E_star*(-b*c**2*acos(b/c)/R2 + (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/(3*R2) + 4*c**3/(3*R1)))   for b <
+    c
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.tan.F.
+
+    References
+    ----------
+    chapter 11, equation (11.78).
+
+    Examples
+    --------
+    >>> from axicontact.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.tangential_force(1.5, 0.9, R1=6.0, R2=1.2, b=1.0, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.448655
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_force, a, c, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def traction(
+    r: ArrayLike,
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential traction; zero outside the contact.
+
+    tau = mu*(p(r, a) - p(r, c))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential traction [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.tan.tau.
+
+    References
+    ----------
+    chapter 11, equation (11.79).
+
+    Examples
+    --------
+    >>> from axicontact.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.traction(0.45, 1.5, 0.9, R1=6.0, R2=1.2, b=1.0, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.047979
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_traction, r, a, c, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def tangential_displacement(
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    R1: ArrayLike,
+    R2: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    G_star: ArrayLike,
+    mu: ArrayLike,
+) -> Result:
+    """Tangential displacement of the indenter with a stick zone of radius c.
+
+    u_0 = E_star*mu*(a**2/R1 - c**2/R1)/G_star   for a < b
+    u_0 = E_star*mu*(a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) - c**2/R1)/G_star   for c < b and b < a
+    u_0 = E_star*mu*(a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) - c*(-b*acos(b/c)/R2 + sqrt(-b**2 +
+    c**2)/R2 + c/R1))/G_star   for b < c
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.tan.u.
+
+    References
+    ----------
+    chapter 11, equation (11.80).
+
+    Examples
+    --------
+    >>> from axicontact.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.tangential_displacement(
+    ...     1.5, 0.9, R1=6.0, R2=1.2, b=1.0, E_star=1.0, G_star=0.8, mu=0.3
+    ... )
+    >>> round(value, 6)
+    0.219827
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    return elementwise(_tangential_displacement, a, c, R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def stick_radius(
+    F_x: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Radius of the stick zone under a tangential force; NaN beyond full slip.
+
+    mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
+    mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    4*E_star*c**3/(3*R1)) = F_x   for c < b and b < a
+    mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    E_star*(-b*c**2*acos(b/c)/R2 + (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/(3*R2) + 4*c**3/(3*R1))) = F_x
+    for b < c
+
+    Parameters
+    ----------
+    F_x : array_like
+        Tangential force [N].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the stick zone [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.tan.c.
+
+    References
+    ----------
+    chapter 11, equation (11.78).
+
+    Examples
+    --------
+    >>> from axicontact.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.stick_radius(0.4487, 1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.899721
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+    return elementwise(_stick_radius, F_x, a, R1=R1, R2=R2, b=b, E_star=E_star, mu=mu)
+
+
+def full_slip_displacement(
+    a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement at the onset of full slip.
+
+    u_0 = E_star*a**2*mu/(G_star*R1)   for a < b
+    u_0 = E_star*a*mu*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1)/G_star   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN.
+    Handbook: rounded_curved_punch.tan.us.
+
+    References
+    ----------
+    chapter 11, equation (11.80).
+
+    Examples
+    --------
+    >>> from axicontact.tangential import rounded_curved_punch
+    >>> value = rounded_curved_punch.full_slip_displacement(
+    ...     1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0, G_star=0.8, mu=0.3
+    ... )
+    >>> round(value, 6)
+    0.270452
+    """
+    require(R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    return elementwise(_full_slip_displacement, a, R1=R1, R2=R2, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    return mu * (normal._force(a, R1, R2, b, E_star) - normal._force(c, R1, R2, b, E_star))
+
+
+def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, R1, R2, b, E_star)
+    stuck = normal._pressure(r, c, R1, R2, b, E_star)
+    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
+    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+
+
+def _tangential_displacement(
+    a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, G_star: Array, mu: Array
+) -> Array:
+    return mu * (E_star / G_star) * (normal._depth(a, R1, R2, b) - normal._depth(c, R1, R2, b))
+
+
+def _stick_radius(F_x: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, R1, R2, b, E_star), F_x, mu)
+    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R1, R2, b, E_star))
+
+
+def _full_slip_displacement(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    return mu * (E_star / G_star) * normal._depth(a, R1, R2, b)

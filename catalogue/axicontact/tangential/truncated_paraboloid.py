@@ -1,0 +1,334 @@
+"""Truncated paraboloid under a tangential load.
+
+Flat face of radius b with a parabolic flank: a worn sphere.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._domain import numbers, require, require_order, require_reach
+from .._elementwise import Array, Result, elementwise
+from .._slip import stick_force
+from ..normal import truncated_paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def tangential_force(
+    a: ArrayLike, c: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential force with a stick zone of radius c.
+
+    F_x = mu*(2*E_star*sqrt(a**2 - b**2)*(2*a**2 + b**2)/(3*R) - 2*E_star*sqrt(-b**2 + c**2)*(b**2 +
+    2*c**2)/(3*R))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. The stick zone is
+    never smaller than the flat face: NaN for c < b. Handbook: truncated_paraboloid.tan.F.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import truncated_paraboloid
+    >>> value = truncated_paraboloid.tangential_force(1.0, 0.8, R=1.2, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.165512
+    """
+    require(R=R, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    require_reach(a, b)
+    return elementwise(_tangential_force, a, c, R=R, b=b, E_star=E_star, mu=mu)
+
+
+def traction(
+    r: ArrayLike, a: ArrayLike, c: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential traction; zero outside the contact.
+
+    tau = mu*(p(r, a) - p(r, c))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential traction [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. The stick zone is
+    never smaller than the flat face: NaN for c < b. Handbook: truncated_paraboloid.tan.tau.
+
+    References
+    ----------
+    chapter 11, equation (11.79); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import truncated_paraboloid
+    >>> value = truncated_paraboloid.traction(0.3, 1.0, 0.8, R=1.2, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.034409
+    """
+    require(R=R, b=b, E_star=E_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    require_reach(a, b)
+    return elementwise(_traction, r, a, c, R=R, b=b, E_star=E_star, mu=mu)
+
+
+def tangential_displacement(
+    a: ArrayLike, c: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement of the indenter with a stick zone of radius c.
+
+    u_0 = E_star*mu*(a*sqrt(a**2 - b**2)/R - c*sqrt(-b**2 + c**2)/R)/G_star
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. The stick zone is
+    never smaller than the flat face: NaN for c < b. Handbook: truncated_paraboloid.tan.u.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import truncated_paraboloid
+    >>> value = truncated_paraboloid.tangential_displacement(1.0, 0.8, R=1.2, b=0.5, E_star=1.0, G_star=0.8, mu=0.3)
+    >>> round(value, 6)
+    0.114508
+    """
+    require(R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
+    require_reach(a, b)
+    return elementwise(_tangential_displacement, a, c, R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def stick_radius(
+    F_x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Radius of the stick zone under a tangential force; NaN beyond full slip.
+
+    c = sqrt(2*b**2*sinh(asinh(3*sqrt(2)*R*(2*E_star*sqrt(a**2 - b**2)*(2*a**2 + b**2)/(3*R) -
+    F_x/mu)/(4*E_star*b**3))/3)**2 + b**2)
+
+    Parameters
+    ----------
+    F_x : array_like
+        Tangential force [N].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Radius of the stick zone [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. The stick zone is
+    never smaller than the flat face: NaN for c < b. Handbook: truncated_paraboloid.tan.c.
+
+    References
+    ----------
+    chapter 11, equation (11.78); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import truncated_paraboloid
+    >>> value = truncated_paraboloid.stick_radius(0.1655, 1.0, R=1.2, b=0.5, E_star=1.0, mu=0.3)
+    >>> round(value, 6)
+    0.800018
+    """
+    require(R=R, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
+    return elementwise(_stick_radius, F_x, a, R=R, b=b, E_star=E_star, mu=mu)
+
+
+def full_slip_displacement(
+    a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, G_star: ArrayLike, mu: ArrayLike
+) -> Result:
+    """Tangential displacement at the onset of full slip.
+
+    u_0 = E_star*a*mu*sqrt(a**2 - b**2)/(G_star*R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the break between two parts of the profile [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    G_star : array_like
+        Effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i) [Pa], G_star > 0.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tangential displacement of the rigid body [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN. The stick zone is
+    never smaller than the flat face: NaN for c < b. Handbook: truncated_paraboloid.tan.us.
+
+    References
+    ----------
+    chapter 11, equation (11.80); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.tangential import truncated_paraboloid
+    >>> value = truncated_paraboloid.full_slip_displacement(1.0, R=1.2, b=0.5, E_star=1.0, G_star=0.8, mu=0.3)
+    >>> round(value, 6)
+    0.270633
+    """
+    require(R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_reach(a, b)
+    return elementwise(_full_slip_displacement, a, R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+
+
+def _tangential_force(a: Array, c: Array, R: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    return mu * (normal._force(a, R, b, E_star) - normal._force(c, R, b, E_star))
+
+
+def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, R, b, E_star)
+    stuck = normal._pressure(r, c, R, b, E_star)
+    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
+    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+
+
+def _tangential_displacement(a: Array, c: Array, R: Array, b: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    return mu * (E_star / G_star) * (normal._depth(a, R, b) - normal._depth(c, R, b))
+
+
+def _stick_radius(F_x: Array, a: Array, R: Array, b: Array, E_star: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, R, b, E_star), F_x, mu)
+    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R, b, E_star))
+
+
+def _full_slip_displacement(a: Array, R: Array, b: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    return mu * (E_star / G_star) * normal._depth(a, R, b)

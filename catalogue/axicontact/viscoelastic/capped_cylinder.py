@@ -1,0 +1,248 @@
+"""Cylinder with a parabolic cap on a viscoelastic half space.
+
+A paraboloid until the depth a^2/R brings the sharp edge into contact, a curved punch from then on.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .._domain import require
+from .._elementwise import Array, Result, elementwise
+from .._relaxation import relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
+from ..normal import capped_cylinder as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def step_force_maxwell(
+    t: ArrayLike, *, d: ArrayLike, a: ArrayLike, R: ArrayLike, E: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
+
+    F = 4*E*sqrt(R)*d**(3/2)*exp(-t/tau)/3   for sqrt(R)*sqrt(d) < a
+    F = 2*E*a*(d - a**2/(3*R))*exp(-t/tau)   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    d : array_like
+        Indentation depth of the point r = 0 [m], d >= 0.
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R, and while the contact grows. Negative or NaN times give NaN. Handbook:
+    capped_cylinder.vis.step_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import capped_cylinder
+    >>> value = capped_cylinder.step_force_maxwell(1.0, d=0.6, a=1.0, R=2.2, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    0.54404
+    """
+    require(d=d, a=a, R=R, E=E, relaxation=tau)
+    return elementwise(_step_force_maxwell, t, d=d, a=a, R=R, E=E, tau=tau)
+
+
+def step_force_kelvin_voigt(
+    t: ArrayLike, *, d: ArrayLike, a: ArrayLike, R: ArrayLike, E: ArrayLike, eta: ArrayLike
+) -> Result:
+    """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
+
+    F = 4*E*sqrt(R)*d**(3/2)/3   for sqrt(R)*sqrt(d) < a
+    F = 2*E*a*(d - a**2/(3*R))   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    d : array_like
+        Indentation depth of the point r = 0 [m], d >= 0.
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R, and while the contact grows. Negative or NaN times give NaN. Handbook:
+    capped_cylinder.vis.step_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import capped_cylinder
+    >>> value = capped_cylinder.step_force_kelvin_voigt(1.0, d=0.6, a=1.0, R=2.2, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    0.89697
+    """
+    require(d=d, a=a, R=R, E=E, eta=eta)
+    return elementwise(_step_force_kelvin_voigt, t, d=d, a=a, R=R, E=E, eta=eta)
+
+
+def step_force_standard_solid(
+    t: ArrayLike, *, d: ArrayLike, a: ArrayLike, R: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
+
+    F = 4*sqrt(R)*d**(3/2)*(E_1*exp(-t/tau) + E_inf)/3   for sqrt(R)*sqrt(d) < a
+    F = 2*a*(d - a**2/(3*R))*(E_1*exp(-t/tau) + E_inf)   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    d : array_like
+        Indentation depth of the point r = 0 [m], d >= 0.
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R, and while the contact grows. Negative or NaN times give NaN. Handbook:
+    capped_cylinder.vis.step_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import capped_cylinder
+    >>> value = capped_cylinder.step_force_standard_solid(1.0, d=0.6, a=1.0, R=2.2, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> round(value, 6)
+    0.685212
+    """
+    require(d=d, a=a, R=R, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_step_force_standard_solid, t, d=d, a=a, R=R, E_inf=E_inf, E_1=E_1, tau=tau)
+
+
+def step_force_power_creep(
+    t: ArrayLike, *, d: ArrayLike, a: ArrayLike, R: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+) -> Result:
+    """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
+
+    F = 4*E*sqrt(R)*d**(3/2)*(t_0/t)**alpha/(3*gamma(1 - alpha)*gamma(alpha + 1))   for sqrt(R)*sqrt(d) < a
+    F = 2*E*a*(t_0/t)**alpha*(d - a**2/(3*R))/(gamma(1 - alpha)*gamma(alpha + 1))   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    d : array_like
+        Indentation depth of the point r = 0 [m], d >= 0.
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R, and while the contact grows. Negative or NaN times give NaN. Handbook:
+    capped_cylinder.vis.step_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import capped_cylinder
+    >>> value = capped_cylinder.step_force_power_creep(1.0, d=0.6, a=1.0, R=2.2, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    0.807556
+    """
+    require(d=d, a=a, R=R, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_step_force_power_creep, t, d=d, a=a, R=R, E=E, alpha=alpha, t_0=t_0)
+
+
+def _step_force_maxwell(t: Array, d: Array, a: Array, R: Array, E: Array, tau: Array) -> Array:
+    return relaxation_maxwell(t, E, tau) * normal._force(d, a, R, 1.0)
+
+
+def _step_force_kelvin_voigt(t: Array, d: Array, a: Array, R: Array, E: Array, eta: Array) -> Array:
+    return relaxation_kelvin_voigt(t, E, eta) * normal._force(d, a, R, 1.0)
+
+
+def _step_force_standard_solid(t: Array, d: Array, a: Array, R: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+    return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force(d, a, R, 1.0)
+
+
+def _step_force_power_creep(t: Array, d: Array, a: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    return relaxation_power_creep(t, E, alpha, t_0) * normal._force(d, a, R, 1.0)
