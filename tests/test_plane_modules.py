@@ -24,6 +24,7 @@ import sympy as sp
 from axiderive import notation as nt
 from axiderive.contact.plane import derive
 from axiderive.emit.imports import RUNTIME
+from axiderive.emit.kernels import kernels_source
 from axiderive.emit.nodes import nodes_source
 from axiderive.emit.plane import module_source, module_sources
 from axiderive.emit.python import NODE_COUNTS
@@ -59,6 +60,7 @@ def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     for path in RUNTIME.glob("*.py"):
         (base / path.name).write_text(path.read_text())
     (base / "_nodes.py").write_text(nodes_source(NODE_COUNTS))
+    (base / "_kernels.py").write_text(kernels_source())
     (base / "__init__.py").write_text("")
     (base / "_symbols.py").write_text(symbols_source({"theta", "R", "A", "b", "h", "n", "a", "E_star"}))
     for path_, text in sources.items():

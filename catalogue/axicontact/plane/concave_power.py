@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio
+from .._functions import gamma_ratio, lower_power
 from .._plane import even, odd
 from .._powers import power_pressure, power_strips, ring_of_zero_pressure
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
+from .._functions import nth_root
 from .._plane import even, odd
 
 if TYPE_CHECKING:

@@ -26,7 +26,8 @@ class Master(sp.Function):
 
     def _eval_evalf(self, prec: int) -> sp.Float:
         with mp.workprec(prec + 20):
-            values = [arg._to_mpmath(prec + 20) for arg in self.args]
+            # an integer would come as int, whose powers and quotients are floats
+            values = [mp.mpf(arg._to_mpmath(prec + 20)) for arg in self.args]
             # the Float must be made from the raw number: sp.Float(value) would fall back to 53 bits
             return sp.Float._new(mp.mpf(self.numeric(*values))._mpf_, prec)
 

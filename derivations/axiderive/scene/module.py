@@ -8,6 +8,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from ..emit.python import NODE_COUNTS
 from .library import Key, Module
 from .linking import OWN, Linker, Wanted
 
@@ -169,9 +170,6 @@ def _pull_off(linker: Linker, own: PullOff) -> str:
     return "\n".join([*head, *check, *body])
 
 
-COUNTS = (16, 24, 32, 64, 128)
-
-
 def _counts(linker: Linker) -> list[int]:
     """The numbers of nodes that the linked text can ask for."""
     found = {
@@ -180,7 +178,7 @@ def _counts(linker: Linker) -> list[int]:
         for node in ast.walk(definition.node)
         if isinstance(node, ast.Constant) and isinstance(node.value, int)
     }
-    return [count for count in COUNTS if count in found]
+    return [count for count in NODE_COUNTS if count in found]
 
 
 def _nodes(module: Module, counts: Sequence[int]) -> str:

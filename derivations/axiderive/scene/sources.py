@@ -22,13 +22,13 @@ from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential
 from ..emit.physics.text import NormalModule
+from ..emit.python import NODE_COUNTS
 from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
 from ..records import read_entry
 from .grouping import rules, ungrouped
 from .library import Module
-from .module import COUNTS
 
 FOLDERS = (RUNTIME, physics.RUNTIME, GRADED_RUNTIME)
 OWN = Path(__file__).with_name("runtime")
@@ -38,7 +38,7 @@ OWN = Path(__file__).with_name("runtime")
 @cache
 def runtime() -> dict[str, Module]:
     texts = {path.stem: path.read_text() for folder in FOLDERS for path in sorted(folder.glob("*.py"))}
-    texts |= {"_nodes": nodes_source(COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
+    texts |= {"_nodes": nodes_source(NODE_COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
     modules = {name: _module(name, text) for name, text in texts.items()}
     for path in sorted(OWN.glob("*.py")):
         own = _module(path.stem, path.read_text())

@@ -15,11 +15,11 @@ def assets() -> dict[str, str]:
     folder = files("axiderive.emit.html")
     vendored, own = folder / "katex", folder / "static"
     return {
-        "assets/katex.js": (vendored / "katex.min.js").read_text(),
-        "assets/katex.css": _with_fonts((vendored / "katex.min.css").read_text()),
-        "assets/katex-license.txt": (vendored / "LICENSE").read_text(),
-        "assets/site.css": (own / "site.css").read_text(),
-        "assets/site.js": (own / "site.js").read_text(),
+        "assets/katex.js": (vendored / "katex.min.js").read_text(encoding="utf-8"),
+        "assets/katex.css": _with_fonts((vendored / "katex.min.css").read_text(encoding="utf-8")),
+        "assets/katex-license.txt": (vendored / "LICENSE").read_text(encoding="utf-8"),
+        "assets/site.css": (own / "site.css").read_text(encoding="utf-8"),
+        "assets/site.js": (own / "site.js").read_text(encoding="utf-8"),
     }
 
 

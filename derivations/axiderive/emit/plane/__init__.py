@@ -9,6 +9,7 @@ from ... import notation as nt
 from ...contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ...entry import Entry, Quantity
 from ...profiles.profile import Profile
+from ..code import HELPERS
 from ..physics import text
 from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
@@ -22,7 +23,7 @@ SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,))
 IMPORTS = (
     ".._domain: require, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
-    ".._functions: gamma_ratio",
+    f".._functions: {', '.join(HELPERS)}",
     ".._integrals: pressure_integral_beyond",
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
