@@ -135,7 +135,7 @@ def test_a_random_piecewise_polynomial_is_derived_certified_and_emitted(seed):
     held_out(seed)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(2, 202))
 def test_many_random_piecewise_polynomials(seed):
     held_out(seed)

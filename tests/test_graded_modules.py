@@ -211,7 +211,7 @@ def test_closed_entries(name: str, k: str) -> None:
     check_closed(name, k)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", NAMES)
 def test_closed_entries_of_every_profile(name: str, k: str) -> None:
@@ -239,7 +239,7 @@ def test_pressure_and_displacement_from_their_definitions(name: str, k: str) -> 
     check_definitions(name, k, ("0.2", "0.9"), ("1.05", "3"))
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_profile_from_its_definitions(name: str, k: str) -> None:
@@ -280,7 +280,7 @@ def test_inverses_return(name: str, k: str) -> None:
     check_inverses(name, k)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", COMPACT_NAMES)
 def test_inverses_of_every_profile(name: str, k: str) -> None:
@@ -314,7 +314,7 @@ def test_pull_off_is_the_least_load(name: str, k: str, control: str) -> None:
     check_pull_off(name, k, control)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", COMPACT_NAMES)
 @pytest.mark.parametrize("control", ["force", "depth"])

@@ -141,7 +141,7 @@ def test_every_row_says_what_its_entry_is(key: str) -> None:
             assert worst_residual(one, entries, count=1, base=base) < READ_BACK, one.key
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("key", [p.key for p in problems()])
 def test_every_row_of_the_book_says_what_its_entry_is(key: str) -> None:
     rows, entries, base = _rows(key)

@@ -217,7 +217,7 @@ def test_evidence_of_a_problem(key):
     all_evidence(key)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("key", [problem.key for problem in systems.problems()])
 def test_evidence_of_every_problem(key):
     all_evidence(key)

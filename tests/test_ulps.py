@@ -82,7 +82,7 @@ def test_fixed_sample(name: str) -> None:
     check(name, POINTS, seed=17)
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in UNDEFINED])
 def test_fresh_points(name: str) -> None:
     check(name, MANY, seed=2026)
