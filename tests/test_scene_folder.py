@@ -89,7 +89,7 @@ def test_nothing_is_written_outside_for_any_folder(folder, place, capsys):
 
 
 def test_random_scenes_write_below_their_folder_only(place, capsys):
-    assert watched(place, range(30), capsys) >= 2
+    assert watched(place, range(30), capsys) >= 1
 
 
 @pytest.mark.slow
