@@ -69,7 +69,8 @@ def watched(place: Path, seeds: range, capsys: pytest.CaptureFixture[str]) -> in
         if source.random() < 0.5:
             data = random_scene(source)
         else:
-            folder, module = source.choice(FOLDERS), source.choice(MODULES)
+            folder = source.choice(FOLDERS)
+            module = "m.py" if source.random() < 0.5 else source.choice(MODULES)
             body = source.choice((NEEDLE, 'profile = "q*r**2"\n[want]\nquantities = ["depth"]\n'))
             data = (body + EMITTED.format(folder, module)).encode()
         if b"pdf" in data or b"[output]" not in data:
