@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 import pytest
@@ -33,14 +32,6 @@ def test_every_closed_formula_is_proved(name: str) -> None:
         assert certificate.key == entry.key
         assert certificate.proved == expected, f"{entry.text()}\n{certificate.reason}"
         assert certificate.steps if expected else certificate.reason
-
-
-def test_the_normal_catalogue_takes_at_most_thirty_seconds() -> None:
-    """The target for deriving and certifying on one core; measured: 6 s."""
-    start = time.process_time()
-    for profile in profiles.catalogue():
-        certify_profile(profile, derive(profile))
-    assert time.process_time() - start < 30
 
 
 def test_a_single_certificate_is_that_of_the_whole_profile() -> None:

@@ -5,11 +5,9 @@ from __future__ import annotations
 import doctest
 import inspect
 import json
-import os
 import subprocess
 import sys
 from importlib import import_module
-from pathlib import Path
 
 import pytest
 
@@ -109,30 +107,19 @@ def test_generated_text_is_linted_and_formatted() -> None:
         assert done.returncode == 0, done.stdout
 
 
-MEASURE = """
-import json, sys, time
-import numpy
-start = time.perf_counter()
+LOADED = """
+import json, sys
 import axicontact.normal.cone
-seconds = time.perf_counter() - start
 heavy = [m for m in ("sympy", "scipy", "mpmath", "flint", "axiderive") if m in sys.modules]
-others = [m for m in sys.modules if m.startswith("axicontact.normal.") and not m.endswith(".cone")]
-print(json.dumps([seconds, heavy, others]))
+print(json.dumps([heavy, sorted(m for m in sys.modules if m.startswith("axicontact"))]))
 """
 
 
-def test_importing_one_profile_is_light(tmp_path: Path) -> None:
-    """At most 5 ms beyond NumPy, best of seven runs of the compiled package, and nothing but the module asked for."""
-    environment = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
-    environment["PYTHONPYCACHEPREFIX"] = str(tmp_path)
-    runs = []
-    for _ in range(8):
-        done = subprocess.run(
-            [sys.executable, "-c", MEASURE], capture_output=True, text=True, check=True, env=environment
-        )
-        runs.append(json.loads(done.stdout))
-    assert min(seconds for seconds, _, _ in runs[1:]) < 5e-3
-    assert all(heavy == [] and others == [] for _, heavy, others in runs)
+def test_importing_one_profile_loads_no_other() -> None:
+    done = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True, check=True)
+    heavy, own = json.loads(done.stdout)
+    assert heavy == []
+    assert [name for name in own if name.startswith("axicontact.normal.")] == ["axicontact.normal.cone"]
 
 
 def test_profiles_are_found_on_demand() -> None:

@@ -1,0 +1,78 @@
+"""Compiling the handbook: same bytes, messages that name the key, and what is said without LaTeX."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import pytest
+
+from axiderive import pdf
+
+DOCUMENT = rb"""\documentclass{article}
+\begin{document}
+%% cone.p
+See \ref{two}.\label{one}\par
+%% cone.w
+THE ROW
+\newpage Second page.\label{two}
+\end{document}
+"""
+
+with_latex = pytest.mark.skipif(not pdf._has_latex(), reason="needs pdflatex")
+
+
+@with_latex
+def test_a_document_is_compiled_until_its_references_settle_and_always_to_the_same_bytes():
+    sources = {"main.tex": b"\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=-1 \\pdftrailerid{}\n" + DOCUMENT}
+    content, warnings = pdf.compile_pdf(sources)
+    assert content.startswith(b"%PDF")
+    assert warnings == []
+    assert pdf.compile_pdf(sources)[0] == content
+
+
+@with_latex
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        (rb"\arccosh x", r"main.tex:6: [cone.w] Undefined control sequence. \arccosh"),
+        (rb"x^2", "main.tex:6: [cone.w] Missing $ inserted."),
+    ],
+)
+def test_errors_of_tex_name_the_key(row, message):
+    with pytest.raises(pdf.LatexError) as stopped:
+        pdf.compile_pdf({"main.tex": DOCUMENT.replace(b"THE ROW", row)})
+    assert message in str(stopped.value).splitlines()
+
+
+@with_latex
+def test_overfull_lines_and_dangling_references_are_remarks_with_a_key():
+    row = rb"\noindent\rule{500pt}{1pt}\par See \ref{nowhere}."
+    remarks = pdf.compile_pdf({"main.tex": DOCUMENT.replace(b"THE ROW", row)})[1]
+    assert any(re.fullmatch(r"main\.tex:\d+: \[cone\.w\] line is \d+\.\d mm too wide", remark) for remark in remarks)
+    assert any(remark.startswith("reference nowhere ") for remark in remarks)
+
+
+def test_without_latex_the_command_that_installs_it_is_printed(monkeypatch):
+    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
+    with pytest.raises(
+        pdf.NoLatexError, match="apt-get install --no-install-recommends texlive-latex-recommended .* tex-gyre"
+    ):
+        pdf.ensure_latex(install=False, say=lambda text: None)
+
+
+def test_as_root_latex_is_installed(monkeypatch, tmp_path):
+    """With a stand-in for apt-get that notes how it is called."""
+    log = tmp_path / "log"
+    (tmp_path / "apt-get").write_text(f'#!/bin/sh\necho "$DEBIAN_FRONTEND $@" >> {log}\n')
+    (tmp_path / "apt-get").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    monkeypatch.setattr(pdf, "_has_latex", lambda: log.exists() and "install" in log.read_text())
+    said = []
+    pdf.ensure_latex(install=True, say=said.append)
+    assert said == ["first run: installing pdflatex (4 Debian packages, 114 MB) ..."]
+    update, install = log.read_text().splitlines()
+    assert update.startswith("noninteractive update")
+    assert install.split()[1:3] == ["install", "--no-install-recommends"]
+    assert set(pdf.PACKAGES) < set(install.split())
