@@ -1,0 +1,125 @@
+"""Emitted modules of the graded half space: inverses, pull-off, stick radius, least depth."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, values
+
+from axiderive import notation as nt
+from axiderive.emit import example
+from axiderive.profiles import COMPACT_NAMES, load
+
+
+@pytest.mark.parametrize("k", ("-0.9", "0.5"))
+@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
+def test_inverses_return(name: str, k: str) -> None:
+    check_inverses(name, k)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("k", EXPONENTS)
+@pytest.mark.parametrize("name", COMPACT_NAMES)
+def test_inverses_of_every_profile(name: str, k: str) -> None:
+    check_inverses(name, k)
+
+
+def check_inverses(name: str, k: str) -> None:
+    profile, module, known = load(name), emitted(f"normal.{name}"), values(load(name), k)
+    low = float(known[profile.breaks[0]]) if profile.truncated else 0.0
+    high = float(known[nt.a])
+    high = {"gaussian": 0.9, "sphere": high, "ellipsoid": high}.get(name, 20.0 * high)
+    a = low + (high - low) * np.array([1e-6, 1e-3, 0.02, 0.1, 0.5, 0.9, 1.0])
+    for quantity, other in (("depth", "force"), ("force", "depth")):
+        load_of, radius = getattr(module, quantity), getattr(module, f"radius_from_{quantity}")
+        value = load_of(a, **keywords(load_of, profile, known))
+        found = radius(value, **keywords(radius, profile, known))
+        np.testing.assert_allclose(found, a, rtol=1e-14 if name in POWERS else 2e-14)
+        through = getattr(module, f"{other}_from_{quantity}")
+        direct = getattr(module, other)
+        expected = direct(found, **keywords(direct, profile, known))
+        np.testing.assert_allclose(through(value, **keywords(through, profile, known)), expected, rtol=1e-13)
+
+
+@pytest.mark.parametrize("k", ("-0.5", "0.9"))
+@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
+@pytest.mark.parametrize("control", ["force", "depth"])
+def test_pull_off_is_the_least_load(name: str, k: str, control: str) -> None:
+    check_pull_off(name, k, control)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("k", EXPONENTS)
+@pytest.mark.parametrize("name", COMPACT_NAMES)
+@pytest.mark.parametrize("control", ["force", "depth"])
+def test_pull_off_of_every_profile(name: str, k: str, control: str) -> None:
+    check_pull_off(name, k, control)
+
+
+def check_pull_off(name: str, k: str, control: str) -> None:
+    profile, module, known = load(name), emitted(f"adhesive.{name}"), values(load(name), k)
+    given = keywords(module.pull_off, profile, known)
+    state = module.pull_off(control, **given)
+    least = getattr(state, control)
+    around = state.radius * (1.0 + np.array([-1e-3, -1e-5, 1e-5, 1e-3, 0.1]))
+    loads = getattr(module, control)(around, **given)
+    assert np.all(np.isnan(loads) | (loads >= least * (1 + 1e-13)))
+    assert getattr(module, control)(state.radius, **given) == pytest.approx(least, rel=1e-12)
+    inverse = getattr(module, f"radius_from_{control}")
+    assert inverse(least, **given) == pytest.approx(state.radius, rel=1e-6)
+    assert math.isnan(inverse(least * 1.001, **given))
+    a = state.radius * np.array([1.01, 1.1, 1.3])
+    value = getattr(module, control)(a, **given)
+    np.testing.assert_allclose(inverse(value, **given), a, rtol=1e-12)
+
+
+@pytest.mark.parametrize("k", EXPONENTS)
+@pytest.mark.parametrize("name", [name for name in POWERS if name != "polynomial"])
+def test_pull_off_of_power_laws(name: str, k: str) -> None:
+    profile, module, known = load(name), emitted(f"adhesive.{name}"), values(load(name), k)
+    entries = derived("adhesive", name)
+    for control, names in (("force", ("ac", "Fc", "dc")), ("depth", ("am", "Fm", "dm"))):
+        state = module.pull_off(control, **keywords(module.pull_off, profile, known))
+        a_c = example.number(entries[names[0]].cases[0].expr, known)
+        for suffix, found in zip(names, state, strict=True):
+            expected = float(example.number(entries[suffix].cases[0].expr, known | {nt.a_c: a_c}))
+            assert found == pytest.approx(expected, rel=2e-14), suffix
+
+
+def test_pull_off_of_the_graded_sphere() -> None:
+    """-(3 + k)/2 pi dgamma R under force control."""
+    sphere = emitted("adhesive.paraboloid")
+    k = np.array([-0.9, -0.5, 0.0, 0.4, 0.95])
+    force = sphere.pull_off(R=2.0, H=1e3, k=k, dgamma=0.3).force
+    np.testing.assert_allclose(force, -(3 + k) / 2 * math.pi * 0.3 * 2.0, rtol=1e-14)
+
+
+@pytest.mark.parametrize("name", COMPACT_NAMES)
+def test_stick_radius_returns(name: str) -> None:
+    profile, module, known = load(name), emitted(f"tangential.{name}"), values(load(name), "-0.4")
+    low = known[profile.breaks[0]] if profile.truncated else sp.S.Zero
+    for part in ("0.3", "0.7", "0.99"):
+        c = float(low + (known[nt.a] - low) * sp.Rational(part))
+        force = module.tangential_force(float(known[nt.a]), c, **keywords(module.tangential_force, profile, known))
+        given = keywords(module.stick_radius, profile, known)
+        assert module.stick_radius(force, float(known[nt.a]), **given) == pytest.approx(c, rel=1e-13)
+        assert math.isnan(module.stick_radius(10.0 * force + 10.0, float(known[nt.a]), **given))
+
+
+@pytest.mark.parametrize("k", ("-0.6", "0.3"))
+@pytest.mark.parametrize("n", (1.8, 3.7))
+def test_least_depth_of_a_concave_face(n: float, k: str) -> None:
+    """At d_min the pressure touches zero, at the ring or, for n <= 2, at the centre."""
+    face, given = emitted("normal.concave_power"), {"a": 1.5, "h": 0.2, "n": n, "k": float(k)}
+    depth, ring = face.minimum_depth(**given), face.zero_radius(**given)
+    assert (ring == 0.0) == (n <= 2.0)
+    r = np.linspace(0.0, 1.49, 1000)
+    p = face.pressure(r, depth, **given, H=2.0)
+    scale = face.pressure(0.0, 2 * depth, **given, H=2.0)
+    assert face.pressure(ring, depth, **given, H=2.0) == pytest.approx(0.0, abs=1e-13 * scale)
+    assert p.min() > -1e-13 * scale
+    assert face.minimum_force(**given, H=2.0) == pytest.approx(face.force(depth, **given, H=2.0), rel=1e-14)
+    assert face.depth_from_force(face.minimum_force(**given, H=2.0), **given, H=2.0) == pytest.approx(depth, rel=1e-13)

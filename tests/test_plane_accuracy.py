@@ -1,0 +1,216 @@
+"""Emitted modules of the plane problem against the exact entries and the defining integrals."""
+
+from __future__ import annotations
+
+import math
+import random
+import sys
+import zlib
+from collections.abc import Callable
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
+
+from axiderive import notation as nt
+from axiderive.emit.plane import module_source
+from axiderive.entry import Case, Entry
+from axiderive.profiles import plane
+from axiderive.proof import plane_quadrature
+from axiderive.proof.evaluate import case_at, evaluate
+
+Values = dict[sp.Symbol, float]
+
+
+def ratio(draw: random.Random) -> float:
+    """Between 0 and 1, down to 1e-6 of either end."""
+    share = float(10 ** draw.uniform(-6, 0))
+    return share if draw.random() < 0.5 else 1 - share
+
+
+def state(name: str, draw: random.Random) -> Values:
+    """Lengths of 1e-9 to 10 m; x inside the contact, L outside, the break on either side of the edge and near x."""
+    profile, a = plane.load(name), 10 ** draw.uniform(-9, 1)
+    values = {
+        nt.a: a, nt.E_star: 10 ** draw.uniform(3, 11), nt.theta: 10 ** draw.uniform(-4, -0.2),
+        nt.R: 10 ** draw.uniform(-6, 2), nt.A: 10 ** draw.uniform(-3, 3), nt.h: a * 10 ** draw.uniform(-5, -1),
+        nt.n: 10 ** draw.uniform(-1, 1.2) if profile.contact == "compact" else 1 + 10 ** draw.uniform(-2, 1.2),
+        nt.x: a * ratio(draw), nt.L: a / ratio(draw),
+    }  # fmt: skip
+    if profile.breaks:
+        share = ratio(draw)
+        values[nt.b] = a * share if profile.truncated or draw.random() < 0.6 else a / share
+        if values[nt.b] < a and draw.random() < 0.3:
+            near = values[nt.b] * (1 + draw.choice((-1, 1)) * 10 ** draw.uniform(-6, -1))
+            values[nt.x] = min(near, a * (1 - 1e-7))
+    return values
+
+
+def exact_numbers(values: Values) -> dict[sp.Symbol, sp.Expr]:
+    return {symbol: sp.Rational(value) for symbol, value in values.items()}
+
+
+def called(module: ModuleType, entry: Entry, values: Values) -> float:
+    fields = [values[symbol] for symbol in entry.quantity.arguments]
+    parameters = {str(symbol): values[symbol] for symbol in entry.parameters}
+    return float(getattr(module, entry.quantity.function)(*fields, **parameters))
+
+
+def ready(module: ModuleType, name: str, values: Values, suffix: str, draw: random.Random) -> Values:
+    """The state for one function: x outside for the slope, a load of complete contact, the load of a half-width."""
+    values = dict(values)
+    if suffix == "s":
+        values[nt.x] = values[nt.a] / ratio(draw)
+    if name in plane.COMPLETE_NAMES:
+        least = called(module, entries(name)["Pmin"], values) if name in CONCAVE else 1.0
+        values[nt.P] = least * (1 + 10 ** draw.uniform(-3, 3))
+    elif suffix == "aP":
+        forward = case_at(entries(name)["P"], exact_numbers(values)).expr
+        values[nt.P] = float(evaluate(forward, exact_numbers(values), 40))
+    return values
+
+
+def error(module: ModuleType, name: str, values: Values, suffix: str) -> float:
+    """Relative; of the half-width through the load it gives; over the term of the load where a zero is crossed."""
+    entry, numbers = entries(name)[suffix], exact_numbers(values)
+    found = called(module, entry, values)
+    if suffix == "aP":
+        at = exact_numbers({**values, nt.a: found})
+        load = case_at(entries(name)["P"], at).expr
+        growth = evaluate(nt.a * sp.diff(load, nt.a) / load, at, 20)
+        # a load of small exponent fixes its half-width to 1/n of its own accuracy only
+        return float(abs(evaluate(load, at, 40) / numbers[nt.P] - 1) / max(growth, 1))
+    case = case_at(entry, numbers)
+    value = evaluate(case.expr, numbers, 40)
+    scale = abs(value)
+    if name in CONCAVE and suffix in ("p", "d"):
+        scale = max(scale, abs(evaluate(sp.expand(case.expr).coeff(nt.P) * nt.P, numbers, 20)))
+    return float(abs(found - value) / scale)
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_accuracy_against_the_exact_entries(name: str, plane_module: Callable[[str], ModuleType]) -> None:
+    module, draw = plane_module(name), random.Random(zlib.crc32(name.encode()))
+    with mp.workdps(100):
+        for _ in range(40):
+            start = state(name, draw)
+            for suffix in set(entries(name)) - {"xz", "Pmin"}:
+                values = ready(module, name, start, suffix, draw)
+                if values[nt.x] in (values[nt.a], values.get(nt.b)) or values[nt.L] == values[nt.a]:
+                    continue
+                assert error(module, name, values, suffix) < ACCURACY, (suffix, values)
+
+
+@pytest.mark.parametrize("name", [name for name in SMOOTH if name != "flat_punch"])
+def test_accuracy_against_the_defining_integrals(name: str, plane_module: Callable[[str], ModuleType]) -> None:
+    """Not through the closed forms: a wrong entry would not pass, whatever the emission does."""
+    module, draw, profile = plane_module(name), random.Random(7), plane.load(name)
+    suffixes = [suffix for suffix in ("P", "p", "s", "d") if suffix in entries(name)]
+    with mp.workdps(20 + plane_quadrature.integrals.GUARD):
+        for suffix in suffixes:
+            # the substitution of the quadrature is for whole powers: near t = 0 it is slow for small ones
+            values = ready(module, name, state(name, draw) | {nt.n: 2.75}, suffix, draw)
+            if name in CONCAVE:  # away from the zero of the pressure
+                values[nt.P] += called(module, entries(name)["Pmin"], values)
+            values[nt.x] = values[nt.a] * (1.75 if suffix == "s" else 0.375)
+            values[nt.L] = values[nt.a] * 2.25
+            value = plane_quadrature.defined(profile, suffix, exact_numbers(values), 20)
+            found = called(module, entries(name)[suffix], values)
+            assert abs(found - value) < 2 * ACCURACY * abs(value), (suffix, values)
+
+
+@pytest.mark.parametrize("n", [1.01, 1.5, 2.0, 2.3, 4.0, 12.0])
+def test_least_load_of_a_concave_power(n: float, plane_module: Callable[[str], ModuleType]) -> None:
+    """At the least load the pressure is zero at the place that is named, and positive elsewhere."""
+    module, given = plane_module("concave_power"), {"a": 0.75, "h": 0.01, "n": n}
+    place = module.zero_distance(**given)
+    least = module.minimum_load(**given, E_star=3.0)
+    scale = least / given["a"]
+    assert abs(module.pressure(place, least, **given, E_star=3.0)) < 1e-14 * scale / min(n - 1, 1)
+    around = module.pressure(np.linspace(0.0, 0.7499, 900), least, **given, E_star=3.0)
+    assert (around > -1e-14 * scale / min(n - 1, 1)).all()
+    assert (place == 0.0) == (n <= 2.0)
+
+
+def test_special_powers_are_those_of_the_law(plane_module: Callable[[str], ModuleType]) -> None:
+    law, quartic = plane_module("concave_power"), plane_module("concave_quartic")
+    given = {"a": 0.75, "h": 0.01, "E_star": 3.0}
+    assert law.minimum_load(**given, n=4.0) == pytest.approx(quartic.minimum_load(**given), rel=ACCURACY)
+    assert law.zero_distance(a=0.75, h=0.01, n=4.0) == pytest.approx(quartic.zero_distance(a=0.75, h=0.01), rel=1e-14)
+
+
+ECCENTRICITIES = (0.0, 0.2, 0.375, 0.375 * (1 - 1e-7), 0.375 * (1 + 1e-7), 0.5, 0.7, 0.75 * (1 - 1e-6))
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("e", ECCENTRICITIES)
+def test_pressure_of_the_eccentric_punch_carries_load_and_moment(
+    e: float, sign: float, plane_module: Callable[[str], ModuleType]
+) -> None:
+    """Gauss rules for the weight of either pressure, with nodes in the contact that the width names."""
+    module, a, P, e = plane_module("eccentric_punch"), 0.75, 2.5, sign * e
+    width = module.contact_width(a=a, e=e)
+    side = math.copysign(1.0, e)
+    angle = (np.arange(400) + 0.5) * np.pi / 400
+    x = side * (a - width / 2 * (1 - np.cos(angle)))
+    pressure = module.pressure(x, P, a=a, e=e)
+    weight = np.pi / 400 * width / 2 * np.sin(angle)
+    assert np.sum(pressure * weight) == pytest.approx(P, rel=1e-8)
+    assert np.sum(pressure * weight * x) == pytest.approx(P * e, rel=1e-8, abs=1e-12)
+    lifted = -side * (a - (2 * a - width) / 2)
+    assert module.pressure(lifted, P, a=a, e=e) == 0.0 or width == 2 * a
+
+
+def test_accuracy_of_the_eccentric_punch(plane_module: Callable[[str], ModuleType]) -> None:
+    """Near lift-off, near overturning, and near either end of the contact."""
+    module, own, draw = plane_module("eccentric_punch"), entries("eccentric_punch"), random.Random(3)
+    order = (nt.x, nt.P, nt.a, nt.e, nt.E_star)
+    curves = {(s, i): sp.lambdify(order, c.expr, "mpmath") for s, e in own.items() for i, c in enumerate(e.cases)}
+    for _ in range(600):
+        a = 10 ** draw.uniform(-9, 1)
+        near = a / 2 * (1 + draw.choice((-1, 1)) * 10 ** draw.uniform(-6, -1))
+        e = draw.choice((-1, 1)) * (near if draw.random() < 0.4 else a * ratio(draw))
+        x = draw.choice((-1, 1)) * a * ratio(draw)
+        if abs(e) > a / 2 and draw.random() < 0.3:
+            x = -math.copysign(min(a, abs(4 * abs(e) - 3 * a)) * (1 - 10 ** draw.uniform(-6, -1)), e)
+        values = {nt.x: x, nt.P: 10 ** draw.uniform(-3, 6), nt.a: a, nt.e: e, nt.E_star: 10 ** draw.uniform(3, 11)}
+        if abs(x) >= a or abs(e) >= a:
+            continue
+        for suffix, entry in own.items():
+            with mp.workdps(50):
+                exact = curves[suffix, int(abs(e) > a / 2)](*(mp.mpf(values[symbol]) for symbol in order))
+                assert abs(called(module, entry, values) - exact) <= ACCURACY * abs(exact), (suffix, values)
+
+
+def mutant(entry: Entry, change: Callable[[sp.Expr], sp.Expr]) -> Entry:
+    return replace(entry, cases=tuple(Case(case.chain, change(case.expr)) for case in entry.cases))
+
+
+@pytest.mark.parametrize(
+    ("name", "suffix", "change"),
+    [
+        ("quartic", "s", lambda expr: expr.subs(sp.sqrt(nt.x**2 - nt.a**2), nt.x)),
+        ("rounded_punch", "P", lambda expr: expr.subs(sp.acos(nt.b / nt.a), sp.asin(nt.b / nt.a))),
+        ("truncated_wedge", "p", lambda expr: expr.replace(sp.atanh, sp.asinh)),
+    ],
+)
+def test_a_wrong_formula_is_seen(
+    name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The comparison is made with the entries of the engine, the module from a corrupted one."""
+    wrong = entries(name) | {suffix: mutant(entries(name)[suffix], change)}
+    written(tmp_path, "mutated_plane", {f"axicontact/plane/{name}.py": module_source(wrong)})
+    (tmp_path / "mutated_plane" / "plane" / "__init__.py").write_text("")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    for found in [found for found in sys.modules if found.startswith("mutated_plane")]:
+        monkeypatch.delitem(sys.modules, found)
+    module, draw = import_module(f"mutated_plane.plane.{name}"), random.Random(5)
+    with mp.workdps(60):
+        values = ready(module, name, state(name, draw), suffix, draw)
+        assert not error(module, name, values, suffix) < 1e3 * ACCURACY
