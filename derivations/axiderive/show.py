@@ -94,7 +94,7 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
         return "\n".join(rows)
     details = {
         "status": {
-            "root": "no closed form; solved by iteration",
+            "root": "root of an equation, solved by iteration",
             "integral": "definite integral; closed form not found",
         }.get(entry["status"], "closed form"),
         "defined": entry["definition"],

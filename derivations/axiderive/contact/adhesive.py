@@ -17,6 +17,7 @@ from ..entry import Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
 from ..profiles.profile import Profile, Rule
 from . import normal
+from .inverse import stable_inverse
 from .medium import HOMOGENEOUS, Medium
 
 GROUP = "adh"
@@ -146,8 +147,13 @@ class _Builder:
         """Inverses on the branch that is stable under control of the given quantity, a >= its pull-off radius."""
         out = {}
         for suffix, source, value in (("ad", "d", d), ("aF", "F", F)):
-            cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in entries[source].cases)
-            out[suffix] = self.entry(suffix, "root", cases, sp.Eq(value, entries[source].definition))
+            forward, equation = entries[source].cases, sp.Eq(value, entries[source].definition)
+            closed = stable_inverse(forward[0].expr, value) if len(forward) == 1 else None
+            if closed is not None:
+                out[suffix] = self.entry(suffix, "closed", (Case((), closed),), equation)
+            else:
+                cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in forward)
+                out[suffix] = self.entry(suffix, "root", cases, equation)
         return out
 
     def pull_off(self) -> dict[str, Entry]:

@@ -3,7 +3,8 @@
 Four shapes are recognised: a monomial in a; a multiple of S = sqrt(a^2 - b^2);
 alpha a^2 + beta a S, a quadratic for a^2; and a depressed cubic in S with positive
 coefficients, which has one real root in sinh form.  The right root is chosen by
-the certificate's witness, never by trying.
+the certificate's witness, never by trying.  With adhesion the forward formula is
+alpha y^2 - beta y in a power y of a for the paraboloid's force and the cone's depth.
 """
 
 from __future__ import annotations
@@ -60,6 +61,23 @@ def _invert(expr: sp.Expr, value: sp.Symbol) -> sp.Expr | None:
     if {m for (m,) in in_S.monoms()} == {1, 3}:
         return _cubic(in_S.coeff_monomial(_S**3), in_S.coeff_monomial(_S), b, value)
     return None
+
+
+def stable_inverse(forward: sp.Expr, value: sp.Symbol) -> sp.Expr | None:
+    """The larger root a of alpha y^2 - beta y = value with y = a^e, or None if the formula has another shape.
+
+    The larger root is the branch on which the value grows with a.
+    """
+    terms = [term.as_independent(a, as_Add=False) for term in sp.Add.make_args(sp.expand_mul(forward))]
+    powers = {sp.expand(power.as_base_exp()[1]): factor for factor, power in terms if power.as_base_exp()[0] == a}
+    if len(terms) != 2 or len(powers) != 2:
+        return None
+    exponent = next((e for e in powers if sp.expand(2 * e) in powers), None)
+    if exponent is None:
+        return None
+    alpha, beta = powers[sp.expand(2 * exponent)], -powers[exponent]
+    half = sp.factor(beta / (2 * alpha))
+    return (half + sp.sqrt(half**2 + sp.factor(value / alpha))) ** sp.cancel(1 / exponent)
 
 
 def _quadratic(alpha: sp.Expr, beta: sp.Expr, b: sp.Expr, value: sp.Symbol) -> sp.Expr:

@@ -15,7 +15,7 @@ from ..abel.order import Chain
 from ..contact.adhesive import CONTROLS
 from ..contact.adhesive import GROUP as GROUP
 from ..entry import Case, Entry
-from ..notation import a, a_c, dgamma, n
+from ..notation import F, a, a_c, d, dgamma, n
 from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
@@ -27,6 +27,10 @@ PUNCH = {
     "p": lambda medium: medium.punch_pressure(),
     "w": lambda medium: medium.punch_displacement().expr(),
 }
+STABLE = {"ad": ("d", d), "aF": ("F", F)}
+"""What an inverse inverts, and its symbol."""
+SHARE = sp.Symbol("s_c", positive=True)
+"""Retraction over the retraction at which the load is stationary; below 1 on the stable branch."""
 
 
 class Adhesive:
@@ -62,6 +66,27 @@ class Adhesive:
             message = f"the cases of {entry.key} are not those of {plain.key}"
             raise NotProvedError(message)
         return list(zip(entry.cases, plain.cases, strict=True))
+
+    def stable_radius(self, suffix: str) -> list[str]:
+        """The radius on the stable branch, where the retraction is less than that of the stationary force or depth.
+
+        The work of separation is written as the share s^2, 0 < s < 1, of the one that a contact of radius a can carry.
+        """
+        source, value = STABLE[suffix]
+        if self.entries[suffix].status == "root":
+            message = f"{self.entries[suffix].key} is the root of an equation"
+            raise NotProvedError(message)
+        ((regime, level),) = self.stationary({"F": "force", "d": "depth"}[source])
+        ((inverse,), (forward,)) = self.entries[suffix].cases, self.entries[source].cases
+        domain = Domain(*self.normal.domain(regime.chain).chains(), (SHARE, 1))
+        work = SHARE**2 * self.medium.modulus * a**self.medium.k * level**2 / (2 * sp.pi * a)
+        given = sp.expand_mul(sp.powdenest(sp.expand_power_base(forward.expr.subs(dgamma, work), force=True), force=True))
+        found = inverse.expr.subs({value: given, dgamma: work}, simultaneous=True)
+        if inverse.chain or sign(level, domain) <= 0:
+            message = f"{self.entries[suffix].key} is not shown to be the stable branch"
+            raise NotProvedError(message)
+        statement = f"{suffix}({source}(a)) = a for 2 pi a dgamma = s^2 c_N(a) Dl_c^2, s < 1"
+        return [*self.retraction(), require_zero(found - a, domain, statement)]
 
     # pull-off
 
@@ -163,5 +188,7 @@ RULES: dict[str, Rule] = {
     "F": (("plain.F",), lambda proof: proof.superposed("F")),
     "p": (("plain.p",), lambda proof: proof.superposed("p")),
     "w": (("plain.w",), lambda proof: proof.superposed("w")),
+    "ad": (("d",), lambda proof: proof.stable_radius("ad")),
+    "aF": (("F",), lambda proof: proof.stable_radius("aF")),
     **_pull_off_rules(),
 }
