@@ -27,6 +27,8 @@ PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
 NESTED = 46
 """Digits of a pressure on the graded half space, which is an integral of integrals."""
 NESTED_LOST = 6
+STABLE = mp.mpf(9) / 10
+"""Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
 ILL = 60
 """Digits carried beyond those asked for where a small stick zone is the root of a difference of two forces."""
 
@@ -176,8 +178,10 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
         return residual(evaluate(case_at(entry, stationary).expr, stationary, digits), there.adhesive(sought, a))
     if suffix in INVERSES:
         given = INVERSES[suffix][0]
-        known = {**values, KNOWN[given]: here.adhesive(given, a)}
-        return residual(_radius(entry, nt.a, known, digits), a)
+        stable = here.separation({"F": "force", "d": "depth"}[given], a) * STABLE
+        values = {**values, nt.dgamma: min(number(values[nt.dgamma]), stable)}
+        there = HalfSpace(here.profile, values, here.digits, here.graded)
+        return residual(_radius(entry, nt.a, {**values, KNOWN[given]: there.adhesive(given, a)}, digits), a)
     return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
