@@ -65,6 +65,27 @@ def test_limit_of_the_wavy_paraboloid_by_struve_functions():
     assert min(curve(mp.mpf(i) / 8) for i in range(1, 400) if abs(i / 8 - z) > 1) > curve(z)
 
 
+GRADED_LIMITS = {"gaussian": ("1.2286", "1.50198", "1.8788"), "wavy_paraboloid": ("15.5992", "12.3914", "10.1777")}
+
+
+@pytest.mark.parametrize("name", GRADED_LIMITS)
+def test_the_note_says_how_the_limit_depends_on_the_grading(name):
+    """The largest radius of the bump and the least wavelength**2/(h R), from g' on the graded half space."""
+    (case,) = derive(profiles.load(name), GRADED)["d"].cases
+    slope = sp.diff(case.expr, a)
+    for exponent, printed in zip((-0.5, 0.0, 0.5), GRADED_LIMITS[name], strict=True):
+        assert printed in profiles.load(name).note
+        if name == "gaussian":
+            rate = compiled(slope.subs({h: 1, s: 1, k: exponent}), a)
+            limit = mp.findroot(rate, (1.1, 2.2), solver="anderson")
+        else:
+            # g' = A a/R - h B(q a) q: what the flat paraboloid and the waves of unit height bring in
+            flat = compiled(slope.subs({h: 0, R: 1, wavelength: 1, k: exponent}), a)
+            waves = compiled(slope.subs({h: 1, k: exponent}).subs(R, sp.oo), a, wavelength)
+            limit = max(-waves(mp.mpf(i) / 2000, 1) / flat(mp.mpf(i) / 2000) for i in range(1100, 1400))
+        assert abs(limit - mp.mpf(printed)) < mp.mpf("1e-4"), limit
+
+
 @pytest.mark.parametrize(
     ("name", "ring", "depth", "force"),
     [

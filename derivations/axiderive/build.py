@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from .contact.systems import Problem
 
-EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build")
+EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build", "axiderive.index")
 
 Published = list[tuple["Problem", Outcome]]
 Record = dict[str, Any]
@@ -152,6 +152,7 @@ def _emitted(
 
 def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, bytes]:
     from .emit import handbook, html, index, modules
+    from .index import dumps
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
@@ -162,7 +163,7 @@ def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, 
     site = html.html_sources(derived, evidence, chapter, models, texts)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
-    files["axicontact/index.json"] = index.to_bytes(index.index_record(derived, evidence, texts))
+    files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
     for problem, outcome in published:
         record = index.evidence_record(problem, outcome.entries, outcome.evidence)
         files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
@@ -215,25 +216,23 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     Files that belong to one of the profiles are replaced and the index is
     merged; what the profiles share is written only where it does not exist yet.
     """
-    import json
-
     from .contact.systems import profile_ids
-    from .emit.index import to_bytes
+    from .index import dumps, loads
 
     order = profile_ids()
     index_path = "axicontact/index.json"
     own = {path: text for path, text in files.items() if _owner(path) in ids}
     shared = {p: t for p, t in files.items() if p not in own and p != index_path and not (root / p).exists()}
-    new = json.loads(files[index_path])
+    new = loads(files[index_path])
     try:
-        old = json.loads((root / index_path).read_bytes())
+        old = loads((root / index_path).read_bytes())
     except (OSError, ValueError):
         old = {"profiles": [], "entries": []}
     for part, name in (("profiles", "name"), ("entries", "profile")):
         rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
         new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
     new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
-    return own | shared | {index_path: to_bytes(new)}
+    return own | shared | {index_path: dumps(new).encode()}
 
 
 def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:

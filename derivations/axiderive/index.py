@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import difflib
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -14,6 +14,61 @@ from typing import Any
 from .exits import ENVIRONMENT, USAGE, CommandError
 
 Row = dict[str, Any]
+FIRST = ("key", "problem", "profile", "physics", "quantity")
+
+
+def dumps(record: Mapping[str, Any]) -> str:
+    """The index as JSON, an entry to a line and without the fields that the rest of the record tells."""
+    told = _told(record)
+    rows = []
+    for row in record["entries"]:
+        known = told(row)
+        rows.append({name: value for name, value in row.items() if name not in known or known[name] != value})
+    parts = [f"{_line(name)}: {_lines(value)}" for name, value in {**record, "entries": rows}.items()]
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def loads(text: str | bytes) -> dict[str, Any]:
+    """The index with all fields of its entries.
+
+    Raises
+    ------
+    ValueError
+        If the text is not that of an index.
+    """
+    record: dict[str, Any] = json.loads(text)
+    try:
+        told, rows = _told(record), []
+        for row in record["entries"]:
+            whole = told(row) | row
+            rows.append({name: whole[name] for name in dict.fromkeys((*FIRST, *row, *whole))})
+    except (KeyError, TypeError) as error:
+        message = f"not an index: {type(error).__name__} {error}"
+        raise ValueError(message) from error
+    return {**record, "entries": rows}
+
+
+def _told(record: Mapping[str, Any]) -> Callable[[Row], Row]:
+    """Fields of an entry from its key and its symbol."""
+    places = {key: (row["name"], own["physics"]) for row in record["profiles"] for key, own in row["problems"].items()}
+    units = {row["name"]: row["unit"] for row in record["units"]}
+
+    def told(row: Row) -> Row:
+        problem, _, quantity = row["key"].rpartition(".")
+        profile, physics = places[problem]
+        found = {"problem": problem, "profile": profile, "physics": physics, "quantity": quantity}
+        return {**found, "composed": [], "note": "", "unit": units.get(row["symbol"], "")}
+
+    return told
+
+
+def _lines(value: Any) -> str:
+    """A list with an item to a line, anything else on one line."""
+    return "[\n" + ",\n".join(map(_line, value)) + "\n]" if isinstance(value, list) else _line(value)
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
 
 
 class UnknownNameError(CommandError):
@@ -98,7 +153,7 @@ def load() -> Index:
     for folder in folders:
         path = folder / "index.json"
         try:
-            return Index(folder, json.loads(path.read_bytes()))
+            return Index(folder, loads(path.read_bytes()))
         except FileNotFoundError:
             continue
         except ValueError as error:

@@ -7,6 +7,8 @@ peels where it reaches the retraction of Hess, w1D(a) = -Dl(a) (Kendall 1971
 for the flat punch).  Under a flat or concave face g and -Dl fall with the
 radius, so that a smaller contact needs a greater depth and a greater force:
 what begins at the edge runs through, under force control and depth control alike.
+Under a convex face it does not: the contact goes on as that of the unbounded
+profile, whose radius it reaches or leaves at the edge.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from ..notation import F, a, d, dgamma, retraction
 from ..profiles.profile import Profile
 from . import complete
 from .adhesive import GROUP, hess_rule
-from .medium import HOMOGENEOUS, Medium
+from .medium import GRADED, HOMOGENEOUS, Medium
 
 QUANTITIES = {
     q.suffix: q
@@ -30,15 +32,22 @@ QUANTITIES = {
 }
 
 
-def refusal(profile: Profile) -> str:
+PACKAGES = {HOMOGENEOUS: "axicontact.adhesive", GRADED: "axicontact.graded.adhesive"}
+CONVEX = (
+    "{name} is the adhesive paraboloid until the contact reaches the edge; from that depth on the edge holds, the force"
+    " grows with the stiffness of the flat punch, and on unloading the edge comes loose at the same depth: use"
+    " {package}.paraboloid for radii below a; its depth and force at the radius a are those at which the edge comes"
+    " loose, and where its pull_off has a larger radius the contact ends there"
+)
+"""Why a convex face has no entries of its own; the paraboloid is the only one of the catalogue."""
+
+
+def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no adhesive entries; empty if it has."""
     (*_, face) = profile.pieces
     if profile.contact == "compact" or face.expr == 0 or face.expr.has(a):
         return ""
-    return (
-        f"{profile.name} keeps its edge until it peels off and is then the unbounded profile with a smaller contact"
-        " radius: use axicontact.adhesive.paraboloid"
-    )
+    return CONVEX.format(name=profile.name, package=PACKAGES[medium])
 
 
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:

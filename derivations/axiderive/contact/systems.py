@@ -108,6 +108,10 @@ def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> 
     return derive
 
 
+def _graded_adhesive_refusal(profile: Profile) -> str:
+    return detachment.refusal(profile, GRADED)
+
+
 def _adhesive(profile: Profile, medium: Medium) -> dict[str, Entry]:
     rule = adhesive.derive if profile.contact == "compact" else detachment.derive
     return rule(profile, medium)
@@ -126,7 +130,7 @@ SYSTEMS = (
     System("graded.normal", "Normal contact, graded half space", _on(normal.derive, GRADED), group="fgm"),
     System(
         "graded.adhesive", "Adhesive contact, graded half space", _on(_adhesive, GRADED),
-        group="fgm.adh", rests_on=("graded.normal",), refusal=detachment.refusal,
+        group="fgm.adh", rests_on=("graded.normal",), refusal=_graded_adhesive_refusal,
     ),
     System(
         "graded.tangential", "Tangential contact, graded half space", _on(tangential.derive, GRADED),

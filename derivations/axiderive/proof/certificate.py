@@ -123,10 +123,16 @@ def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) 
     return Prover(entries, COMPLETE, lambda: Complete(profile, entries, medium, bounds))
 
 
-@functools.lru_cache(maxsize=2)
+@functools.lru_cache(maxsize=4)
 def _derived(profile: Profile, medium: Medium) -> Prover:
     """The normal contact that other kinds of contact rest on, derived and proved anew."""
     return _normal_prover(profile, normal.derive(profile, medium), medium)
+
+
+def homogeneous_statements(profile: Profile) -> Compact | Complete:
+    """What is stated of the normal contact on the homogeneous half space."""
+    found: Compact | Complete = _derived(profile, HOMOGENEOUS).built()
+    return found
 
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:

@@ -12,6 +12,7 @@ from ..profiles.profile import Profile
 from . import (
     adhesive_identities,
     enclosure,
+    homogeneous,
     identities,
     materials,
     physics_identities,
@@ -19,8 +20,10 @@ from . import (
     plane_closure,
     plane_quadrature,
     quadrature,
+    resultants,
     units,
 )
+from .certificate import homogeneous_statements
 from .evidence import Evidence
 
 BALL_DIGITS = 10
@@ -64,6 +67,7 @@ def _identities(
 ) -> list[Evidence]:
     """What ties the entries to each other, to the contact they rest on and to the homogeneous half space."""
     kind, graded = problem.system.name.removeprefix("graded."), problem.system.name.startswith("graded.")
+    physics = PHYSICS[problem.system.name]
     if kind == "loads":
         return [physics_identities.reciprocity(profile, entries, digits=digits, seed=seed)]
     found: list[Evidence] = []
@@ -77,8 +81,9 @@ def _identities(
             "viscoelastic": physics_identities.elastic,
         }[kind]
         found += rule(profile, entries, plain, digits=digits, seed=seed)
+    if graded and "p" in entries:
+        found.append(resultants.pressure(profile, entries["F"], entries["p"], physics, digits=digits, seed=seed))
     if graded:
-        simple = BY_NAME[kind].rule(profile)
-        physics = "graded" if kind == "normal" else kind
-        found += physics_identities.homogeneous(profile, entries, simple, physics, digits=digits, seed=seed)
+        simple, below = BY_NAME[kind].rule(profile), homogeneous_statements(profile)
+        found += homogeneous.check_profile(profile, entries, simple, below, physics, digits=digits, seed=seed)
     return found

@@ -58,18 +58,26 @@ def homogeneous_limit(
 ) -> list[str]:
     """At k = 0, where all functions of k are continuous, the graded entry is the homogeneous one.
 
+    Of an equation both sides are.
+
     Raises
     ------
     NotProvedError
-        If one of both is an integral or a root, or the formulas differ.
+        If one of both is an integral, only one an equation, or the formulas differ.
     """
     entry, wanted = graded[suffix], plain[suffix]
-    for either in (entry, wanted):
-        if either.status != "closed":
-            message = f"{either.key} is not a closed formula"
-            raise NotProvedError(message)
+    if entry.status != wanted.status or entry.status == "integral":
+        message = f"{entry.key} is {entry.status}, {wanted.key} is {wanted.status}: no pair of formulas or equations"
+        raise NotProvedError(message)
     found = [Case(tuple(map(_at_zero, case.chain)), _at_zero(case.expr)) for case in entry.cases]
-    return [_same_case(wanted, case, _counterpart(case, found, suffix, plain), normal) for case in wanted.cases]
+    steps = []
+    for case in wanted.cases:
+        limit = _counterpart(case, found, suffix, plain)
+        pairs = [(case.expr, limit)]
+        if isinstance(case.expr, sp.Equality):
+            pairs = [(case.expr.lhs, limit.lhs), (case.expr.rhs, limit.rhs)]
+        steps += [_same_case(wanted, replace(case, expr=expr), other, normal) for expr, other in pairs]
+    return steps
 
 
 def _at_zero(expr: sp.Expr) -> sp.Expr:

@@ -6,16 +6,13 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import C0
-from ..contact.adhesive import CONTROLS
-from ..entry import Case, Entry
+from ..entry import Entry
 from ..profiles.profile import Profile
+from . import resultants
 from .balls import NotAvailableError, enclose_value
-from .evaluate import at_precision, case_at, decades, evaluate
-from .evidence import Evidence, Outcome, judge, not_available, residual
-from .identities import over_contact
+from .evaluate import at_precision, case_at, evaluate
+from .evidence import Evidence, Outcome, judge, residual
 from .integrals import GUARD
-from .physics_quadrature import formula_value
 from .physics_sampling import Entries, drawn_points
 from .quadrature import LOST
 from .rules import integrate
@@ -25,8 +22,6 @@ from .shape import Number, Values, number
 Rows = list[tuple[Values, Number]]
 TINY = sp.Rational(1, 10**60)
 """What stands for a parameter that vanishes; the formulas depend on it with its first power at least."""
-SUMMED = 30
-"""Digits of a traction summed over the contact."""
 
 
 def _judge(entry: Entry, compared: str, rows: Rows, digits: int, seed: int) -> Evidence:
@@ -38,7 +33,7 @@ def _judge(entry: Entry, compared: str, rows: Rows, digits: int, seed: int) -> E
 
 def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50, seed: int = 0) -> list[Evidence]:
     """Full slip as the stick zone shrinks to what it starts from, and the traction summed over the contact."""
-    found = [traction_over_contact(profile, entries, digits, seed), superposed(entries["tau"], plain["p"])]
+    found = [resultants.traction(profile, entries, digits=digits, seed=seed), superposed(entries["tau"], plain["p"])]
     floor = profile.breaks[0] if profile.truncated else None
     for suffix, source, compared in (("F", "F", "mu F"), ("u", "us", "displacement at full slip")):
         rows: Rows = []
@@ -72,68 +67,7 @@ def superposed(entry: Entry, pressure: Entry) -> Evidence:
     return Evidence(entry.key, f"mu times the difference of two {pressure.key}, symbolically", outcome, count=count)
 
 
-def traction_over_contact(profile: Profile, entries: Entries, digits: int, seed: int) -> Evidence:
-    """F_x = 2 pi int tau r dr."""
-    compared, entry = "2 pi int tau r dr", entries["tau"]
-    if entry.status == "integral" or any(case.expr.has(C0) for case in entry.cases):
-        return not_available(
-            entries["F"].key, compared, "the traction is itself an integral, too slow to integrate again"
-        )
-    rows: Rows = []
-    digits = min(digits, SUMMED)
-    drawn = [point.values for point in drawn_points(profile, entries, "F", "tangential", 1, seed)]
-    for values in (min(drawn, key=decades),):
-        with mp.workdps(2 * digits + GUARD):
-            edge = at_precision(nt.a, values)
-
-            def traction(r: Number, region: Case | None, at: Values = values, a: Number = edge) -> Number:
-                if region is None:
-                    return mp.mpf(0)
-                return enclose_value(region.expr, {**at, nt.r: r}, digits + 5) * r * mp.sqrt((a - r) * (a + r))
-
-            total = over_contact(entry, values, traction, digits, edge, nt.r)
-            wanted = evaluate(case_at(entries["F"], values).expr, values, digits)
-            rows.append((values, residual(2 * mp.pi * total, wanted)))
-    return _judge(entries["F"], compared, rows, digits, seed)
-
-
 # graded
-
-
-def homogeneous(
-    profile: Profile, entries: Entries, plain: Entries, physics: str, *, digits: int = 50, seed: int = 0
-) -> list[Evidence]:
-    """Next to k = 0 every formula gives the value of the homogeneous half space."""
-    found = []
-    for suffix, entry in entries.items():
-        if suffix not in plain or entry.status != "closed" or plain[suffix].status != "closed":
-            continue
-        own = plain[suffix]
-        rows: Rows = []
-        for point in drawn_points(profile, plain, suffix, physics, 1, seed)[:4]:
-            if point.extreme:
-                continue
-            values = {**point.values, nt.H: point.values[nt.E_star], nt.k: TINY}
-            if nt.G_star in values:
-                values[nt.H_x] = values[nt.G_star]
-            values[nt.a_c] = _pull_off(plain, suffix, values, digits)
-            asked = entry.cases[0].expr.free_symbols | own.cases[0].expr.free_symbols
-            if asked - set(values) - {nt.coefficients.label, nt.j, nt.N}:
-                continue  # an inverse: the force or depth is not drawn
-            with mp.workdps(digits + GUARD):
-                got, want = (formula_value(x, values, digits) for x in (entry, own))
-                rows.append((values, residual(got, want)))
-        if rows:
-            found.append(_judge(entry, f"k -> 0: {own.key}", rows, digits, seed))
-    return found
-
-
-def _pull_off(plain: Entries, suffix: str, values: Values, digits: int) -> Number:
-    """The radius at pull-off where it is closed, because one of both formulas may have it put in."""
-    names = next((names for names in CONTROLS.values() if suffix in names), None)
-    if names is None or names[0] not in plain or plain[names[0]].status != "closed":
-        return values[nt.a]
-    return evaluate(case_at(plain[names[0]], values).expr, values, digits + GUARD)
 
 
 def stiffness(profile: Profile, entries: Entries, *, digits: int = 50, seed: int = 0) -> Evidence:

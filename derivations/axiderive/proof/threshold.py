@@ -6,6 +6,8 @@ without its edge term; the largest right-hand side over r decides.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import mpmath as mp
 
 from . import integrals
@@ -32,7 +34,7 @@ def ring(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
         rough = _vertex(face, a, radii[best]) if best else mp.mpf(0)
     if best == 0:
         return rough, level(face, a, rough, digits)
-    return _refined(face, a, rough, digits)
+    return stationary(lambda r: level(face, a, r, digits), rough, a)
 
 
 def _vertex(face: Shape, a: Number, start: Number) -> Number:
@@ -46,11 +48,13 @@ def _vertex(face: Shape, a: Number, start: Number) -> Number:
     return start
 
 
-def _refined(face: Shape, a: Number, rough: Number, digits: int) -> tuple[Number, Number]:
-    """Maximum of the polynomial through equidistant levels 1e-7 a apart; its error is the ninth power of that."""
+def stationary(curve: Callable[[Number], Number], rough: Number, a: Number) -> tuple[Number, Number]:
+    """Where the polynomial through equidistant values 1e-7 a apart has no slope, and its value there.
+
+    Its error is the ninth power of the distance; of the digits of the curve the place loses seven.
+    """
     step, half = a * mp.mpf(10) ** -7, STENCIL // 2
-    levels = [level(face, a, rough + i * step, digits) for i in range(-half, half + 1)]
-    coefficients = _interpolate(levels, half)
+    coefficients = _interpolate([curve(rough + i * step) for i in range(-half, half + 1)], half)
     x = mp.mpf(0)
     for _ in range(20):
         slope = mp.polyval([c * (len(coefficients) - 1 - i) for i, c in enumerate(coefficients[:-1])], x)

@@ -28,7 +28,7 @@ from .rules import integrate
 from .sampling import points as draw
 from .shape import Number, Values, number
 
-DIGITS = 40
+DIGITS = 50
 LOST = 8
 POWERS = (sp.Rational(1, 2), sp.Integer(1), sp.Integer(2), sp.Rational(37, 10))
 

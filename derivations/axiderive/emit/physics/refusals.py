@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...contact import detachment
+from ...contact.medium import HOMOGENEOUS, Medium
 from ...profiles.profile import Profile
 from . import text
 
-REASONS = {
-    "tangential": (
-        "{title} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F,"
-        " with F from axicontact.normal.{name}.force"
-    ),
-    "adhesive": (
-        "{title} keeps its edge until it peels off and is then the unbounded profile with a smaller contact radius:"
-        " use axicontact.adhesive.paraboloid"
-    ),
-}
+TANGENTIAL = (
+    "{title} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F,"
+    " with F from axicontact.normal.{name}.force"
+)
 REFUSAL = '''"""{title}: no {group} functions.
 
 {wrapped}
@@ -65,9 +61,15 @@ def package_source(title: str, names: Sequence[str]) -> str:
     return PACKAGE.format(title=title, names="\n".join(f'    "{name}",' for name in names))
 
 
+def reason(profile: Profile, group: str, medium: Medium, tangential: str) -> str:
+    """Why the module of a profile holds no functions, with its title."""
+    if group == "adhesive":
+        return detachment.refusal(profile, medium).replace(profile.name, profile.title, 1)
+    return tangential.format(title=profile.title, name=profile.name)
+
+
 def module_source(profile: Profile, group: str) -> str:
     """A module whose functions do not exist, and which says why."""
-    reason = REASONS[group].format(title=profile.title, name=profile.name)
-    lines = text.wrapped(reason)
+    lines = text.wrapped(reason(profile, group, HOMOGENEOUS, TANGENTIAL))
     literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
     return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)
