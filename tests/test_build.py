@@ -249,7 +249,11 @@ def test_differences_name_changed_new_and_stale_files(root):
 
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     def index(*names):
-        rows = {"profiles": [{"name": n} for n in names], "entries": [{"profile": n, "key": f"{n}.p"} for n in names]}
+        rows = {
+            "units": [],
+            "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
+            "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p"} for n in names],
+        }
         return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
 
     shared = {"axicontact/__init__.py": b"all", "handbook/handbook.tex": b"all"}

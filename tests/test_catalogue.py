@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from axiderive.contact.systems import BODIES, BY_NAME, SYSTEMS, Problem, problems
+from axiderive.index import loads
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 PROBLEMS = {problem.key: problem for problem in problems()}
@@ -76,7 +77,7 @@ def functions(path: Path) -> set[str]:
 
 @functools.cache
 def index() -> dict:
-    return json.loads((CATALOGUE / "axicontact" / "index.json").read_text())
+    return loads((CATALOGUE / "axicontact" / "index.json").read_text())
 
 
 def test_every_problem_is_published_in_the_order_of_the_handbook() -> None:

@@ -111,6 +111,27 @@ def test_a_reader_that_goes_away_is_no_error():
     assert done.stderr == ""
 
 
+def test_the_index_is_short_and_reads_back_whole():
+    """An entry to a line; what its key and its symbol tell is left out, an exception is kept."""
+    whole = index.load().data
+    text = index.dumps(whole)
+    assert len(text.encode()) < 1.5e6
+    assert index.loads(text) == whole
+    for row in whole["entries"][:50]:
+        assert sum(line.startswith(f'{{"key":"{row["key"]}",') for line in text.splitlines()) == 1
+    first = whole["entries"][0]
+    assert not {"problem", "profile", "physics", "quantity", "unit"} & set(json.loads(text)["entries"][0])
+    for name, value in (("unit", "kN"), ("note", "mind the gap"), ("quantity", "q")):
+        odd = {**whole, "entries": [{**first, name: value}, *whole["entries"][1:]]}
+        assert index.loads(index.dumps(odd)) == odd
+
+
+@pytest.mark.parametrize("text", ["[]", "{}", "{", '{"profiles": [], "units": [], "entries": [{}]}'])
+def test_a_damaged_index_is_no_index(text):
+    with pytest.raises(ValueError, match="not an index|Expecting"):
+        index.loads(text)
+
+
 def test_without_a_catalogue_the_next_step_is_named(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(index, "find_spec", lambda name: None)
     monkeypatch.setattr(index, "__file__", str(tmp_path / "a" / "b" / "index.py"))

@@ -131,18 +131,6 @@ def test_a_wrong_partial_slip_is_noticed(suffix: str) -> None:
     assert failed(physics_identities.slip(profile, wrong, plain, seed=SEED))
 
 
-def test_another_homogeneous_limit_is_noticed() -> None:
-    profile = load("capped_paraboloid")
-    plain, entries = normal.derive(profile), normal.derive(profile, GRADED)
-    assert failed(physics_identities.homogeneous(profile, entries, plain, "graded", seed=SEED)) == set()
-    assert physics_identities.stiffness(profile, entries, seed=SEED).passed
-    for suffix in ("d", "F", "k", "pm"):
-        wrong = changed(entries, suffix, lambda x: x * TWICE)
-        found = failed(physics_identities.homogeneous(profile, wrong, plain, "graded", seed=SEED))
-        assert found == {(entries[suffix].key, f"k -> 0: {plain[suffix].key}")}
-    assert not physics_identities.stiffness(profile, changed(entries, "d", lambda x: x * TWICE), seed=SEED).passed
-
-
 def test_another_elastic_limit_is_noticed() -> None:
     profile = load("cone")
     plain, entries = normal.derive(profile), viscoelastic.derive(profile)

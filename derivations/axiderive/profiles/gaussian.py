@@ -5,7 +5,7 @@ import sympy as sp
 from ..notation import h, r, s
 from .profile import Piece, Profile, Sketch
 
-# k = 0: where z D(z), D Dawson's function, has its maximum, rounded down: beyond it the depth falls with a growing contact
+# k = 0: where z D(z), D Dawson's function, has its maximum, rounded down: beyond it the depth falls
 COMPACT_LIMIT = sp.Float("1.5019752682686114", 17)
 
 PROFILE = Profile(

@@ -5,7 +5,7 @@ import sympy as sp
 from ..notation import R, h, r, wavelength
 from .profile import Piece, Profile, Rule, Sketch
 
-# k = 0: pi**3 times the depth of the lowest minimum of (H_0(z) + z (2/pi - H_1(z)))/z, rounded up: below it g' changes sign
+# k = 0: pi**3 times the depth of the lowest minimum of (H_0(z) + z (2/pi - H_1(z)))/z, rounded up
 COMPACT_LIMIT = sp.Float("12.391420936291584", 17)
 
 PROFILE = Profile(

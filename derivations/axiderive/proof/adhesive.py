@@ -80,7 +80,9 @@ class Adhesive:
         ((inverse,), (forward,)) = self.entries[suffix].cases, self.entries[source].cases
         domain = Domain(*self.normal.domain(regime.chain).chains(), (SHARE, 1))
         work = SHARE**2 * self.medium.modulus * a**self.medium.k * level**2 / (2 * sp.pi * a)
-        given = sp.expand_mul(sp.powdenest(sp.expand_power_base(forward.expr.subs(dgamma, work), force=True), force=True))
+        given = sp.expand_mul(
+            sp.powdenest(sp.expand_power_base(forward.expr.subs(dgamma, work), force=True), force=True)
+        )
         found = inverse.expr.subs({value: given, dgamma: work}, simultaneous=True)
         if inverse.chain or sign(level, domain) <= 0:
             message = f"{self.entries[suffix].key} is not shown to be the stable branch"
