@@ -15,7 +15,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..profiles.profile import Profile
-from .balls import enclose_value
+from .balls import NotAvailableError, enclose_value
 from .evaluate import at_precision, case_at, decades, evaluate, holds
 from .evidence import Evidence, judge, not_available, residual
 from .integrals import GUARD, panels_no_longer_than
@@ -137,18 +137,29 @@ def check_force_of_pressure(profile: Profile, entries: Entries, *, digits: int, 
     for case in entries["F"].cases:
         drawn = points(profile, case.chain, EXTREME_PLANS + EACH, seed, fields(profile, entry))
         values = min((point.values for point in drawn), key=decades)
-        with mp.workdps(2 * digits + GUARD):
-            wanted = evaluate(case.expr, values, digits)
-            edge = at_precision(next(x for x in case.chain if x == nt.a or x.has(nt.d)), values)
-
-            def pressure(r: Number, region: Case | None, at: Values = values, a: Number = edge) -> Number:
-                if region is None:
-                    return mp.mpf(0)
-                return enclose_value(region.expr, {**at, nt.r: r}, digits + 5) * r * mp.sqrt((a - r) * (a + r))
-
-            total = over_contact(entry, values, pressure, digits, edge, nt.r)
-            rows.append((values, residual(2 * mp.pi * total, wanted)))
+        rows.append((values, carried(case, entry, values, digits)))
     return _judge(entries["F"], identity, rows, digits, seed)
+
+
+def carried(whole: Case, entry: Entry, values: Values, digits: int) -> Number:
+    """Residual of 2 pi int p r dr, or tau for p, against the force in a region."""
+    with mp.workdps(2 * digits + GUARD):
+        edge = at_precision(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
+
+        def summand(r: Number, region: Case | None) -> Number:
+            if region is None:
+                return mp.mpf(0)
+            return _value(region.expr, {**values, nt.r: r}, digits + 5) * r * mp.sqrt((edge - r) * (edge + r))
+
+        total = over_contact(entry, values, summand, digits, edge, nt.r)
+        return residual(2 * mp.pi * total, evaluate(whole.expr, values, digits))
+
+
+def _value(expr: sp.Expr, values: Values, digits: int) -> Number:
+    try:
+        return enclose_value(expr, values, digits)
+    except NotAvailableError:
+        return evaluate(expr, values, digits)
 
 
 def over_contact(

@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
 from ..abel.masters import C0
-from ..entry import Case, Entry
+from ..entry import Entry
 from ..profiles.profile import Profile
-from .balls import NotAvailableError, enclose_value
-from .evaluate import at_precision, case_at, decades, evaluate
-from .evidence import Evidence, judge, not_available, residual
-from .identities import over_contact
-from .integrals import GUARD
+from .evaluate import case_at, decades
+from .evidence import Evidence, judge, not_available
+from .identities import carried
 from .physics_sampling import Entries, drawn_points
 from .quadrature import LOST
 from .sampling import Values
-from .shape import Number
 
 EXPONENTS = (sp.Rational(-1, 10), sp.Rational(2, 5))
 """Exponents of grading at which pressures are summed; at k = -3/10 what is left out at the edge costs 12 digits."""
@@ -51,26 +47,5 @@ def _check(force: Entry, entry: Entry, name: str, places: Sequence[Values], digi
     if entry.status == "integral" or any(case.expr.has(C0) for case in entry.cases):
         reason = f"the {name} is itself an integral, too slow to integrate again"
         return not_available(force.key, compared, reason)
-    rows = [(values, _residual(force, entry, values, digits)) for values in places]
+    rows = [(values, carried(case_at(force, values), entry, values, digits)) for values in places]
     return judge(force.key, compared, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
-
-
-def _residual(force: Entry, entry: Entry, values: Values, digits: int) -> Number:
-    whole = case_at(force, values)
-    with mp.workdps(2 * digits + GUARD):
-        edge = at_precision(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
-
-        def summand(r: Number, region: Case | None) -> Number:
-            if region is None:
-                return mp.mpf(0)
-            return _value(region.expr, {**values, nt.r: r}, digits + 5) * r * mp.sqrt((edge - r) * (edge + r))
-
-        total = over_contact(entry, values, summand, digits, edge, nt.r)
-        return residual(2 * mp.pi * total, evaluate(whole.expr, values, digits))
-
-
-def _value(expr: sp.Expr, values: Values, digits: int) -> Number:
-    try:
-        return enclose_value(expr, values, digits)
-    except NotAvailableError:
-        return evaluate(expr, values, digits)
