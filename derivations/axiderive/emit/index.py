@@ -128,7 +128,7 @@ def _entry(
 ) -> dict[str, Any]:
     quantity = entry.quantity
     arguments = signatures[quantity.function]
-    domains = [nt.describe(symbol).domain for symbol in (*quantity.arguments, *entry.parameters)]
+    domains = [_domain(problem, symbol) for symbol in (*quantity.arguments, *entry.parameters)]
     return {
         "key": entry.key,
         "problem": problem.key,
@@ -150,6 +150,14 @@ def _entry(
         "evidence": evidence.get("summary", "none"),
         "note": entry.note,
     }
+
+
+def _domain(problem: Problem, symbol: sp.Symbol) -> str:
+    """Where the symbol may lie; with adhesion a contact also holds under tension, down to its pull-off."""
+    least = {nt.F: "force", nt.d: "depth"}
+    if problem.system.name.endswith("adhesive") and symbol in least:
+        return f"{symbol} >= pull_off(control='{least[symbol]}').{least[symbol]}"
+    return nt.describe(symbol).domain
 
 
 def _cases(entry: Entry) -> list[dict[str, str]]:
