@@ -1,7 +1,10 @@
 """Cylinder with a parabolic cap: no adhesive functions.
 
-Cylinder with a parabolic cap keeps its edge until it peels off and is then the unbounded profile with a
-smaller contact radius: use axicontact.adhesive.paraboloid.
+Cylinder with a parabolic cap is the adhesive paraboloid until the contact reaches the edge; from that
+depth on the edge holds, the force grows with the stiffness of the flat punch, and on unloading the edge
+comes loose at the same depth: use axicontact.adhesive.paraboloid for radii below a; its depth and force
+at the radius a are those at which the edge comes loose, and where its pull_off has a larger radius the
+contact ends there.
 """
 
 from __future__ import annotations
@@ -9,8 +12,11 @@ from __future__ import annotations
 from typing import Any
 
 _REASON = (
-    "Cylinder with a parabolic cap keeps its edge until it peels off and is then the unbounded profile with a "
-    "smaller contact radius: use axicontact.adhesive.paraboloid"
+    "Cylinder with a parabolic cap is the adhesive paraboloid until the contact reaches the edge; from that "
+    "depth on the edge holds, the force grows with the stiffness of the flat punch, and on unloading the edge "
+    "comes loose at the same depth: use axicontact.adhesive.paraboloid for radii below a; its depth and force "
+    "at the radius a are those at which the edge comes loose, and where its pull_off has a larger radius the "
+    "contact ends there"
 )
 
 

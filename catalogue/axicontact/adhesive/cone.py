@@ -251,7 +251,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayL
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    pi*a*tan(theta)/2 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a = (sqrt(2*d/(pi*tan(theta)) + 2*dgamma/(pi*E_star*tan(theta)**2)) +
+    sqrt(2)*sqrt(dgamma)/(sqrt(pi)*sqrt(E_star)*tan(theta)))**2
 
     Parameters
     ----------

@@ -296,7 +296,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R) = F
+    a = (sqrt(3*F*R/(4*E_star) + 9*pi*R**2*dgamma/(8*E_star)) +
+    3*sqrt(2)*sqrt(pi)*R*sqrt(dgamma)/(4*sqrt(E_star)))**(2/3)
 
     Parameters
     ----------

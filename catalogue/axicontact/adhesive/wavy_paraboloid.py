@@ -46,8 +46,8 @@ def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.adh.Dl.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.adh.Dl.
 
     References
     ----------
@@ -99,8 +99,8 @@ def depth(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.adh.d.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.adh.d.
 
     References
     ----------
@@ -152,8 +152,8 @@ def force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.adh.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.adh.F.
 
     References
     ----------
@@ -216,8 +216,8 @@ def pressure(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.adh.p.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.adh.p.
 
     References
     ----------
@@ -280,8 +280,8 @@ def displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.adh.w.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.adh.w.
 
     References
     ----------
@@ -333,8 +333,8 @@ def radius_from_depth(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
-    several radii are stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.adh.ad.
+    Valid for a << R; waves so flat that g' >= 0 for every a. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.adh.ad.
 
     References
     ----------
@@ -388,8 +388,8 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
-    several radii are stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.adh.aF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.adh.aF.
 
     References
     ----------

@@ -1,6 +1,6 @@
 """Gaussian bump.
 
-A smooth asperity of height h and width s; compact up to a/s = 1.50198, where the depth is largest.
+A smooth asperity of height h and width s; compact up to the radius of largest depth.
 """
 
 from __future__ import annotations
@@ -89,7 +89,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.d.
+    Valid for h << s. Negative or NaN field values give NaN. The largest radius is 1.50198 s on the
+    homogeneous half space; graded it is where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5.
+    Handbook: gaussian.d.
 
     References
     ----------
@@ -135,7 +137,8 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     Notes
     -----
     Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. Handbook: gaussian.F.
+    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half space; graded it is
+    where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5. Handbook: gaussian.F.
 
     References
     ----------
@@ -184,7 +187,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     Notes
     -----
     Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. Handbook: gaussian.p.
+    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half space; graded it is
+    where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5. Handbook: gaussian.p.
 
     References
     ----------

@@ -47,8 +47,8 @@ def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) 
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.f, the definition of the profile.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.f, the definition of the profile.
 
     References
     ----------
@@ -93,8 +93,9 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) ->
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.d.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. The
+    number 12.3914 of the homogeneous half space is another on a graded one, where g' >= 0 asks for 15.5992 at
+    k = -0.5 and for 10.1777 at k = 0.5. Handbook: wavy_paraboloid.d.
 
     References
     ----------
@@ -142,8 +143,9 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. The
+    number 12.3914 of the homogeneous half space is another on a graded one, where g' >= 0 asks for 15.5992 at
+    k = -0.5 and for 10.1777 at k = 0.5. Handbook: wavy_paraboloid.F.
 
     References
     ----------
@@ -196,9 +198,10 @@ def pressure(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
-    wavy_paraboloid.p.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. The number 12.3914 of the homogeneous
+    half space is another on a graded one, where g' >= 0 asks for 15.5992 at k = -0.5 and for 10.1777 at k =
+    0.5. Handbook: wavy_paraboloid.p.
 
     References
     ----------
@@ -247,9 +250,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wave
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
-    wavy_paraboloid.w.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: wavy_paraboloid.w.
 
     References
     ----------
@@ -296,8 +298,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.k.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.k.
 
     References
     ----------
@@ -345,8 +347,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Array
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.pm.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.pm.
 
     References
     ----------
@@ -391,8 +393,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.ad.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.ad.
 
     References
     ----------
@@ -440,8 +442,8 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.aF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.aF.
 
     References
     ----------
@@ -488,8 +490,8 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Ar
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.Fd.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.Fd.
 
     References
     ----------
@@ -536,8 +538,8 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Ar
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.dF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.dF.
 
     References
     ----------

@@ -56,8 +56,8 @@ def tangential_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.tan.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.tan.F.
 
     References
     ----------
@@ -127,8 +127,8 @@ def traction(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.tan.tau.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.tan.tau.
 
     References
     ----------
@@ -199,8 +199,8 @@ def tangential_displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.tan.u.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.tan.u.
 
     References
     ----------
@@ -266,8 +266,8 @@ def stick_radius(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.tan.c.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.tan.c.
 
     References
     ----------
@@ -327,8 +327,8 @@ def full_slip_displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.tan.us.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.tan.us.
 
     References
     ----------

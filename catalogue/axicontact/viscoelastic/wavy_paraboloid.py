@@ -61,9 +61,9 @@ def step_force_maxwell(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Here a is the contact radius of the elastic contact at the depth d:
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_mx.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_mx.
 
     References
     ----------
@@ -117,8 +117,8 @@ def step_load_radius_maxwell(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Handbook: wavy_paraboloid.vis.load_mx.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Handbook: wavy_paraboloid.vis.load_mx.
 
     References
     ----------
@@ -172,9 +172,9 @@ def step_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Here a is the contact radius of the elastic contact at the depth d:
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_kv.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_kv.
 
     References
     ----------
@@ -228,8 +228,8 @@ def step_load_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Handbook: wavy_paraboloid.vis.load_kv.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Handbook: wavy_paraboloid.vis.load_kv.
 
     References
     ----------
@@ -295,9 +295,9 @@ def step_force_standard_solid(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Here a is the contact radius of the elastic contact at the depth d:
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_sls.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_sls.
 
     References
     ----------
@@ -365,8 +365,8 @@ def step_load_radius_standard_solid(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Handbook: wavy_paraboloid.vis.load_sls.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Handbook: wavy_paraboloid.vis.load_sls.
 
     References
     ----------
@@ -434,9 +434,9 @@ def step_force_power_creep(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Here a is the contact radius of the elastic contact at the depth d:
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_pc.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_pc.
 
     References
     ----------
@@ -502,8 +502,8 @@ def step_load_radius_power_creep(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a, and while the contact grows.
-    Negative or NaN times give NaN. Handbook: wavy_paraboloid.vis.load_pc.
+    Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
+    times give NaN. Handbook: wavy_paraboloid.vis.load_pc.
 
     References
     ----------

@@ -1,6 +1,6 @@
 """Gaussian bump with adhesion on a power-law graded half space.
 
-A smooth asperity of height h and width s; compact up to a/s = 1.50198, where the depth is largest.
+A smooth asperity of height h and width s; compact up to the radius of largest depth.
 """
 
 from __future__ import annotations

@@ -324,8 +324,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R*(k + 1)**2*(k + 3)) =
-    F
+    a = (sqrt(F*R*(k + 1)**2*(k + 3)/(4*H) + pi*R**2*dgamma*(k + 1)**2*(k + 3)**2/(8*H)) +
+    sqrt(2)*sqrt(pi)*R*sqrt(dgamma)*(k + 1)*(k + 3)/(4*sqrt(H)))**(2/(k + 3))
 
     Parameters
     ----------

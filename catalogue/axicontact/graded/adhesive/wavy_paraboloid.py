@@ -51,8 +51,8 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.fgm.adh.Dl.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.fgm.adh.Dl.
 
     References
     ----------
@@ -107,8 +107,8 @@ def depth(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.fgm.adh.d.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.fgm.adh.d.
 
     References
     ----------
@@ -165,8 +165,8 @@ def force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.fgm.adh.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.fgm.adh.F.
 
     References
     ----------
@@ -231,8 +231,8 @@ def pressure(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.fgm.adh.p.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.fgm.adh.p.
 
     References
     ----------
@@ -297,8 +297,8 @@ def displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN radii give NaN.
-    Handbook: wavy_paraboloid.fgm.adh.w.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN radii give NaN. Handbook:
+    wavy_paraboloid.fgm.adh.w.
 
     References
     ----------
@@ -353,9 +353,8 @@ def radius_from_depth(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
-    several radii are stable, the largest, which is reached on unloading. Handbook:
-    wavy_paraboloid.fgm.adh.ad.
+    Valid for a << R; waves so flat that g' >= 0 for every a. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.fgm.adh.ad.
 
     References
     ----------
@@ -412,9 +411,8 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. NaN below pull-off. Where
-    several radii are stable, the largest, which is reached on unloading. Handbook:
-    wavy_paraboloid.fgm.adh.aF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. NaN below pull-off. Where several radii are
+    stable, the largest, which is reached on unloading. Handbook: wavy_paraboloid.fgm.adh.aF.
 
     References
     ----------

@@ -50,8 +50,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) 
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN.
 
     References
     ----------
@@ -99,8 +98,8 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k:
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.fgm.d.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.fgm.d.
 
     References
     ----------
@@ -152,8 +151,8 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H:
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.fgm.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.fgm.F.
 
     References
     ----------
@@ -207,9 +206,9 @@ def pressure(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated as an integral over the growing contact, by a rule that carries the weight of the
-    grading. Handbook: wavy_paraboloid.fgm.p.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the growing contact, by a rule that carries the weight of the grading. Handbook:
+    wavy_paraboloid.fgm.p.
 
     References
     ----------
@@ -264,9 +263,8 @@ def displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated as an integral over the displacement inside the contact. Handbook:
-    wavy_paraboloid.fgm.w.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the displacement inside the contact. Handbook: wavy_paraboloid.fgm.w.
 
     References
     ----------
@@ -316,8 +314,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.fgm.k.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.fgm.k.
 
     References
     ----------
@@ -371,8 +369,8 @@ def mean_pressure(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Handbook: wavy_paraboloid.fgm.pm.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.fgm.pm.
 
     References
     ----------
@@ -421,8 +419,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.ad.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.ad.
 
     References
     ----------
@@ -476,8 +474,8 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.aF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.aF.
 
     References
     ----------
@@ -529,8 +527,8 @@ def force_from_depth(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.Fd.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.Fd.
 
     References
     ----------
@@ -582,8 +580,8 @@ def depth_from_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a. Negative or NaN field values
-    give NaN. Evaluated by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.dF.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    by a safeguarded Newton iteration. Handbook: wavy_paraboloid.fgm.dF.
 
     References
     ----------

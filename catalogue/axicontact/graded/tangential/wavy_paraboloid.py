@@ -65,8 +65,8 @@ def tangential_force(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.fgm.tan.F.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.fgm.tan.F.
 
     References
     ----------
@@ -140,8 +140,8 @@ def traction(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.fgm.tan.tau.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.fgm.tan.tau.
 
     References
     ----------
@@ -217,8 +217,8 @@ def tangential_displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.fgm.tan.u.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.fgm.tan.u.
 
     References
     ----------
@@ -296,8 +296,8 @@ def stick_radius(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.fgm.tan.c.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.fgm.tan.c.
 
     References
     ----------
@@ -362,8 +362,8 @@ def full_slip_displacement(
 
     Notes
     -----
-    Valid for a << R; wavelength^2 >= 12.39143 h R keeps g' >= 0 for every a; Cattaneo-Mindlin approximation.
-    Negative or NaN field values give NaN. Handbook: wavy_paraboloid.fgm.tan.us.
+    Valid for a << R; waves so flat that g' >= 0 for every a; Cattaneo-Mindlin approximation. Negative or NaN
+    field values give NaN. Handbook: wavy_paraboloid.fgm.tan.us.
 
     References
     ----------
