@@ -7,8 +7,8 @@ pressure under a cone; with the condition compiled for the names of a function i
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, wraps
-from types import CodeType
+from functools import wraps
+from types import CodeType, FunctionType
 from typing import Any, TypeVar
 
 from ._domain import INSIDE
@@ -38,34 +38,40 @@ def with_math(function: Function) -> Function:
     The formula is the private function of the same name.  Whatever is wrong, not a float or far out is left
     to the function itself: so are results that may have left the range of doubles on the way.
     """
-    code = function.__code__
-    fields, names = code.co_varnames[: code.co_argcount], code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-    keywords = names[len(fields) :]
+
+    def begin() -> None:
+        # compiled when first called: a tenth of a millisecond for each function is much for an import
+        space["formula"] = _formula(function.__globals__[f"_{function.__name__}"], _names(function.__code__))
+        exec(_text(function.__code__), space)  # names of our own functions, no text of anyone else
+        call.__code__ = space["call"].__code__
+
+    space: dict[str, Any] = {"function": function, "begin": begin, "LEAST": LEAST, "GREATEST": GREATEST}
+    call = wraps(function)(FunctionType(_first_call.__code__, space))
+    return call  # type: ignore[return-value]
+
+
+def _first_call(*fields: Any, **keywords: Any) -> Any:
+    begin()  # type: ignore[name-defined]  # noqa: F821 - runs among the names of `with_math`
+    return function(*fields, **keywords)  # type: ignore[name-defined]  # noqa: F821
+
+
+def _names(code: CodeType) -> tuple[str, ...]:
+    return code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+
+
+def _text(code: CodeType) -> str:
+    names = _names(code)
+    fields, keywords = names[: code.co_argcount], names[code.co_argcount :]
     ranges = [f"{SMALL} < {name} < {LARGE}" for name in fields]
     ranges += [f"{max(SMALL, INSIDE[name][0])} < {name} < {min(LARGE, INSIDE[name][1])}" for name in keywords]
     ranges += [order for check, order in ORDERS.items() if check in code.co_names]
-    space: dict[str, Any] = {"function": function, "LEAST": LEAST, "GREATEST": GREATEST}
-
-    def first(*numbers: float) -> float:
-        space["formula"] = formula = _formula(function.__globals__[f"_{function.__name__}"], names)
-        return formula(*numbers)
-
-    space["formula"] = first
-    text = CALL.format(
+    return CALL.format(
         signature=", ".join([*fields, *(["*"] if keywords else []), *keywords]),
         types=" is ".join(f"type({name})" for name in names),
         ranges=" and ".join(ranges),
         names=", ".join(names),
         passed=", ".join([*fields, *(f"{name}={name}" for name in keywords)]),
     )
-    exec(_compiled(text), space)  # the names of our own functions, no text of anyone else
-    return wraps(function)(space["call"])  # type: ignore[return-value]
-
-
-@cache
-def _compiled(text: str) -> CodeType:
-    """A tenth of a millisecond each; functions of the same arguments share it."""
-    return compile(text, "<call with plain numbers>", "exec")
 
 
 def _formula(private: Callable[..., Any], names: tuple[str, ...]) -> Callable[..., float]:
