@@ -7,9 +7,9 @@ pressure under a cone; with the condition compiled for the names of a function i
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import wraps
+from functools import update_wrapper
 from types import CodeType, FunctionType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from ._domain import INSIDE
 from ._elementwise import GREATEST, LARGE, LEAST, SMALL
@@ -46,13 +46,13 @@ def with_math(function: Function) -> Function:
         call.__code__ = space["call"].__code__
 
     space: dict[str, Any] = {"function": function, "begin": begin, "LEAST": LEAST, "GREATEST": GREATEST}
-    call = wraps(function)(FunctionType(_first_call.__code__, space))
-    return call  # type: ignore[return-value]
+    call = FunctionType(_first_call.__code__, space)
+    return cast("Function", update_wrapper(call, function))
 
 
 def _first_call(*fields: Any, **keywords: Any) -> Any:
     begin()  # type: ignore[name-defined]  # noqa: F821 - runs among the names of `with_math`
-    return function(*fields, **keywords)  # type: ignore[name-defined]  # noqa: F821
+    return function(*fields, **keywords)  # noqa: F821
 
 
 def _names(code: CodeType) -> tuple[str, ...]:
