@@ -21,8 +21,10 @@ class Public:
     summary: str
     doc: list[str]
     body: list[str]
+    decorator: str = ""
 
 
+WITH_MATH = "with_math"
 RATES = ("_slope", "_slope_beyond")
 
 
@@ -82,6 +84,8 @@ def imports(module: ModuleText) -> list[str]:
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
+    if any(function.decorator for function in module.public):
+        blocks.append(f"from .._numbers import {WITH_MATH}")
     powers = [
         n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
     ]
