@@ -274,7 +274,7 @@ class Compact:
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
         """The rule and its last arguments."""
         if kind == "waves":
-            return f"{name}_waves", f"wavelength, {SMOOTH}"
+            return f"{name}_waves", "wavelength"
         if kind in ("sinh", "tanh"):
             return f"{name}_{kind}", str(length)
         return name, str(SMOOTH)

@@ -24,7 +24,7 @@ KERNELS = frozenset(
         "power_punches", "power_strips", "struve_h0", "struve_h1", "tanh_gap",
     )
 )  # fmt: skip
-ARRAYS = frozenset(("power_displacement", "power_pressure", "power_strips", "struve_h0", "struve_h1"))
+ARRAYS = frozenset(("power_displacement", "power_pressure", "power_strips"))
 """Kernels that are rules themselves."""
 
 

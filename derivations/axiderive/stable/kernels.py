@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import mpmath as mp
 
@@ -34,6 +35,7 @@ def fit(function: Callable[[mp.mpf], mp.mpf], end: float) -> Kernel:
     ArithmeticError
         If no fit up to degree HIGHEST reaches GOAL with terms of one sign, so that evaluating it loses nothing.
     """
+    function = cache(function)
     with mp.workdps(DIGITS):
         for degree in range(1, HIGHEST + 1):
             for degrees in ((degree, degree), (2 * degree, 0)):
