@@ -48,10 +48,19 @@ def struve_tail(order: int, v: mp.mpf) -> mp.mpf:
         return (mp.struveh(order, x) - mp.bessely(order, x)) * mp.pi / 2 * x ** (1 - order)
 
 
+def legendre_chi(v: mp.mpf) -> mp.mpf:
+    """chi(x)/x over v = x**2."""
+    x = mp.sqrt(v)
+    return (mp.polylog(2, x) - mp.polylog(2, -x)) / (2 * x) if v else mp.mpf(1)
+
+
+POLYNOMIALS = ("LEGENDRE_CHI",)
+"""Kernels whose difference quotient is wanted too."""
 KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = (
     {
         "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
         "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
+        "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
         "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
     }
     | {
@@ -71,7 +80,7 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = (
             (f"HANKEL_Q_{nu}", f"|Q| x of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, True), 1.0),
             (
                 f"STRUVE_TAIL_{nu}",
-                f"pi/2 (H_{nu} - Y_{nu}) x**{1 - nu} over 16/x**2, x >= 4",
+                f"pi/2 (H_{nu} - Y_{nu}) x**{1 - nu} over 16/x**2",
                 partial(struve_tail, nu),
                 1.0,
             ),
@@ -89,7 +98,7 @@ def kernels_source() -> str:
         "from __future__ import annotations",
     ]
     for name, (words, function, end) in KERNELS.items():
-        kernel = fit(function, end)
+        kernel = fit(function, end, name in POLYNOMIALS)
         lines += ["", f"# {words}", f"{name} = ("]
         for numbers in (kernel.top, kernel.bottom):
             lines += _column(numbers)
