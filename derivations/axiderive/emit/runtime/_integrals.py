@@ -29,6 +29,8 @@ Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bern
 poles of the integrands near that distance cost a factor of up to 1e3.
 Beyond the last length there are panels of it.
 """
+WAVES = ((0.25, 8), (1.97, 16), (4.7, 24), (7.96, 32), (23.3, 64))
+"""The same for exp(2 pi i u) and what grows no faster off the real axis: 1e-18 by the best ellipse."""
 
 
 def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Array:
@@ -62,10 +64,15 @@ def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Arr
     return integrand(start + x)
 
 
-def integral_in_strip(integrand: Callable[[Array], Array], stop: Array, width: Array | float = 1.0) -> Array:
+def integral_in_strip(
+    integrand: Callable[[Array], Array],
+    stop: Array,
+    width: Array | float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> Array:
     """The same for an integrand without singularities closer than width*pi/2 to the real axis; see STRIPS."""
     longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
-    for length, count in STRIPS:
+    for length, count in lengths:
         if longest <= length:
             return integral(integrand, stop, count)
     return integral_by_panels(integrand, stop, np.ones_like(stop) * (length * width), count)
@@ -118,14 +125,14 @@ def pressure_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
     return integral(integrand, difference_root(a, r), count)
 
 
-def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
+def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
     """The same where g' oscillates with a wavelength."""
 
     def integrand(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
         return slope(t) / t
 
-    return integral_by_panels(integrand, difference_root(a, r), wavelength, count)
+    return integral_in_strip(integrand, difference_root(a, r), wavelength, WAVES)
 
 
 def falling(stop: Array, even: Array | float = 0.0) -> Callable[[Array], Array]:
@@ -204,13 +211,15 @@ def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array
     return r * integral(integrand, np.arctan2(a, difference_root(r, a)), count)
 
 
-def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
+def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
     """The same where g' oscillates with a wavelength."""
 
     def integrand(angle: Array) -> Array:
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
 
-    return r * integral_by_panels(integrand, np.arctan2(a, difference_root(r, a)), wavelength / r, count)
+    # the angle itself counts half a wave per radian
+    width = wavelength / (r + wavelength / 2.0)
+    return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
 
 
 @in_groups
