@@ -44,6 +44,7 @@ EVIDENCE = {
     "settings": {"digits": 50, "points": 24, "seed": 17},
     "entries": {
         "p": {
+            "status": "closed",
             "certified": True,
             "certificate": {"proved": True, "steps": [], "reason": ""},
             "checks": [
@@ -57,7 +58,12 @@ EVIDENCE = {
                 {"compared": "F = 2 pi int p r dr", "outcome": "failed", "digits": 3, "count": 24, "worst": "1e-3"},
             ],
         },
-        "w": {"certified": False, "certificate": {"proved": False, "reason": "no rule for C0"}, "checks": []},
+        "w": {
+            "status": "closed",
+            "certified": False,
+            "certificate": {"proved": False, "reason": "no rule for C0"},
+            "checks": [],
+        },
     },
 }
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import pool, work
 from .cache import Cache, digest, source_digest
 from .work import Outcome, Settings
+from .writing import STUDIES
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -142,22 +143,31 @@ def _emitted(
     published: Published, chapter: Record | None, cache: Cache, settings: Settings, jobs: int
 ) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
+    studies = _studies()
+    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter, studies])
     texts = cache.get(key)
     if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published, chapter, jobs).items()}
+        texts = {path: content.decode() for path, content in _emit(published, chapter, studies, jobs).items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, bytes]:
+def _studies() -> dict[str, Record]:
+    """The records of `axicontact study` beside the evidence, by name; the book draws them."""
+    import json
+
+    folder = work.project_root() / "catalogue" / STUDIES
+    return {path.stem: json.loads(path.read_bytes()) for path in sorted(folder.glob("*.json"))}
+
+
+def _emit(published: Published, chapter: Record | None, studies: dict[str, Record], jobs: int) -> dict[str, bytes]:
     from .emit import handbook, html, index, modules
 
     derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = modules.package_sources(derived)
     models = _page_models(published, jobs)
-    book = handbook.handbook_sources(derived, evidence, chapter, models)
+    book = handbook.handbook_sources(derived, evidence, chapter, models, studies)
     texts |= {f"handbook/{path}": text for path, text in book.items()}
     site = html.html_sources(derived, evidence, chapter, models, texts)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}

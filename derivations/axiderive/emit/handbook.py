@@ -28,6 +28,7 @@ def handbook_sources(
     evidence: Mapping[str, Any] | None = None,
     chapter11: Mapping[str, Any] | None = None,
     models: Mapping[str, Model] | None = None,
+    studies: Mapping[str, Any] | None = None,
 ) -> dict[str, str]:
     """All LaTeX files of the handbook.
 
@@ -41,6 +42,8 @@ def handbook_sources(
         Record of the checks of the chapter, as `chapter11.record.record` makes it.
     models : mapping, optional
         What `page_models` gives, where it is at hand.
+    studies : mapping, optional
+        Records of `axicontact study` by name: error, maps, extremes.
 
     Returns
     -------
@@ -50,7 +53,7 @@ def handbook_sources(
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")
     files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
-    return files | book_sources([summary(model) for model in models.values()], chapter11)
+    return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
 
 
 def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Model]:
@@ -71,10 +74,14 @@ def summary(model: Model) -> Summary:
     return {name: model[name] for name in SUMMARISED}
 
 
-def book_sources(summaries: Sequence[Summary], chapter11: Mapping[str, Any] | None = None) -> dict[str, str]:
+def book_sources(
+    summaries: Sequence[Summary],
+    chapter11: Mapping[str, Any] | None = None,
+    studies: Mapping[str, Any] | None = None,
+) -> dict[str, str]:
     """The main file and its preamble, from the summaries of the profiles in their order."""
     environment = templates()
-    model = book.model(summaries, chapter11)
+    model = book.model(summaries, chapter11, studies)
     return {
         "preamble.tex": environment.get_template("preamble.tex.j2").render(version=__version__),
         "handbook.tex": environment.get_template("handbook.tex.j2").render(model),

@@ -9,7 +9,7 @@ from typing import Any
 from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
 from ..profiles.profile import Profile
-from . import blocks, front, page, references
+from . import blocks, front, matrix, page, references
 from .curves import curves
 from .panel import panel
 from .plots import plots
@@ -62,28 +62,16 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
-        "status": _status(profile_id, own, evidence, refusals),
+        "status": _status(profile_id, own, evidence),
         **_figures(profile_id, profile, main, derived),
     }
 
 
-def _status(
-    profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any], refusals: Mapping[str, str]
-) -> dict[str, dict[str, int] | None]:
-    """How many entries each system has, how many are certified and how many are integrals; None if it has none."""
-    name, found = profile_id.rpartition(".")[2], dict[str, dict[str, int] | None]()
-    for system in SYSTEMS:
-        key = Problem(system, name).key if system.pool is pool_of(profile_id) else ""
-        if key not in own:
-            found[system.name] = None
-            continue
-        records = evidence.get(key, {}).get("entries", {})
-        found[system.name] = {
-            "entries": len(own[key]),
-            "certified": sum(bool(record.get("certified")) for record in records.values()),
-            "integrals": sum(entry.status == "integral" for entry in own[key].values()),
-        }
-    return found
+def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any]) -> dict[str, str]:
+    """The cells of the profile in the matrix profile x physics, by system."""
+    records = {key: evidence.get(key, {"entries": {}}) for key in own}
+    cells: dict[str, str] = matrix.matrix(own, records)["profiles"].get(profile_id, {})
+    return cells
 
 
 def _equations(own: Mapping[str, Entries]) -> list[str]:
