@@ -183,13 +183,18 @@ def _emit(published: Published, chapter: Record | None, studies: dict[str, Recor
 
 def _page_models(published: Published, jobs: int) -> dict[str, Record]:
     """What the page of every profile shows, in the order of the handbook; made side by side."""
-    from .emit import handbook
+    from .emit import handbook, spread
 
     own: dict[str, dict[str, tuple[Record, Record]]] = {}
     for problem, outcome in published:
         own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
     numbers = handbook.numbered(list(own))
-    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
+    every = {problem.key: (outcome.entries, outcome.evidence) for problem, outcome in published}
+    tasks = [
+        (name, found | {key: every[key] for key in sorted(spread.needed(name) & set(every))}, numbers[name])
+        for name, found in own.items()
+    ]
+    made = dict(pool.run(_page_model, tasks, jobs))
     return {name: made[name] for name in own}
 
 

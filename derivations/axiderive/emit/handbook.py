@@ -16,7 +16,7 @@ from .. import __version__
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
-from . import book, spread
+from . import book, spread, study
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -52,7 +52,11 @@ def handbook_sources(
     """
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")
-    files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
+    measured = (studies or {}).get("error")
+    files = {
+        f"profiles/{name}.tex": template.render(model, timing=measured and study.timing(measured, ruled(model)))
+        for name, model in models.items()
+    }
     return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
 
 
@@ -63,6 +67,11 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
     """
     ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
+
+
+def ruled(model: Model) -> frozenset[str]:
+    """Keys of the normal contact that the catalogue evaluates by a quadrature rule."""
+    return frozenset(f"{model['name']}.{row['suffix']}" for row in model["evidence"]["table"] if row["ruled"])
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
