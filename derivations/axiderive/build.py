@@ -5,21 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from . import pool, work
+from . import emission, pool, work
 from .cache import Cache, digest, source_digest
+from .emission import Published, Record
 from .work import Outcome, Settings
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
-    from .entry import Entry
-
-WRITING = (*work.DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
-EMITTING = (*work.VERIFYING, *WRITING, "axiderive.build", "axiderive.index")
-
-Published = list[tuple["Problem", Outcome]]
-Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -90,9 +84,9 @@ def build(
     published, failures = _publishable(wanted, found)
     chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
-    package = _package(published, cache)
+    package = emission.package(published, cache)
     published = _measured(published, package, standing, cache, jobs)
-    files = _emitted(published, package, chapter, cache, settings, jobs)
+    files = emission.emitted(published, package, chapter, cache, settings, jobs)
     return Catalogue(files, outcomes, tuple(failures))
 
 
@@ -143,23 +137,6 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
     return published, failures
 
 
-def _package(published: Published, cache: Cache) -> dict[str, str]:
-    """The modules by path."""
-    from .emit import modules
-
-    records = {problem.key: outcome.entries for problem, outcome in published}
-    key = digest([work.FORMAT, "package", source_digest(*WRITING), records])
-    texts = cache.get(key)
-    if texts is None:
-        texts = modules.package_sources(_derived(published))
-        cache.put(key, texts)
-    return dict(texts)
-
-
-def _derived(published: Published) -> dict[str, dict[str, Entry]]:
-    return {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
-
-
 def _measured(
     published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
 ) -> Published:
@@ -180,64 +157,3 @@ def _measured(
         else (problem, outcome)
         for problem, outcome in published
     ]
-
-
-def _emitted(
-    published: Published,
-    package: Mapping[str, str],
-    chapter: Record | None,
-    cache: Cache,
-    settings: Settings,
-    jobs: int,
-) -> dict[str, bytes]:
-    results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
-    texts = cache.get(key)
-    if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published, package, chapter, jobs).items()}
-        cache.put(key, texts)
-    return {path: text.encode() for path, text in sorted(texts.items())}
-
-
-def _emit(published: Published, package: Mapping[str, str], chapter: Record | None, jobs: int) -> dict[str, bytes]:
-    from .emit import handbook, html, index
-    from .index import dumps
-
-    derived = _derived(published)
-    evidence = {problem.key: outcome.evidence for problem, outcome in published}
-    texts = dict(package)
-    models = _page_models(published, jobs)
-    book = handbook.handbook_sources(derived, evidence, chapter, models)
-    texts |= {f"handbook/{path}": text for path, text in book.items()}
-    site = html.html_sources(derived, evidence, chapter, models, texts)
-    texts |= {f"handbook/html/{path}": text for path, text in site.items()}
-    files = {path: text.encode() for path, text in texts.items()}
-    files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
-    for problem, outcome in published:
-        record = index.evidence_record(problem, outcome.entries, outcome.evidence)
-        files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
-    if chapter is not None:
-        files["evidence/chapter11.json"] = index.to_bytes(chapter)
-    return files
-
-
-def _page_models(published: Published, jobs: int) -> dict[str, Record]:
-    """What the page of every profile shows, in the order of the handbook; made side by side."""
-    from .emit import handbook
-
-    own: dict[str, dict[str, tuple[Record, Record]]] = {}
-    for problem, outcome in published:
-        own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
-    numbers = handbook.numbered(list(own))
-    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
-    return {name: made[name] for name in own}
-
-
-def _page_model(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record]:
-    """The page of one profile, from what is stored of its problems."""
-    from .contact.systems import problem
-    from .emit import spread
-
-    derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
-    evidence = {key: record for key, (_, record) in found.items()}
-    return profile_id, spread.model(profile_id, derived, evidence, number)
