@@ -1,4 +1,4 @@
-"""What is written of checked problems: modules, handbook, web edition, index and evidence as `{relative path: bytes}`."""
+"""What is written of checked problems: modules, handbook, web edition, index and evidence."""
 
 from __future__ import annotations
 
