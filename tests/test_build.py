@@ -16,8 +16,8 @@ import sympy as sp
 
 from axiderive import cache as cache_module
 from axiderive import pool, writing
-from axiderive.build import differences, only_profiles
 from axiderive.cache import Cache, digest
+from axiderive.comparison import differences, only_profiles
 from axiderive.contact.systems import problem, problems
 from axiderive.notation import a, b, r
 from axiderive.records import entry_record, profile_record, read_entry

@@ -44,6 +44,7 @@ EVIDENCE = {
     "settings": {"digits": 50, "points": 24, "seed": 17},
     "entries": {
         "p": {
+            "status": "closed",
             "certified": True,
             "certificate": {"proved": True, "steps": [], "reason": ""},
             "checks": [
@@ -57,7 +58,12 @@ EVIDENCE = {
                 {"compared": "F = 2 pi int p r dr", "outcome": "failed", "digits": 3, "count": 24, "worst": "1e-3"},
             ],
         },
-        "w": {"certified": False, "certificate": {"proved": False, "reason": "no rule for C0"}, "checks": []},
+        "w": {
+            "status": "closed",
+            "certified": False,
+            "certificate": {"proved": False, "reason": "no rule for C0"},
+            "checks": [],
+        },
     },
 }
 
@@ -141,9 +147,10 @@ def test_a_problem_that_is_missing_is_said_to_be_missing(sources: dict[str, str]
 
 def test_evidence_is_shown_and_failures_are_not_claimed(sources: dict[str, str]) -> None:
     text = sources["profiles/cone.tex"]
-    assert r"50 digits, 24 points ($2.7\times10^{-51}$)" in text
-    assert "3 digits" not in text
-    assert "no certificate: no rule for C0" in text
+    assert r"50\,/\,24\enspace$2.7\times10^{-51}$" in text
+    assert r"3\,/" not in text
+    assert "No certificate:" in text
+    assert "no rule for C0" in text
     assert r"\sect[" in text
     assert "{Evidence}" in text
     assert "{Evidence}" not in sources["profiles/rounded_punch.tex"]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import mpmath as mp
 import numpy as np
@@ -115,7 +117,38 @@ def test_plain_numbers_take_the_body_with_math() -> None:
     assert type(twin(0.3, 1.0, 0.4, 2.0)) is float
     assert scalar(rounded_punch._pressure) is None
     assert scalar(rounded_punch._force_from_depth) is not None
+    # a local variable may have the name of a function of NumPy: angle
+    assert scalar(sphere._depth_at) is not None
     assert _integrals.np is np
+
+
+def test_plain_numbers_pass_by_the_array_machinery(monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = cone.pressure(np.array([0.3]), 1.0, theta=0.4, E_star=2.0)
+    cone.stiffness(1.0, theta=0.4, E_star=2.0)  # the short way is compiled at the first call
+    monkeypatch.setattr(cone, "elementwise", None)
+    value = cone.pressure(0.3, 1.0, theta=0.4, E_star=2.0)
+    assert type(value) is float
+    assert value == pytest.approx(expected[0], rel=4 * EPS)
+    assert cone.stiffness(1.0, theta=0.4, E_star=2.0) == 4.0, "an argument that the formula does not need"
+    for r, a in ((1.5, 1.0), (0.0, 1.0), (1e-200, 1.0), (math.nan, 1.0), (np.float32(0.3), 1.0), (0.3, [1.0])):
+        with pytest.raises(TypeError, match="NoneType"):
+            cone.pressure(r, a, theta=0.4, E_star=2.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "says"),
+    [
+        (lambda: cone.pressure(0.3, 1.0, theta=2.0, E_star=2.0), ValueError, "theta = 2.0 is outside"),
+        (lambda: cone.pressure(0.3, 1.0, theta=0.4, E_star=-2.0), ValueError, "E_star = -2.0 is outside"),
+        (lambda: cone.pressure(0.3, 1.0, theta=math.nan, E_star=2.0), ValueError, "theta = nan is outside"),
+        (lambda: cone.pressure("0.3", 1.0, theta=0.4, E_star=2.0), TypeError, "a real number"),
+        (lambda: cone.pressure(0.3, 1.0, theta=0.4), TypeError, "missing 1 required keyword-only argument: 'E_star'"),
+        (lambda: rounded_punch.depth(0.4, R=2.0, b=0.5), ValueError, "a = 0.4 is below b = 0.5"),
+    ],
+)
+def test_plain_numbers_are_refused_as_arrays_are(call: Callable[[], object], kind: type[Exception], says: str) -> None:
+    with pytest.raises(kind, match=re.escape(says)):
+        call()
 
 
 def test_plain_numbers_and_arrays_agree() -> None:

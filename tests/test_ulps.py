@@ -18,6 +18,7 @@ import axicontact
 from axiderive.contact.normal import derive
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
+from axiderive.stable.closure import closure
 from axiderive.stable.emitted import form
 from axiderive.stable.measure import Sample, count_for, function_of, samples, ulps, value
 from axiderive.stable.naive import naive
@@ -104,13 +105,14 @@ def test_the_printed_form_fails(name: str, suffix: str, domain: Domain) -> None:
 def test_the_record_of_a_problem() -> None:
     """Forms as the bodies say, errors as `measure` finds them, and a worse body is seen."""
     sources = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").rglob("*.py")}
-    found = record("rounded_punch", sources, count=12)
+    entries = derive(load("rounded_punch"))
+    found = record("rounded_punch", sources, entries, count=12)
     assert [found[suffix]["form"] for suffix in ("d", "p", "ad", "k")] == ["kernel", "rule", "root", "closed"]
     assert found["d"]["bench"]["worst_ulp"] <= CLOSED < 1e4 < found["d"]["bench"]["naive"]["worst_ulp"]
-    assert found == record("rounded_punch", sources, count=12)
+    assert found == record("rounded_punch", closure(sources, "axicontact/normal/rounded_punch.py"), entries, count=12)
     path = "axicontact/normal/rounded_punch.py"
     worse = sources | {path: sources[path].replace("arctan_gap(root / b)", "(root / b - np.arctan(root / b))")}
-    assert record("rounded_punch", worse, count=12)["d"]["bench"]["worst_ulp"] > 1e4
+    assert record("rounded_punch", worse, entries, count=12)["d"]["bench"]["worst_ulp"] > 1e4
 
 
 def test_a_condition_is_the_sum_of_logarithmic_slopes() -> None:

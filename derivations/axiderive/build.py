@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
-from . import pool, work
+from . import emission, pool, work
 from .cache import Cache, digest, source_digest
+from .emission import Published, Record
 from .work import Outcome, Settings
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from .contact.systems import Problem
-
-EMITTING = (*work.VERIFYING, "axiderive.emit", "axiderive.build", "axiderive.index")
-
-Published = list[tuple["Problem", Outcome]]
-Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -45,6 +39,7 @@ def build(
     *,
     cache: Cache,
     settings: Settings | None = None,
+    standing: Mapping[str, Record] = MappingProxyType({}),
     jobs: int = 1,
     report: Callable[[Outcome], None] = lambda outcome: None,
 ) -> Catalogue:
@@ -58,6 +53,8 @@ def build(
         Where finished problems are kept and looked for; it does not change the result.
     settings : Settings, optional
         Digits, number of points and seed of the numerical checks.
+    standing : mapping of str to dict
+        Measured errors as they are published, by key of the problem; they stay where those of this machine agree.
     jobs : int
         Number of processes.
     report : callable
@@ -87,7 +84,9 @@ def build(
     published, failures = _publishable(wanted, found)
     chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
-    files = _emitted(published, chapter, cache, settings, jobs)
+    package = emission.package(published, cache)
+    published = _measured(published, package, standing, cache, jobs)
+    files = emission.emitted(published, package, chapter, cache, settings, jobs)
     return Catalogue(files, outcomes, tuple(failures))
 
 
@@ -138,116 +137,23 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
     return published, failures
 
 
-def _emitted(
-    published: Published, chapter: Record | None, cache: Cache, settings: Settings, jobs: int
-) -> dict[str, bytes]:
-    results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter])
-    texts = cache.get(key)
-    if texts is None:
-        texts = {path: content.decode() for path, content in _emit(published, chapter, jobs).items()}
-        cache.put(key, texts)
-    return {path: text.encode() for path, text in sorted(texts.items())}
+def _measured(
+    published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
+) -> Published:
+    """The same with the errors of the emitted functions among the evidence."""
+    from .stable.closure import closure
+    from .stable.drift import settled
+    from .stable.records import SYSTEMS
 
-
-def _emit(published: Published, chapter: Record | None, jobs: int) -> dict[str, bytes]:
-    from .emit import handbook, html, index, modules
-    from .index import dumps
-
-    derived = {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
-    evidence = {problem.key: outcome.evidence for problem, outcome in published}
-    texts = modules.package_sources(derived)
-    models = _page_models(published, jobs)
-    book = handbook.handbook_sources(derived, evidence, chapter, models)
-    texts |= {f"handbook/{path}": text for path, text in book.items()}
-    site = html.html_sources(derived, evidence, chapter, models, texts)
-    texts |= {f"handbook/html/{path}": text for path, text in site.items()}
-    files = {path: text.encode() for path, text in texts.items()}
-    files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
-    for problem, outcome in published:
-        record = index.evidence_record(problem, outcome.entries, outcome.evidence)
-        files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
-    if chapter is not None:
-        files["evidence/chapter11.json"] = index.to_bytes(chapter)
-    return files
-
-
-def _page_models(published: Published, jobs: int) -> dict[str, Record]:
-    """What the page of every profile shows, in the order of the handbook; made side by side."""
-    from .emit import handbook
-
-    own: dict[str, dict[str, tuple[Record, Record]]] = {}
-    for problem, outcome in published:
-        own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
-    numbers = handbook.numbered(list(own))
-    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
-    return {name: made[name] for name in own}
-
-
-def _page_model(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record]:
-    """The page of one profile, from what is stored of its problems."""
-    from .contact.systems import problem
-    from .emit import spread
-
-    derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
-    evidence = {key: record for key, (_, record) in found.items()}
-    return profile_id, spread.model(profile_id, derived, evidence, number)
-
-
-def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[str]:
-    """Unified diff, line by line, from the catalogue on the disk to the one just built."""
-    lines: list[str] = []
-    for path, content in sorted(files.items()):
-        target = root / path
-        old = target.read_bytes() if target.is_file() else None
-        if old == content:
-            continue
-        before = [] if old is None else old.decode(errors="replace").splitlines()
-        origin = "/dev/null" if old is None else f"committed/{path}"
-        lines += difflib.unified_diff(before, content.decode().splitlines(), origin, f"built/{path}", lineterm="")
-    for path in stale:
-        lines += [f"--- committed/{path}", "+++ /dev/null", "no longer generated"]
-    return lines
-
-
-def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> dict[str, bytes]:
-    """The files a partial build may write into a full catalogue.
-
-    Files that belong to one of the profiles are replaced and the index is
-    merged; what the profiles share is written only where it does not exist yet.
-    """
-    from .contact.systems import profile_ids
-    from .index import dumps, loads
-
-    order = profile_ids()
-    index_path = "axicontact/index.json"
-    own = {path: text for path, text in files.items() if _owner(path) in ids}
-    shared = {p: t for p, t in files.items() if p not in own and p != index_path and not (root / p).exists()}
-    new = loads(files[index_path])
-    try:
-        old = loads((root / index_path).read_bytes())
-    except (OSError, ValueError):
-        old = {"profiles": [], "entries": []}
-    for part, name in (("profiles", "name"), ("entries", "profile")):
-        rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
-        new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
-    new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
-    return own | shared | {index_path: dumps(new).encode()}
-
-
-def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:
-    profiles = {**old.get("profiles", {}), **new["profiles"]}
-    return {**new, "profiles": {name: profiles[name] for name in order if name in profiles}}
-
-
-def _owner(path: str) -> str:
-    """The profile that a generated file belongs to; empty if it is shared."""
-    from .contact.systems import problems
-
-    folder, _, rest = path.partition("/")
-    for problem in problems():
-        if path in (problem.module, f"evidence/{problem.key}.json"):
-            return problem.profile_id
-        if folder == "handbook" and rest in (f"profiles/{problem.profile_id}.tex", f"html/{problem.profile_id}.html"):
-            return problem.profile_id
-    return ""
+    tasks = [
+        (problem.key, outcome.entries, closure(package, problem.module), str(cache.folder), cache.fresh)
+        for problem, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
+        if problem.system.name in SYSTEMS
+    ]
+    found = {key: settled(standing.get(key, {}), errors) for key, errors in pool.run(work.evaluation, tasks, jobs)}
+    return [
+        (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": found[problem.key]}))
+        if problem.key in found
+        else (problem, outcome)
+        for problem, outcome in published
+    ]

@@ -1,4 +1,4 @@
-"""The command `axicontact check`: the stored formulas verified again, nothing derived."""
+"""The command `axicontact check`: stored formulas verified and their functions measured again, nothing derived."""
 
 from __future__ import annotations
 
@@ -10,8 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from .contact import systems
+from .contact.systems import Problem
+from .entry import Entry
 from .index import Index, NoCatalogueError, load
 from .show import table
+from .stable import records
+from .stable.closure import closure
+from .stable.drift import drift
 from .verification import details, verify
 from .work import Settings, read_entries
 
@@ -29,7 +34,9 @@ def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: boo
         record = _stored(folder if folder.is_dir() else index.folder.parent / "evidence", key)
         entries = read_entries(problem, record["entries"])
         evidence = verify(problem, entries, settings)
+        drifted = _drift(problem, entries, record["evidence"], index)
         checked += len(selected)
+        failures += [failure for failure in drifted if failure["key"] in selected]
         failures += [failure for failure in evidence["failures"] if failure["key"] in selected]
         for suffix, found in evidence["entries"].items():
             if f"{key}.{suffix}" in selected:
@@ -52,6 +59,19 @@ def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
             for entry in index.select(own):
                 wanted.setdefault(entry["problem"], set()).add(entry["key"])
     return wanted
+
+
+def _drift(problem: Problem, entries: dict[str, Entry], evidence: dict[str, Any], index: Index) -> list[dict[str, str]]:
+    """What the functions of the installed package err today and the stored record does not say."""
+    if problem.system.name not in records.SYSTEMS:
+        return []
+    root = index.folder.parent
+    sources = {path.relative_to(root).as_posix(): path.read_text() for path in index.folder.rglob("*.py")}
+    found = records.record(problem.key, closure(sources, problem.module), entries)
+    return [
+        {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
+        for suffix, line in drift(evidence.get("evaluation", {}), found)
+    ]
 
 
 def _stored(folder: Path, name: str) -> dict[str, Any]:

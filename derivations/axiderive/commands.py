@@ -11,9 +11,10 @@ import time
 from pathlib import Path
 
 from . import pdf
-from .build import Catalogue, differences, only_profiles
+from .build import Catalogue
 from .build import build as build_catalogue
 from .cache import Cache, digest
+from .comparison import differences, only_profiles, standing
 from .contact import systems
 from .emit.matrix import with_matrix
 from .exits import FAILED, INCOMPLETE, CommandError
@@ -38,9 +39,11 @@ def build(arguments: argparse.Namespace) -> int:
     started = time.perf_counter()
     if not arguments.check:
         ensure_writable(root)
-    with Progress(len(list(systems.problems(names))), quiet=arguments.quiet).running() as progress:
+    keys = [problem.key for problem in systems.problems(names)]
+    measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
+    with Progress(len(keys), quiet=arguments.quiet).running() as progress:
         catalogue = build_catalogue(
-            names, cache=cache, settings=settings, jobs=arguments.jobs, report=progress.finished
+            names, cache=cache, settings=settings, standing=measured, jobs=arguments.jobs, report=progress.finished
         )
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
     partial = bool(arguments.only) and (root / "axicontact" / "index.json").exists()

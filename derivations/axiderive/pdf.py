@@ -110,17 +110,23 @@ def _one_pass(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:
         raise LatexError(message) from error
     log = folder / f"{Path(main).stem}.log"
     if done.returncode:
-        found = problems(log.read_text(errors="replace"), sources) if log.exists() else []
+        found = stops(log.read_text(errors="replace"), sources) if log.exists() else []
         raise LatexError("\n".join(found or [f"pdflatex ended with code {done.returncode} and left no log"]))
 
 
 def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
     """Errors, overfull lines and dangling references in a log, each with the key of the entry it is in."""
-    found = [*_errors(log, sources), *_overfull_lines(log, sources)]
+    found = [*stops(log, sources), *_overfull_lines(log, sources)]
     for match in re.finditer(r"^LaTeX Warning: (?:Hyper )?[Rr]eference `([^']+)' on page (\d+) undefined", log, re.M):
         found.append(f"reference {match[1]} (page {match[2]}) does not exist")
     if "LaTeX Font Warning: Font shape" in log:
         found.append(f"a font shape was substituted; the fonts come with: {INSTALL}")
+    return found
+
+
+def stops(log: str, sources: Mapping[str, bytes]) -> list[str]:
+    """What made TeX stop; a pass that stopped early has found none of its references."""
+    found = list(_errors(log, sources))
     if missing := re.search(r"LaTeX Error: File `([^']+)' not found", log):
         found.append(f"LaTeX package {missing[1]} is missing; {INSTALL}")
     if runaway := re.search(r"^! (?!LaTeX Error)(.+)\.$", log, re.M):
@@ -140,8 +146,11 @@ def _errors(log: str, sources: Mapping[str, bytes]) -> Iterator[str]:
 
 def _overfull_lines(log: str, sources: Mapping[str, bytes]) -> Iterator[str]:
     current = _file_tracker(log)
+    main = main_file(sources)
     for match in re.finditer(r"^Overfull \\hbox \(([\d.]+)pt too wide\)[^\n]*?lines? (\d+)", log, re.M):
         excess, path, line = float(match[1]), current(match.start()), int(match[2])
+        if line > sources.get(path, b"").count(b"\n"):  # TeX is back in the file that reads the others
+            path = main
         if excess > WIDEST_OVERFULL_PT:
             yield f"{path}:{line}: [{_key_at(sources, path, line)}] line is {excess * 0.3515:.1f} mm too wide"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 import traceback
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -25,6 +26,7 @@ DERIVING = (
     "axiderive.records",
 )
 VERIFYING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.verification")
+MEASURING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.stable")
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,11 @@ def verification_key(problem: Problem, entries: dict[str, Any], settings: Settin
     )
 
 
+def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[str, str]) -> str:
+    versions = [installed(name) for name in ("numpy", "sympy", "python-flint")]
+    return digest([FORMAT, "evaluation", versions, source_digest(*MEASURING), problem.key, entries, dict(sources)])
+
+
 def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None:
     """The outcome if both its halves are in the cache."""
     derivation = cache.get(derivation_key(problem))
@@ -108,6 +115,22 @@ def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
             key, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
         )
     return Outcome(key, entries, evidence, time.perf_counter() - start)
+
+
+def evaluation(
+    key: str, entries: dict[str, Any], sources: dict[str, str], folder: str, fresh: bool
+) -> tuple[str, dict[str, Any]]:
+    """Measure the emitted functions of one problem, unless that has been done for the same texts."""
+    from .contact import systems
+    from .stable.records import record
+
+    problem, cache = systems.problem(key), Cache(Path(folder), fresh)
+    kept = evaluation_key(problem, entries, sources)
+    found = cache.get(kept)
+    if found is None:
+        found = record(key, sources, read_entries(problem, entries))
+        cache.put(kept, found)
+    return key, dict(found)
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:

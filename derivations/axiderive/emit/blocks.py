@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from ..contact.systems import BY_NAME, SYSTEMS, Problem, System
 from ..entry import Entry
 from . import laws
+from .limits import limit_rows
 from .prose import prose
 from .rows import Row, lines, ordered
+from .universal import universal_rows
 
 TITLES = {
     "normal": ("Normal contact", ""),
@@ -50,6 +52,8 @@ class Block:
     """Ends of the keys whose rule stands in front of the book."""
     words: str = ""
     """In place of rows: why there are none."""
+    further: list[list[dict[str, Any]]] = field(default_factory=list)
+    """Lines of rows without a key: limits, the universal curve."""
 
 
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
@@ -82,7 +86,10 @@ def ending_of(suffix: str, beside: Entry, profile_id: str) -> str:
 
 
 def blocks(
-    profile_id: str, derived: Mapping[str, Mapping[str, Entry]], refusals: Mapping[str, str]
+    profile_id: str,
+    derived: Mapping[str, Mapping[str, Entry]],
+    refusals: Mapping[str, str],
+    evidence: Mapping[str, Any] | None = None,
 ) -> dict[str, Block]:
     """Blocks by name of the system, in the order of the systems; `refusals` says why a system has none."""
     found = {}
@@ -98,9 +105,31 @@ def blocks(
             found[system.name] = _block(
                 system, profile_id, rows_of(system, derived[problem.key], derived, problem.name)
             )
+            further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
+            found[system.name].further.extend(_halved(further))
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found
+
+
+def _further(
+    problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Rows that follow from those of the problem: limits as checked, one curve for all adhesive power laws."""
+    system, entries = problem.system.name, derived[problem.key]
+    if system == "normal":
+        return limit_rows(problem.profile, entries, derived, evidence)
+    if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
+        graded = system.startswith("graded")
+        base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)
+        return universal_rows(problem.key, derived[base.key]["d"], graded)
+    return []
+
+
+def _halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Lines of one row, or of two that take half a line each."""
+    size = 2 if all(one["half"] for one in rows) else 1
+    return [rows[i : i + size] for i in range(0, len(rows), size)]
 
 
 def _reason(message: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .. import __version__
-from . import front, laws, page, references
+from . import front, laws, page, references, study
 from .prose import escaped
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
@@ -43,7 +43,11 @@ def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple
     return [(words, [(name, titles[name]) for name in names if name in titles]) for words, names in QUESTIONS]
 
 
-def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] | None) -> dict[str, Any]:
+def model(
+    summaries: Sequence[Mapping[str, Any]],
+    chapter11: Mapping[str, Any] | None,
+    studies: Mapping[str, Mapping[str, Any]] | None = None,
+) -> dict[str, Any]:
     """What the template of the main file prints."""
     chapters = [(title, [m for m in summaries if m["chapter"] == i + 1]) for i, title in enumerate(CHAPTERS)]
     keys = [key for m in summaries for key in m["keys"]]
@@ -56,8 +60,10 @@ def model(summaries: Sequence[Mapping[str, Any]], chapter11: Mapping[str, Any] |
         "laws": laws.laws(),
         "rules": front.rule_rows(),
         "chart": _chart(summaries),
-        "matrix": front.matrix(summaries),
+        "matrix": front.matrix_rows(summaries),
+        "signs": front.matrix_legend(),
         "chapter11": chapter11 and _chapter(chapter11),
+        "studies": study.figures(studies or {}, frozenset(keys)),
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],

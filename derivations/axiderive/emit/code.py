@@ -23,7 +23,7 @@ FUNCTIONS = {
     sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
     opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
     opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
-    masters.Dawson: "dawson", opaque.PowerPressure: "power_pressure",
+    masters.Dawson: "dawson", opaque.ArcStrips: "arc_strips", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
     opaque.PowerStrips: "power_strips",
 }  # fmt: skip

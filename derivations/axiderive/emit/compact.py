@@ -12,7 +12,7 @@ from ..contact.medium import HOMOGENEOUS
 from ..entry import Case, Entry
 from ..notation import a
 from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.opaque import Arctan2, Root
+from ..stable.opaque import ArcStrips, Arctan2, Root
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, singular_at_break, slope_form
 from .code import python
@@ -241,7 +241,7 @@ class Compact:
         form = self.form("p", "tip")
         kind, length = self.scale("tip")
         more = {str(self.b)} if self.b is not None else set()
-        if not form.cancels and kind in ("", "waves") and self._plain(form):
+        if not form.cancels and (form.value.has(ArcStrips) or kind in ("", "waves") and self._plain(form)):
             symbol = sp.Symbol(radius, positive=True)
             moved = EvaluationForm(
                 tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
@@ -274,7 +274,7 @@ class Compact:
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
         """The rule and its last arguments."""
         if kind == "waves":
-            return f"{name}_waves", f"wavelength, {SMOOTH}"
+            return f"{name}_waves", "wavelength"
         if kind in ("sinh", "tanh"):
             return f"{name}_{kind}", str(length)
         return name, str(SMOOTH)

@@ -11,11 +11,11 @@ from ..abel import masters
 from ..contact import adhesive, complete, normal, tangential, viscoelastic
 from ..contact.medium import HOMOGENEOUS
 from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ..contact.systems import BY_NAME
+from ..contact.systems import BY_NAME, ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
-from . import blocks, rules
+from . import blocks, matrix, rules
 from .printer import MASTER_NAMES, Printer
-from .prose import prose
+from .prose import domain, prose
 from .rows import LEFT, label_of
 from .shorthand import with_kappa
 from .width import width
@@ -41,15 +41,10 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
     """The symbols that are used, in order of the notation."""
     skip = {"j", "N", "stiffness"}
     return [
-        {"latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": _domain(n)}
+        {"latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": domain(n)}
         for n in nt.all_notation()
         if n.name in used - skip
     ]
-
-
-def _domain(n: nt.Notation) -> str:
-    text = re.sub(rf"(?<!\w){re.escape(n.name)}(?!\w)", lambda m: n.latex, n.domain)
-    return text.replace("pi/2", r"\pi/2").replace(">=", r"\ge ").replace("<=", r"\le ")
 
 
 def _unit(unit: str) -> str:
@@ -170,28 +165,39 @@ def _rule_row(system: str, suffix: str) -> dict[str, Any]:
     return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
 
 
-SHOWN = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential", "viscoelastic")
+SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ_{%s}$", "∫": r"\,$\int_{%s}$", "√": r"\,$\surd_{%s}$"}
+"""The signs of the matrix in print, with the digits of those that have them."""
 
 
-def matrix(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """Profile by physics: how many formulas each cell has and how many of them carry a certificate."""
+def matrix_rows(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Profile by physics: the cells of `emit.matrix` as LaTeX; profiles of one system have one cell."""
     rows = []
+    names = [system.name for system in SYSTEMS if system.pool is ROUND]
     for m in summaries:
-        one = next((s for s in ("plane", "loads", "materials") if m["status"].get(s)), None)
-        cells = [m["status"].get(one)] if one else [m["status"].get(name) for name in SHOWN]
+        found = m["status"]
+        cells = [found.get(name, matrix.LEFT_OUT) for name in names] if names[0] in found else list(found.values())
         rows.append(
-            {"name": m["name"], "title": m["title"], "number": m["number"], "cells": [_cell_text(c) for c in cells]}
+            {"name": m["name"], "title": m["title"], "number": m["number"], "cells": [_sign_text(c) for c in cells]}
         )
     return rows
 
 
-def _cell_text(cell: Mapping[str, int] | None) -> str:
-    if cell is None:
-        return r"\textcolor{note}{--}"
-    text = str(cell["entries"])
-    if cell["certified"]:
-        text = rf"\ok\,{cell['certified']}/{cell['entries']}"
-    return text + (rf"\,\textcolor{{note}}{{$\int${cell['integrals']}}}" if cell["integrals"] else "")
+def matrix_legend() -> list[tuple[str, str]]:
+    """What the signs of the matrix mean."""
+    return [(_sign_text(f"{sign}").replace("_{}", ""), words) for sign, words in matrix.LEGEND.items()]
+
+
+def _sign_text(cell: str) -> str:
+    """6 ✓, 4 √50 as LaTeX; the digits stand below the sign."""
+    parts = []
+    for part in cell.split(", "):
+        count, _, found = part.rpartition(" ")
+        sign, digits = found[:1], found[1:]
+        if sign in SIGNS:
+            parts.append(count + (SIGNS[sign] % digits if digits or "%s" in SIGNS[sign] else SIGNS[sign]))
+        else:
+            parts.append(rf"\textcolor{{note}}{{{part.replace('–', '--')}}}")
+    return r"\enspace{}".join(parts)
 
 
 def definition_rows() -> list[tuple[str, str, str]]:

@@ -16,7 +16,7 @@ from .. import __version__
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
-from . import book, spread
+from . import book, spread, study
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -28,6 +28,7 @@ def handbook_sources(
     evidence: Mapping[str, Any] | None = None,
     chapter11: Mapping[str, Any] | None = None,
     models: Mapping[str, Model] | None = None,
+    studies: Mapping[str, Any] | None = None,
 ) -> dict[str, str]:
     """All LaTeX files of the handbook.
 
@@ -41,6 +42,8 @@ def handbook_sources(
         Record of the checks of the chapter, as `chapter11.record.record` makes it.
     models : mapping, optional
         What `page_models` gives, where it is at hand.
+    studies : mapping, optional
+        Records of `axicontact study` by name: error, maps, extremes.
 
     Returns
     -------
@@ -49,8 +52,12 @@ def handbook_sources(
     """
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")
-    files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
-    return files | book_sources([summary(model) for model in models.values()], chapter11)
+    measured = (studies or {}).get("error")
+    files = {
+        f"profiles/{name}.tex": template.render(model, timing=measured and study.timing(measured, ruled(model)))
+        for name, model in models.items()
+    }
+    return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
 
 
 def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Model]:
@@ -62,6 +69,11 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
 
 
+def ruled(model: Model) -> frozenset[str]:
+    """Keys of the normal contact that the catalogue evaluates by a quadrature rule."""
+    return frozenset(f"{model['name']}.{row['suffix']}" for row in model["evidence"]["table"] if row["ruled"])
+
+
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
 """What the main file needs of a profile; plain data that can be sent between processes."""
 
@@ -71,10 +83,14 @@ def summary(model: Model) -> Summary:
     return {name: model[name] for name in SUMMARISED}
 
 
-def book_sources(summaries: Sequence[Summary], chapter11: Mapping[str, Any] | None = None) -> dict[str, str]:
+def book_sources(
+    summaries: Sequence[Summary],
+    chapter11: Mapping[str, Any] | None = None,
+    studies: Mapping[str, Any] | None = None,
+) -> dict[str, str]:
     """The main file and its preamble, from the summaries of the profiles in their order."""
     environment = templates()
-    model = book.model(summaries, chapter11)
+    model = book.model(summaries, chapter11, studies)
     return {
         "preamble.tex": environment.get_template("preamble.tex.j2").render(version=__version__),
         "handbook.tex": environment.get_template("handbook.tex.j2").render(model),

@@ -21,8 +21,10 @@ class Public:
     summary: str
     doc: list[str]
     body: list[str]
+    decorator: str = ""
 
 
+WITH_MATH = "with_math"
 RATES = ("_slope", "_slope_beyond")
 
 
@@ -68,6 +70,8 @@ def imports(module: ModuleText) -> list[str]:
         name for name in ("require", "require_coefficients", "require_order", "require_reach") if f"{name}(" in text
     ]
     blocks.append(f"from .._domain import {', '.join(domain)}")
+    if "arc_strips(" in text:
+        blocks.append("from .._arcs import arc_strips")
     blocks.append("from .._elementwise import Array, Result, elementwise")
     helpers = [name for name in HELPERS if f"{name}(" in text]
     if helpers:
@@ -82,6 +86,8 @@ def imports(module: ModuleText) -> list[str]:
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
+    if any(function.decorator for function in module.public):
+        blocks.append(f"from .._numbers import {WITH_MATH}")
     powers = [
         n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
     ]

@@ -23,14 +23,70 @@ def outside(n: int, v: mp.mpf) -> mp.mpf:
     return (angle - punches[n] / sine**n) / sine
 
 
-KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
-    "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
-    "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
-    "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
-} | {
-    f"OUTSIDE_{n}": (f"displacement beside a contact with r**{n}, angle**2 <= (pi/2)**2", partial(outside, n), 2.4675)
-    for n in EXPONENTS
-}
+STRUVE_END = mp.mpf(4)
+"""Where the series in ascending powers ends; below the first zero of H_0."""
+
+
+def struve(order: int, u: mp.mpf) -> mp.mpf:
+    """H_nu(x)/x**(nu + 1) over u = 16 - x**2, in which all its derivatives are positive."""
+    lead = mp.mpf(1) / 2 ** (order + 1) / (mp.gamma(mp.mpf(3) / 2) * mp.gamma(order + mp.mpf(3) / 2))
+    return lead * mp.hyp1f2(1, mp.mpf(3) / 2, order + mp.mpf(3) / 2, (u - STRUVE_END**2) / 4)
+
+
+def hankel(order: int, odd: bool, v: mp.mpf) -> mp.mpf:
+    """Hankel's P, or |Q| x, over v = 16/x**2: J + i Y = sqrt(2/(pi x)) (P + i Q) exp(i (x - nu pi/2 - pi/4))."""
+    x = STRUVE_END / mp.sqrt(v)
+    wave = mp.besselj(order, x) + mp.j * mp.bessely(order, x)
+    whole = wave * mp.sqrt(mp.pi * x / 2) * mp.expj((2 * order + 1) * mp.pi / 4 - x)
+    return abs(whole.imag) * x if odd else whole.real
+
+
+def struve_tail(order: int, v: mp.mpf) -> mp.mpf:
+    """pi/2 (H_nu - Y_nu) x**(1 - nu) over v = 16/x**2."""
+    x = STRUVE_END / mp.sqrt(v)
+    with mp.extradps(30):
+        return (mp.struveh(order, x) - mp.bessely(order, x)) * mp.pi / 2 * x ** (1 - order)
+
+
+def legendre_chi(v: mp.mpf) -> mp.mpf:
+    """chi(x)/x over v = x**2."""
+    x = mp.sqrt(v)
+    return (mp.polylog(2, x) - mp.polylog(2, -x)) / (2 * x) if v else mp.mpf(1)
+
+
+POLYNOMIALS = ("LEGENDRE_CHI",)
+"""Kernels whose difference quotient is wanted too."""
+KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = (
+    {
+        "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
+        "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
+        "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
+        "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
+    }
+    | {
+        f"OUTSIDE_{n}": (
+            f"displacement beside a contact with r**{n}, angle**2 <= (pi/2)**2",
+            partial(outside, n),
+            2.4675,
+        )
+        for n in EXPONENTS
+    }
+    | {
+        name: (words, function, end)
+        for nu in (0, 1)
+        for name, words, function, end in (
+            (f"STRUVE_{nu}", f"H_{nu}(x)/x**{nu + 1} over 16 - x**2, x <= 4", partial(struve, nu), 16.0),
+            (f"HANKEL_P_{nu}", f"P of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, False), 1.0),
+            (f"HANKEL_Q_{nu}", f"|Q| x of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, True), 1.0),
+            (
+                f"STRUVE_TAIL_{nu}",
+                f"pi/2 (H_{nu} - Y_{nu}) x**{1 - nu} over 16/x**2",
+                partial(struve_tail, nu),
+                1.0,
+            ),
+        )
+    }
+)
 """By name: what is fitted as a function of the square v of its argument, in words and in mpmath, and up to which v."""
 
 
@@ -42,7 +98,7 @@ def kernels_source() -> str:
         "from __future__ import annotations",
     ]
     for name, (words, function, end) in KERNELS.items():
-        kernel = fit(function, end)
+        kernel = fit(function, end, name in POLYNOMIALS)
         lines += ["", f"# {words}", f"{name} = ("]
         for numbers in (kernel.top, kernel.bottom):
             lines += _column(numbers)

@@ -15,6 +15,7 @@ LEGEND = {
     "–": "not meaningful; the module says why",
 }
 LEFT_OUT = "left out"
+NOT_VERIFIED = "not verified"
 KINDS = {"closed": "○", "integral": "∫", "root": "√"}
 
 
@@ -51,7 +52,8 @@ def _cell(entries: Mapping[str, Mapping[str, Any]]) -> str:
         else:
             others.setdefault(KINDS[found["status"]], []).append(_digits(found["checks"]))
     parts = [f"{certified} ✓"] if certified else []
-    return ", ".join([*parts, *(f"{len(digits)} {sign}{min(digits)}" for sign, digits in others.items())])
+    parts += [f"{len(digits)} {sign}{min(digits)}" for sign, digits in others.items()]
+    return ", ".join(parts) or NOT_VERIFIED
 
 
 def _digits(checks: Iterable[Mapping[str, Any]]) -> int:

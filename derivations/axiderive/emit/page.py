@@ -170,15 +170,16 @@ def evidence_rows(
     grid: list[dict[str, Any]] = []
     for key, entries in own.items():
         records = evidence.get(key, {}).get("entries", {})
+        measured = evidence.get(key, {}).get("evaluation", {})
         for suffix, entry in entries.items():
             if suffix not in records:
                 continue
-            found = _evidence(entry, records[suffix], profile_id)
+            found = _evidence(entry, records[suffix], measured.get(suffix, {}), profile_id)
             (table if key == profile_id else grid).append(found)
     return {"table": table, "grid": grid}
 
 
-def _evidence(entry: Entry, record: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
+def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
     passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
     by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
     for check in passed:
@@ -188,6 +189,8 @@ def _evidence(entry: Entry, record: Mapping[str, Any], profile_id: str) -> dict[
         "suffix": entry.key[len(profile_id) + 1 :],
         "certified": bool(record.get("certified")),
         "cells": [_agreement(by_kind[kind]) for kind in KINDS],
+        "evaluation": _evaluation(measured) if measured else [],
+        "ruled": measured.get("form") == "rule",
         "digits": str(min(digits)) if digits else "--",
         "count": str(sum(check.get("count", 0) for check in passed if check.get("digits"))),
     }
@@ -222,7 +225,7 @@ def missing_certificates(
 
 
 def _agreement(checks: list[Any]) -> str:
-    """Digits at points with the worst residual; several identities as their number and the fewest digits."""
+    """Digits / points and the worst residual; the fewest digits / all points of several identities."""
     if not checks:
         return "--"
     counted = [check for check in checks if check.get("digits")]
@@ -230,10 +233,37 @@ def _agreement(checks: list[Any]) -> str:
         return r"\ok"
     least = min(check["digits"] for check in counted)
     if len(checks) > 1:
-        return f"{len(checks)} of them, {least} digits"
+        return rf"{least}\,/\,{sum(check['count'] for check in counted)}"
     (check,) = counted
-    worst = f" (${power_of_ten(check['worst'])}$)" if check.get("worst") and float(check["worst"]) else ""
-    return f"{least} digits, {check['count']} point{'s' if check['count'] > 1 else ''}{worst}"
+    worst = rf"\enspace${power_of_ten(check['worst'])}$" if check.get("worst") and float(check["worst"]) else ""
+    return rf"{least}\,/\,{check['count']}{worst}"
+
+
+FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}
+"""How a function of the catalogue evaluates its formula."""
+
+
+def _evaluation(measured: Mapping[str, Any]) -> list[str]:
+    """The way of evaluation and the worst errors in ulps: usual lengths, extreme ones, the printed formula."""
+    nodes = ", ".join(str(count) for count in measured["nodes"])
+    form = FORMS[measured["form"]] + (f", {nodes} nodes" if nodes else "")
+    usual, extreme = measured["bench"], measured["extreme"]
+    return [form, *(_ulps(found) for found in (usual, extreme, usual.get("naive", {})))]
+
+
+NO_DIGIT = 2.0**52
+"""Units in the last place from which no digit is right."""
+
+
+def _ulps(found: Mapping[str, Any]) -> str:
+    """The worst error and at how many points, those lost as NaN or infinite in brackets."""
+    if not found.get("points"):
+        return "--"
+    if found.get("worst_ulp", 0.0) >= NO_DIGIT:
+        return "no digit"
+    worst = f"{found['worst_ulp']:.2g}" if "worst_ulp" in found else ""
+    lost = f" ({found['lost']} lost)" if found["lost"] else ""
+    return rf"${power_of_ten(worst)}$\,/\,{found['points']}{lost}" if worst else f"all {found['lost']} lost"
 
 
 def power_of_ten(text: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -13,7 +12,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
 from .printer import Printer
-from .prose import prose
+from .prose import domain, prose
 from .rows import kappa_row
 
 HALF_SPACE = r"homogeneous half-space, $1/E^{*}=\sum_i(1-\nu_i^2)/E_i$"
@@ -112,11 +111,5 @@ def _domain(symbol: Any) -> str:
     """Domain of a parameter in print: 0 < theta < pi/2."""
     if isinstance(symbol, sp.IndexedBase):
         return r"$A_j\ge 0$, not all zero"
-    record = nt.describe(symbol)
-    text = (
-        re.sub(rf"(?<!\w){record.name}(?!\w)", lambda m: record.latex, record.domain)
-        .replace("pi/2", r"\pi/2")
-        .replace(">=", r"\ge ")
-        .replace("<=", r"\le ")
-    )
+    text = domain(nt.describe(symbol))
     return f"${text}$" if text else ""

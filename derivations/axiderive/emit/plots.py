@@ -7,7 +7,8 @@ depth, both related to one reference contact, against the same two.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath as mp
@@ -23,6 +24,7 @@ Rows = list[tuple[float, float]]
 HIGHEST = 3.2
 """Upper end of the pressure axis; curves are cut a little above it."""
 WIDEST = 2.0
+PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
 RATIOS = ("0.25", "0.5", "0.8")
 
 
@@ -43,6 +45,7 @@ class Plots:
     references: tuple[Curve, ...]
     pressure_caption: str
     force: Curve
+    force_references: tuple[Curve, ...]
     force_caption: str
     abscissa: str = "r"
     load: str = r"F_{\mathrm N}"
@@ -64,7 +67,23 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
     words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
-    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, reference, *words)
+    known = () if plane else _force_references(force)
+    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, known, reference, *words)
+
+
+def _force_references(force: Curve) -> tuple[Curve, ...]:
+    """Sphere and flat punch through (1, 1), labelled beside the force of the profile."""
+    own = [(float(x) / WIDEST, float(y)) for x, y in PAIR.findall(force.coordinates)]
+    depths = [i / 50 for i in range(51)]
+    family = [own, [(x, (WIDEST * x) ** 1.5) for x in depths], [(x, WIDEST * x) for x in depths]]
+    found: list[Curve] = []
+    for i, label in ((1, "sphere"), (2, "flat punch")):
+        curve = _labelled(family, i, label, [(other.x, other.y) for other in found])
+        found.append(curve)
+    return tuple(
+        replace(curve, x=WIDEST * curve.x, coordinates=_coordinates([(WIDEST * x, y) for x, y in rows]))
+        for curve, rows in zip(found, family[1:], strict=True)
+    )
 
 
 def _scaled(rows: Rows, factor: float) -> Rows:

@@ -93,6 +93,14 @@ def _symbol(name: str) -> str:
     return nt.describe(name).latex if nt.known(name) else name
 
 
+def domain(record: nt.Notation) -> str:
+    """Domain of a symbol in print: 0 < theta < pi/2; every name in it as its symbol is printed."""
+    text = re.sub(r"[A-Za-z]\w*", lambda m: record.latex if m[0] == record.name else _symbol(m[0]), record.domain)
+    for plain, tex in ((">=", r"\ge "), ("<=", r"\le "), ("pi/2", r"\pi/2")):
+        text = text.replace(plain, tex)
+    return text
+
+
 def escaped(text: str) -> str:
     """Plain words with TeX's special characters made harmless."""
     text = "".join(_ESCAPES.get(c, c) for c in text)

@@ -14,7 +14,7 @@ from ..profiles.profile import Profile
 from . import example
 from .code import python
 from .docstring import SUMMARY, docstring
-from .imports import Public
+from .imports import WITH_MATH, Public
 from .private import Private, PrivateFunctions, parameter_name
 
 PACKAGE = "axicontact"
@@ -45,7 +45,9 @@ def public(
     signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
     if len(signature) > 120:
         signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> Result:"
-    return Public(signature, SUMMARY[quantity.suffix], doc, body)
+    # a rule between parameters and a sequence of coefficients are checked by the function itself
+    decorator = "" if summed or profile.rules else WITH_MATH
+    return Public(signature, SUMMARY[quantity.suffix], doc, body, decorator)
 
 
 def _notes(profile: Profile, quantity: Quantity, private: Private, functions: PrivateFunctions) -> list[str]:

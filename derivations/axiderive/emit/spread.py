@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
+from ..contact.systems import BY_NAME, POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
+from ..profiles import NAMES
 from ..profiles.profile import Profile
-from . import blocks, front, page, references
+from . import blocks, front, matrix, page, references
 from .curves import curves
 from .panel import panel
 from .plots import plots
@@ -36,8 +37,14 @@ def problems_of(profile_id: str) -> list[Problem]:
     return [Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile)]
 
 
+def needed(profile_id: str) -> set[str]:
+    """Keys of the problems of other profiles that the page of this one cites: those it tends to."""
+    profile = pool_of(profile_id).load(profile_id.rpartition(".")[2])
+    return {Problem(BY_NAME["normal"], limit.target).key for limit in profile.limits} if profile_id in NAMES else set()
+
+
 def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str, Any], number: str) -> dict[str, Any]:
-    """What the template prints for one profile, whose problems are given by key."""
+    """What the template prints for one profile, whose problems and those it cites are given by key."""
     pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
     profile = pool.load(name)
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
@@ -53,7 +60,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "place": "x" if pool.prefix == "plane" else "r",
         "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
-        "blocks": {key: asdict(block) for key, block in blocks.blocks(profile_id, derived, refusals).items()},
+        "blocks": {key: asdict(block) for key, block in blocks.blocks(profile_id, derived, refusals, evidence).items()},
         "evidence": page.evidence_rows(profile_id, own, evidence),
         "uncertified": page.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
@@ -62,28 +69,16 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
-        "status": _status(profile_id, own, evidence, refusals),
+        "status": _status(profile_id, own, evidence),
         **_figures(profile_id, profile, main, derived),
     }
 
 
-def _status(
-    profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any], refusals: Mapping[str, str]
-) -> dict[str, dict[str, int] | None]:
-    """How many entries each system has, how many are certified and how many are integrals; None if it has none."""
-    name, found = profile_id.rpartition(".")[2], dict[str, dict[str, int] | None]()
-    for system in SYSTEMS:
-        key = Problem(system, name).key if system.pool is pool_of(profile_id) else ""
-        if key not in own:
-            found[system.name] = None
-            continue
-        records = evidence.get(key, {}).get("entries", {})
-        found[system.name] = {
-            "entries": len(own[key]),
-            "certified": sum(bool(record.get("certified")) for record in records.values()),
-            "integrals": sum(entry.status == "integral" for entry in own[key].values()),
-        }
-    return found
+def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any]) -> dict[str, str]:
+    """The cells of the profile in the matrix profile x physics, by system."""
+    records = {key: evidence.get(key, {"entries": {}}) for key in own}
+    cells: dict[str, str] = matrix.matrix(own, records)["profiles"].get(profile_id, {})
+    return cells
 
 
 def _equations(own: Mapping[str, Entries]) -> list[str]:

@@ -12,6 +12,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
+from ..proof.shape import coefficient
 from .values import Numbers, Values
 
 
@@ -50,6 +51,7 @@ CASES = {
     "quartic": Case(STEEL, 50.0, {"A": "2e6"}),
     "sextic": Case(STEEL, 50.0, {"A": "4e12"}),
     "power_law": Case(STEEL, 50.0, {"n": "3", "A": "1e4"}),
+    "polynomial": Case(STEEL, 100.0, {"A_1": "0.01", "A_2": "20", "A_3": "2e4"}),
     "sphere": Case(SILICONE, 0.5, {"R": "5e-3"}),
     "ellipsoid": Case(SILICONE, 0.5, {"h": "4e-3", "b": "5e-3"}),
     "hyperboloid": Case(GLASS, 0.002, {"theta": "0.35", "b": "1e-6"}),
@@ -64,6 +66,7 @@ CASES = {
     "sphere_tipped_cone": Case(GLASS, 0.002, {"R": "2e-6", "theta": "0.35"}),
     "flat_punch": Case(STEEL, 1e3, {"a": "2e-3"}),
     "capped_cylinder": Case(STEEL, 5e3, {"a": "2e-3", "R": "0.5"}),
+    "concave_power": Case(STEEL, 5e3, {"a": "2e-3", "h": "2e-6", "n": "3"}),
     "concave_paraboloid": Case(STEEL, 5e3, {"a": "2e-3", "h": "2e-6"}),
     "concave_quartic": Case(STEEL, 5e3, {"a": "2e-3", "h": "2e-6"}),
     "plane.wedge": Case(STEEL, 1e5, {"theta": "0.01"}),
@@ -74,6 +77,7 @@ CASES = {
     "plane.truncated_wedge": Case(STEEL, 5e5, {"theta": "0.02", "b": "5e-4"}),
     "plane.rounded_wedge": Case(STEEL, 1e5, {"theta": "0.01", "b": "5e-5"}),
     "plane.rounded_punch": Case(STEEL, 1e6, {"R": "2e-3", "b": "5e-3"}),
+    "plane.concave_power": Case(STEEL, 1e6, {"a": "2e-3", "h": "1e-6", "n": "3"}),
     "plane.concave_parabola": Case(STEEL, 1e6, {"a": "2e-3", "h": "1e-6"}),
     "plane.concave_quartic": Case(STEEL, 1e6, {"a": "2e-3", "h": "1e-6"}),
     "plane.flat_punch": Case(STEEL, 1e5, {"a": "1e-3"}),
@@ -87,7 +91,7 @@ def worked(profile_id: str, profile: Profile, entries: Mapping[str, Entry], make
     case = CASES.get(profile_id)
     if case is None:
         return None
-    values: Values = {nt.describe(name).symbol: sp.Rational(text) for name, text in case.parameters.items()}
+    values = _parameters(profile, case)
     values[nt.E_star] = case.material.modulus
     for symbol, expr in profile.abbreviations:
         values.setdefault(symbol, expr.xreplace(values))
@@ -105,7 +109,7 @@ def worked(profile_id: str, profile: Profile, entries: Mapping[str, Entry], make
         shown.append(("w(2a)", numbers("w", 2 * radius), "m", "w"))
     if case.material.separation and numbers.compact and not profile.breaks:
         shown.append(("F_{\\mathrm c}", _pull_off(numbers, case), "N", "adh.Fc"))
-    given = [rf"${nt.describe(name).latex}={_given(name, text)}$" for name, text in case.parameters.items()]
+    given = [rf"${_latex(name)}={_given(name, text)}$" for name, text in case.parameters.items()]
     name, unit = ("P", "N/m") if plane else (r"F_{\mathrm N}", "N")
     load = f"${name}={_quantity(mp.mpf(case.load), unit)}$"
     modulus = rf"$E^{{*}}={_quantity(_number(case.material.modulus), 'Pa')}$"
@@ -113,6 +117,18 @@ def worked(profile_id: str, profile: Profile, entries: Mapping[str, Entry], make
         "words": "; ".join([case.material.words, modulus, *given, load]),
         "numbers": [(name, _quantity(value, unit), key) for name, value, unit, key in shown],
     }
+
+
+def _parameters(profile: Profile, case: Case) -> Values:
+    """The parameters by symbol; those of a polynomial by their index, A_1 to A_N."""
+    if nt.coefficients in profile.parameters:
+        found: Values = {coefficient(int(name[2:])): sp.Rational(text) for name, text in case.parameters.items()}
+        return found | {nt.N: sp.Integer(len(found))}
+    return {nt.describe(name).symbol: sp.Rational(text) for name, text in case.parameters.items()}
+
+
+def _latex(name: str) -> str:
+    return nt.describe(name).latex if nt.known(name) else name
 
 
 def _number(value: sp.Rational) -> Any:
@@ -165,12 +181,12 @@ def _pull_off(numbers: Numbers, case: Case) -> Any:
 
 
 def _given(name: str, text: str) -> str:
-    notation = nt.describe(name)
-    if notation.dimension == nt.LENGTH:
+    notation = nt.describe(name) if nt.known(name) else None
+    if notation and notation.dimension == nt.LENGTH:
         return _quantity(mp.mpf(text), "m")
     mantissa, _, power = text.partition("e")
     digits = (rf"{mantissa}\times" if mantissa != "1" else "") + f"10^{{{int(power)}}}" if power else mantissa
-    unit = "" if notation.unit in ("1", "rad") else r"\,\text{(SI)}"
+    unit = "" if notation and notation.unit in ("1", "rad") else r"\,\text{(SI)}"
     return digits + unit
 
 

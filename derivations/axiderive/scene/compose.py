@@ -90,13 +90,7 @@ class _Composition:
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
-            page = page_sources(
-                _plain(self.request.title),
-                self.profile,
-                self.entries,
-                evidence.stored(self.profile, self.answer),
-                own=self.answer is not None,
-            )
+            page = page_sources(self.request, self.profile, self.entries, evidence.stored(self.profile, self.answer))
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
@@ -186,11 +180,8 @@ class _Composition:
     def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines = []
-        if self.answer is not None and not self.answer.closed:
-            lines.append(
-                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an "
-                "integral; evaluated by generated rules"
-            )
+        if self.answer is not None and (told := self.answer.told):
+            lines.append(f"form      {told}")
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
         return lines

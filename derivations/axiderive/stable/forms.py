@@ -14,6 +14,7 @@ import sympy as sp
 
 from ..abel.masters import Dawson, StruveH
 from ..notation import a, n
+from .arcs import arc_integrals
 from .opaque import Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
 from .powers import power_integrals
 from .signs import Facts, cancels, difference, sign, squares
@@ -37,7 +38,7 @@ class EvaluationForm:
 def evaluation_form(expr: sp.Expr, facts: Facts) -> EvaluationForm:
     """The form with roots and angles named and, if possible, without cancellation."""
     work = Rewriting(facts)
-    value = work.named(work.with_named_ratio(gamma_ratios(power_integrals(expr))))
+    value = work.named(work.with_named_ratio(gamma_ratios(arc_integrals(power_integrals(expr)))))
     if cancels(value, work.facts):
         value = work.rewritten(value)
     value = work.with_named_powers(work.with_named_arguments(value))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import mpmath as mp
 
@@ -26,7 +27,7 @@ class Kernel:
         return mp.polyval(self.top[::-1], v) / mp.polyval(self.bottom[::-1], v)
 
 
-def fit(function: Callable[[mp.mpf], mp.mpf], end: float) -> Kernel:
+def fit(function: Callable[[mp.mpf], mp.mpf], end: float, polynomial: bool = False) -> Kernel:
     """The shortest rational or polynomial fit of a function that is smooth on [0, end] and positive.
 
     Raises
@@ -34,9 +35,10 @@ def fit(function: Callable[[mp.mpf], mp.mpf], end: float) -> Kernel:
     ArithmeticError
         If no fit up to degree HIGHEST reaches GOAL with terms of one sign, so that evaluating it loses nothing.
     """
+    function = cache(function)
     with mp.workdps(DIGITS):
         for degree in range(1, HIGHEST + 1):
-            for degrees in ((degree, degree), (2 * degree, 0)):
+            for degrees in ((2 * degree, 0),) if polynomial else ((degree, degree), (2 * degree, 0)):
                 kernel = _interpolated(function, mp.mpf(end), *degrees)
                 if kernel is not None and _error(kernel, function) < GOAL:
                     return kernel

@@ -55,6 +55,12 @@ class GammaRatio(sp.Function):
     nargs = 1
 
 
+class ArcStrips(sp.Function):
+    """int_r^a atanh(t/R)/sqrt(t^2 - r^2) dt, of (r, a, R)."""
+
+    nargs = 3
+
+
 class PowerPressure(sp.Function):
     """int_r^a t**(n-1)/sqrt(t^2 - r^2) dt / a**(n-1), of (r, a, n)."""
 

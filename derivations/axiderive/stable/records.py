@@ -1,12 +1,10 @@
-"""The measured accuracy of the emitted functions of one problem, as it is kept with the evidence."""
+"""The measured accuracy of the emitted functions of one problem, as it is kept with the evidence; what is drift."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
 from typing import Any
-
-import numpy as np
 
 from ..contact.systems import problem
 from ..entry import Entry
@@ -17,13 +15,17 @@ from .reference import UnknownError, condition
 from .samples import DOMAINS
 
 COUNT, SEED = 30, 17
+SYSTEMS = ("normal",)
+"""Systems whose functions are measured."""
 TOLERANCE = 5.0
 CHECKED = 4
 """Points above the tolerance whose condition is found."""
 Record = dict[str, Any]
 
 
-def record(key: str, sources: Mapping[str, str], count: int = COUNT, seed: int = SEED) -> dict[str, Record]:
+def record(
+    key: str, sources: Mapping[str, str], entries: Mapping[str, Entry], count: int = COUNT, seed: int = SEED
+) -> dict[str, Record]:
     """Errors of every function of a problem of normal contact, by suffix.
 
     Parameters
@@ -32,6 +34,8 @@ def record(key: str, sources: Mapping[str, str], count: int = COUNT, seed: int =
         Key of the problem, as `cone`.
     sources : mapping of str to str
         The texts of the package by path; the module and what it imports are taken from there.
+    entries : mapping of str to Entry
+        What the functions shall evaluate, by suffix.
     count, seed : int
         Points in either domain, a tenth where the exact value is an integral; where they start.
 
@@ -45,7 +49,6 @@ def record(key: str, sources: Mapping[str, str], count: int = COUNT, seed: int =
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
     """
     found = problem(key)
-    entries = found.derive()
     with loaded(sources, found.module) as module:
         return {
             suffix: _entry(
@@ -77,16 +80,13 @@ def _summary(errors: list[float]) -> Record:
     if not errors:
         return {"points": 0}
     above = sum(error > TOLERANCE for error in errors)
-    return {
-        "points": len(errors),
-        "worst_ulp": rounded_up(max(finite, default=math.inf)),
-        "share_above_5": round(above / len(errors), 4),
-        "lost": lost,
-    }
+    worst = {"worst_ulp": rounded_up(max(finite))} if finite else {}
+    return {"points": len(errors), **worst, "share_above_5": round(above / len(errors), 4), "lost": lost}
 
 
 def _conditioned(entries: Mapping[str, Entry], suffix: str, points: list[Sample], errors: list[float]) -> Record:
-    wrong = [i for i in np.argsort(errors)[::-1] if TOLERANCE < errors[i] < math.inf][:CHECKED]
+    wrong = [i for i in range(len(errors)) if TOLERANCE < errors[i] < math.inf]
+    wrong = sorted(wrong, key=errors.__getitem__, reverse=True)[:CHECKED]
     shares = []
     for i in wrong:
         try:

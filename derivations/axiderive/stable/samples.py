@@ -90,7 +90,9 @@ class Draw:
         if expr.is_Symbol and expr not in dict(self.profile.abbreviations):
             return float(self[expr])
         expr = expr.subs(dict(self.profile.abbreviations))
-        return float(sp.N(expr.subs({symbol: sp.Float(self[symbol], 30) for symbol in expr.free_symbols})))
+        # in the order of their names: each draws from the generator
+        symbols = sorted(expr.free_symbols, key=str)
+        return float(sp.N(expr.subs({symbol: sp.Float(self[symbol], 30) for symbol in symbols})))
 
     def ratio(self) -> float:
         """A number in (0, 1): half of them log-uniform towards 0, half towards 1."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     for name, run in (("corpus", _corpus), ("error", _error), ("maps", _maps), ("extremes", _extremes)):
         parsers[name].set_defaults(run=run)
     for name in ("error", "maps"):
-        parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these profiles only")
+        parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these problems only")
     parsers["maps"].add_argument("--seed", type=int, default=SEED, help="seed of the points (%(default)s)")
     for name in ("error", "maps", "extremes"):
         add_record_arguments(parsers[name])
@@ -79,15 +79,17 @@ def _corpus(arguments: argparse.Namespace) -> int:
 def _error(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import error
+    from .subject import NAMES, OTHERS
 
-    return _finish(arguments, error.measure(_names(arguments), quick=arguments.quick), error.text)
+    return _finish(arguments, error.measure(_names(arguments, (*NAMES, *OTHERS)), quick=arguments.quick), error.text)
 
 
 def _maps(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import maps
+    from .subject import NAMES
 
-    record = maps.measure(_names(arguments), seed=arguments.seed, quick=arguments.quick)
+    record = maps.measure(_names(arguments, NAMES), seed=arguments.seed, quick=arguments.quick)
     return _finish(arguments, record, maps.text)
 
 
@@ -112,17 +114,15 @@ def _ready(arguments: argparse.Namespace) -> None:
         raise CommandError(message, USAGE)
 
 
-def _names(arguments: argparse.Namespace) -> list[str]:
-    """The profiles asked for, of those that the study knows."""
-    from .subject import NAMES
-
+def _names(arguments: argparse.Namespace, known: Sequence[str]) -> list[str]:
+    """The problems asked for, of those that the study knows."""
     only: list[str] = arguments.only
     for name in only:
-        if name not in NAMES:
+        if name not in known:
             from ..index import nearest
 
-            raise nearest(name, "profile of the study", NAMES)
-    return only or list(NAMES)
+            raise nearest(name, "problem of the study", known)
+    return only or list(known)
 
 
 def _finish(arguments: argparse.Namespace, record: Record, text: Callable[[Record], str]) -> int:

@@ -15,7 +15,7 @@ from dataclasses import asdict
 from .methods import QUICK, Method, Plan, methods, skipped
 from .points import DIGITS, exact
 from .report import Record, relative, rounded, summary, table, versions
-from .subject import NAMES, PARAMETERS, QUANTITIES, RADIUS, Subject, subject
+from .subject import NAMES, OTHERS, PARAMETERS, QUANTITIES, RADIUS, Subject, subject
 
 SHORTEST = 4e-3
 """Seconds that one timing takes at least: shorter calls are repeated."""
@@ -32,12 +32,12 @@ NOTE = (
 )
 
 
-def measure(names: Sequence[str] = NAMES, *, quick: bool = False, plan: Plan | None = None) -> Record:
+def measure(names: Sequence[str] = (*NAMES, *OTHERS), *, quick: bool = False, plan: Plan | None = None) -> Record:
     """The record of the study."""
     plan = plan or (QUICK if quick else Plan())
     rows, missing = [], []
     for name in names:
-        for suffix in QUANTITIES:
+        for suffix in OTHERS.get(name, QUANTITIES):
             rows += list(_rows(subject(name), suffix, plan))
             missing += skipped(subject(name), suffix)
     parameters = {str(symbol): value for symbol, value in PARAMETERS.items()} | {"a": RADIUS}

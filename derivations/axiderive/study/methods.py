@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import notation as nt
-from . import bem, rivals, rule
+from . import adhesive, bem, graded, rivals, rule
 from .naive import naive, per_point
 from .points import arguments, defined
 from .subject import RADIUS, Array, Subject, emitted
@@ -56,7 +56,12 @@ def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
     """The emitted function first, then the others."""
     setup = _Setup(subject, suffix, plan)
     yield from setup.closed()
+    if subject.graded:
+        yield from _graded(setup)
+        return
     match suffix:
+        case "ad":
+            yield from _adhesive(setup)
         case "p":
             yield from _pressure(setup)
         case "w":
@@ -68,10 +73,17 @@ def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
 def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
     """Methods that have nothing to run for a quantity, with the reason."""
     reasons = {}
-    if suffix == "Fd":
+    if subject.graded:
+        reasons["generated rule"] = "the printed formulas are closed: no rule is generated"
+        reasons["trapezoid MDR"] = reasons["FFT MDR"] = "their weights are those of the homogeneous half space"
+    elif suffix == "ad":
+        reasons["FFT MDR"] = "a convolution gives fields, not a(d)"
+    elif suffix == "Fd":
         reasons["generated rule"] = "depth and force are closed: no rule is generated"
         reasons["FFT MDR"] = "a convolution gives fields, not F(d)"
-    if suffix != "p":
+    if subject.graded:
+        reasons["BEM"] = "its half space is homogeneous"
+    elif suffix != "p":
         reasons["BEM"] = "its pressures are compared"
     elif bem.missing():
         reasons["BEM"] = bem.missing()
@@ -110,7 +122,7 @@ class _Setup:
 
     def closed(self) -> Iterator[Method]:
         subject, entry = self.subject, self.subject.entries[self.suffix]
-        symbol = nt.d if self.suffix == "Fd" else nt.r
+        symbol = nt.r if self.suffix in ("p", "w") else nt.d
         x = self.points if per_point(entry) else self.many
         for name, function, points in (
             ("emitted", emitted(entry, subject.name), self.many),
@@ -143,7 +155,7 @@ def _pressure(setup: _Setup) -> Iterator[Method]:
     yield from setup.gridded("trapezoid MDR", rivals.trapezoid_pressure, plan.trapezoid)
     yield from setup.gridded("FFT MDR", rivals.fft_pressure, plan.fft)
     if not bem.missing():
-        force = float(defined(subject, RADIUS).quantity("F"))
+        force = float(defined(subject, RADIUS)("F"))
         for count in plan.bem:
             yield setup.on_grid("BEM", f"{count} x {count}", partial(bem.pressure, subject, force, count))
 
@@ -164,3 +176,26 @@ def _force(setup: _Setup) -> Iterator[Method]:
     yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
     yield from setup.sized("trapezoid MDR", rivals.trapezoid_force, plan.table, setup.many)
     yield from setup.digits(rivals.mpmath_force)
+
+
+def _adhesive(setup: _Setup) -> Iterator[Method]:
+    subject, plan = setup.subject, setup.plan
+    yield setup.over("quad and root", "", partial(adhesive.quad_radius, subject), setup.few)
+    yield from setup.sized("table", adhesive.table_radius, plan.table, setup.many)
+    yield from setup.digits(adhesive.mpmath_radius)
+
+
+def _graded(setup: _Setup) -> Iterator[Method]:
+    subject, plan, few = setup.subject, setup.plan, setup.few
+    if setup.suffix == "Fd":
+        yield from setup.sized("Gauss-Jacobi", graded.jacobi_force, plan.jacobi, setup.points)
+        yield setup.over("quad and root", "", partial(graded.quad_force, subject), few)
+        yield from setup.digits(graded.mpmath_force)
+        return
+    inside = setup.suffix == "p"
+    jacobi = graded.jacobi_pressure if inside else graded.jacobi_displacement
+    quad = graded.quad_pressure if inside else graded.quad_displacement
+    yield from setup.sized("Gauss-Jacobi", jacobi, plan.jacobi, setup.many)
+    for suffix, weighted in (("", False), (", weighted", True)):
+        yield setup.over(f"quad{suffix}", "", partial(quad, subject, weighted=weighted), setup.points)
+    yield from setup.digits(graded.mpmath_pressure if inside else graded.mpmath_displacement)

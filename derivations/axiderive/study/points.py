@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -10,7 +11,8 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..proof.definitions import Contact, contact
+from ..proof.definitions import contact
+from ..proof.half_space import HalfSpace
 from . import rivals
 from .subject import RADIUS, Array, Subject
 
@@ -18,7 +20,7 @@ DIGITS = 30
 
 
 def arguments(subject: Subject, suffix: str, count: int) -> Array:
-    """Radii in the contact, radii up to 2a outside, or depths of contacts up to a."""
+    """Radii in the contact, radii up to 2a outside, or depths of contacts up to a; with adhesion from a/2 on."""
     steps = (np.arange(count) + 0.5) / count
     match suffix:
         case "p":
@@ -26,20 +28,27 @@ def arguments(subject: Subject, suffix: str, count: int) -> Array:
         case "w":
             return RADIUS * (1 + steps)
         case _:
-            radii = subject.edge + (RADIUS - subject.edge) * steps
+            smallest = RADIUS / 2 if suffix == "ad" else subject.edge
+            radii = smallest + (RADIUS - smallest) * steps
             with mp.workdps(DIGITS + 20):
-                return np.array([float(defined(subject, float(x)).quantity("d")) for x in radii])
+                return np.array([float(defined(subject, float(x))("d")) for x in radii])
 
 
 @cache
-def defined(subject: Subject, radius: float, r: float | None = None) -> Contact:
-    """The contact of that radius, as the integrals of the definition see it."""
-    values: dict[Any, Any] = {symbol: sp.Rational(value) for symbol, value in subject.values.items()}
-    values[nt.a] = sp.Rational(radius)
-    if r is not None:
-        values[nt.r] = sp.Rational(r)
+def defined(subject: Subject, radius: float, r: float | None = None) -> Callable[[str], mp.mpf]:
+    """The quantities of the contact of that radius, as the integrals of the definition see it."""
+    values = _values(subject, radius) | ({} if r is None else {nt.r: sp.Rational(r)})
     with mp.workdps(DIGITS + 20):
-        return contact(subject.profile, values, DIGITS)
+        if subject.graded or nt.dgamma in values:
+            here = HalfSpace(subject.profile, values, DIGITS, subject.graded)
+            quantity = here.adhesive if nt.dgamma in values else here.normal
+            return lambda suffix: quantity(suffix, mp.mpf(radius))
+        return contact(subject.profile, values, DIGITS).quantity
+
+
+def _values(subject: Subject, radius: float) -> dict[Any, Any]:
+    values: dict[Any, Any] = {symbol: sp.Rational(value) for symbol, value in subject.values.items()}
+    return values | {nt.a: sp.Rational(radius)}
 
 
 @cache
@@ -47,9 +56,20 @@ def exact(subject: Subject, suffix: str, argument: float) -> mp.mpf:
     """The defining integral at the double that the methods are given."""
     with mp.workdps(DIGITS + 20):
         if suffix in ("p", "w"):
-            return defined(subject, RADIUS, argument).quantity(suffix)
-        radius = rivals.radius(subject, lambda x: float(subject.depth(np.float64(x))) - argument)
-        here = defined(subject, radius)
-        # the depth of that radius misses the argument by its rounding; dF/dd = 2 E* a is (11.18)
-        missed = mp.mpf(argument) - here.quantity("d")
-        return here.quantity("F") + 2 * subject.modulus * mp.mpf(radius) * missed
+            return defined(subject, RADIUS, argument)(suffix)
+        start = rivals.radius(subject, lambda x: float(subject.depth(np.float64(x))) - argument)
+        radius, here = mp.mpf(start), defined(subject, start)
+        # the depth of that radius misses the argument by its rounding
+        missed = mp.mpf(argument) - here("d")
+        if suffix == "ad":
+            return radius + missed / _rate(subject, start)
+        # dF/dd is the stiffness of a flat punch, (11.18)
+        k = mp.mpf(subject.exponent)
+        return here("F") + 2 * subject.modulus * radius ** (1 + k) / (1 + k) * missed
+
+
+def _rate(subject: Subject, radius: float) -> mp.mpf:
+    """dd/da of an adhesive contact, whose retraction grows as a**((1 - k)/2)."""
+    here = HalfSpace(subject.profile, _values(subject, radius), DIGITS, subject.graded)
+    rate, _ = here.rates(mp.mpf(radius))
+    return rate - here.retraction(mp.mpf(radius)) * (1 - here.k) / (2 * mp.mpf(radius))

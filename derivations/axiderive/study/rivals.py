@@ -73,15 +73,15 @@ def quad_pressure(subject: Subject, r: Array, *, substituted: bool) -> Array:
         low = max(r, subject.edge)
         if substituted:
             ends = math.acosh(low / r), math.acosh(a / r)
-            return _quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
-        return _quad(lambda t: subject.rate_scalar(t) / math.sqrt((t - r) * (t + r)), low, a)
+            return quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
+        return quad(lambda t: subject.rate_scalar(t) / math.sqrt((t - r) * (t + r)), low, a)
 
     return subject.modulus / np.pi * np.array([one(float(x)) for x in r])
 
 
 def quad_displacement(subject: Subject, r: Array) -> Array:
     def one(r: float) -> float:
-        return _quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), subject.edge, a)
+        return quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), subject.edge, a)
 
     return 2 / np.pi * np.array([one(float(x)) for x in r])
 
@@ -92,10 +92,10 @@ def quad_force(subject: Subject, d: Array) -> Array:
 
     def depth(x: float) -> float:
         low = math.asin(min(b / x, 1.0)) if b else 0.0
-        return x * _quad(lambda u: float(subject.slope(x * math.sin(u))), low, math.pi / 2)
+        return x * quad(lambda u: float(subject.slope(x * math.sin(u))), low, math.pi / 2)
 
     def force(given: float) -> float:
-        beyond = _quad(lambda t: given - depth(t), b, radius(subject, lambda x: depth(x) - given), tolerance=1e-10)
+        beyond = quad(lambda t: given - depth(t), b, radius(subject, lambda x: depth(x) - given), tolerance=1e-10)
         return 2 * subject.modulus * (given * b + beyond)
 
     return np.array([force(float(x)) for x in d])
@@ -232,7 +232,8 @@ def radius(subject: Subject, gap: Callable[[float], float]) -> float:
     return float(optimize.brentq(gap, low, subject.largest * (1 - 1e-9), xtol=1e-300, rtol=1e-14))
 
 
-def _quad(integrand: Callable[[float], float], low: float, high: float, tolerance: float = 1e-13) -> float:
+def quad(integrand: Callable[[float], float], low: float, high: float, tolerance: float = 1e-13) -> float:
+    """scipy.integrate.quad without its warnings."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its error estimate; what the error is, the study measures
         value, _ = integrate.quad(integrand, low, high, epsabs=0.0, epsrel=tolerance, limit=200)

@@ -26,8 +26,12 @@ Array = Any
 Function = Callable[..., Any]
 NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
 QUANTITIES = ("p", "Fd", "w")
+OTHERS = {"power_law.fgm": QUANTITIES, "paraboloid.adh": ("ad",), "cone.adh": ("ad",)}
+"""On a graded half space, and with adhesion."""
 RADIUS = 2.0
-PARAMETERS = {nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0}
+PARAMETERS = {
+    nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
+}  # fmt: skip
 _s = sp.Symbol("s", positive=True)
 
 
@@ -59,7 +63,7 @@ def emitted(entry: Entry, problem: str) -> Function:
 
 @dataclass(frozen=True)
 class Subject:
-    """One compact profile on the homogeneous half space at RADIUS and PARAMETERS."""
+    """One compact profile at RADIUS and PARAMETERS, on the homogeneous half space where its name says nothing else."""
 
     name: str
 
@@ -73,12 +77,20 @@ class Subject:
 
     @property
     def values(self) -> dict[sp.Symbol, float]:
-        symbols = (*self.profile.parameters, nt.E_star)
-        return {symbol: PARAMETERS[symbol] for symbol in symbols} | {nt.a: RADIUS}
+        return {symbol: PARAMETERS[symbol] for symbol in self.entries["F"].parameters} | {nt.a: RADIUS}
+
+    @property
+    def graded(self) -> bool:
+        return nt.k in self.values
+
+    @property
+    def exponent(self) -> float:
+        """k of the elastic grading."""
+        return self.values.get(nt.k, 0.0)
 
     @property
     def modulus(self) -> float:
-        return PARAMETERS[nt.E_star]
+        return self.values[nt.H if self.graded else nt.E_star]
 
     @cached_property
     def edge(self) -> float:
@@ -126,6 +138,10 @@ class Subject:
         return self._bound(sp.diff(self._depth, nt.a), nt.a, "mpmath")
 
     @cached_property
+    def depth_mp(self) -> Function:
+        return self._bound(self._depth, nt.a, "mpmath")
+
+    @cached_property
     def growth(self) -> Function:
         """dg/ds in s = sqrt(t**2 - b**2), without the root: what a generated rule integrates."""
         break_ = self.profile.breaks[0] if self.profile.breaks else sp.S.Zero
@@ -143,7 +159,7 @@ class Subject:
         return sp.Piecewise(*pieces)
 
     def _bound(self, expr: sp.Expr, variable: sp.Symbol, modules: str) -> Function:
-        parameters = self.profile.parameters
+        parameters = sorted(expr.free_symbols - {variable}, key=str)
         function = sp.lambdify((variable, *parameters), expr, modules)
         numbers = [PARAMETERS[symbol] for symbol in parameters]
         if modules == "mpmath":

@@ -15,6 +15,7 @@ from ...contact.systems import ROUND, SYSTEMS
 from ...entry import Entry
 from .. import book, spread
 from ..handbook import Model, page_models, summary
+from ..matrix import LEFT_OUT, LEGEND
 from ..modules import package_sources
 from .assets import assets
 from .page import Derived, page
@@ -55,7 +56,9 @@ def html_sources(
     site = Site(frozenset(ids), frozenset(e.key for entries in derived.values() for e in entries.values()))
     front = book.model([summary(model) for model in models.values()], chapter11)
     files = {f"{i}.html": site.render("page", page(models[i], derived, evidence, modules), i) for i in ids}
-    files["index.html"] = site.render("index", front | {"columns": COLUMNS, "rows": _matrix(ids, models)})
+    files["index.html"] = site.render(
+        "index", front | {"columns": COLUMNS, "rows": _matrix(ids, models), "legend": LEGEND}
+    )
     files["reading.html"] = site.render("reading", front)
     if chapter11 is not None:
         files["chapter11.html"] = site.render("chapter11", front)
@@ -68,12 +71,12 @@ COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
 
 
 def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, Any]]:
-    """Profile by physics: the counts of `status`, or of the only system a profile has."""
+    """Profile by physics: the cells of `emit.matrix`, or that of the only system a profile has."""
     rows = []
     for i in ids:
         status = models[i]["status"]
-        own = COLUMNS if spread.pool_of(i) is ROUND else [name for name in status if status[name]]
-        cells = [(name, status[name]) for name in own]
+        own = COLUMNS if spread.pool_of(i) is ROUND else list(status)
+        cells = [(name, status.get(name, LEFT_OUT)) for name in own]
         rows.append({"name": i, "title": models[i]["title"], "cells": cells, "span": len(COLUMNS) // len(cells)})
     return rows
 

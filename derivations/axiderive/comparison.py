@@ -1,0 +1,80 @@
+"""A catalogue just built beside the one on the disk: what differs, and what a partial build may write."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from .contact.systems import problems, profile_ids
+from .index import dumps, loads
+
+Record = dict[str, Any]
+
+
+def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[str]:
+    """Unified diff, line by line, from the catalogue on the disk to the one just built."""
+    lines: list[str] = []
+    for path, content in sorted(files.items()):
+        target = root / path
+        old = target.read_bytes() if target.is_file() else None
+        if old == content:
+            continue
+        before = [] if old is None else old.decode(errors="replace").splitlines()
+        origin = "/dev/null" if old is None else f"committed/{path}"
+        lines += difflib.unified_diff(before, content.decode().splitlines(), origin, f"built/{path}", lineterm="")
+    for path in stale:
+        lines += [f"--- committed/{path}", "+++ /dev/null", "no longer generated"]
+    return lines
+
+
+def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> dict[str, bytes]:
+    """The files a partial build may write into a full catalogue.
+
+    Files that belong to one of the profiles are replaced and the index is
+    merged; what the profiles share is written only where it does not exist yet.
+    """
+    order = profile_ids()
+    index_path = "axicontact/index.json"
+    own = {path: text for path, text in files.items() if _owner(path) in ids}
+    shared = {p: t for p, t in files.items() if p not in own and p != index_path and not (root / p).exists()}
+    new = loads(files[index_path])
+    try:
+        old = loads((root / index_path).read_bytes())
+    except (OSError, ValueError):
+        old = {"profiles": [], "entries": []}
+    for part, name in (("profiles", "name"), ("entries", "profile")):
+        rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
+        new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
+    new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
+    return own | shared | {index_path: dumps(new).encode()}
+
+
+def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:
+    profiles = {**old.get("profiles", {}), **new["profiles"]}
+    return {**new, "profiles": {name: profiles[name] for name in order if name in profiles}}
+
+
+def _owner(path: str) -> str:
+    """The profile that a generated file belongs to; empty if it is shared."""
+    folder, _, rest = path.partition("/")
+    for problem in problems():
+        if path in (problem.module, f"evidence/{problem.key}.json"):
+            return problem.profile_id
+        if folder == "handbook" and rest in (f"profiles/{problem.profile_id}.tex", f"html/{problem.profile_id}.html"):
+            return problem.profile_id
+    return ""
+
+
+def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
+    """The measured errors that the evidence below `root` holds, by key of the problem."""
+    found = {}
+    for key in keys:
+        try:
+            evidence = loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
+            found[key] = dict(evidence["evaluation"])
+        except (OSError, ValueError, KeyError, TypeError):
+            # nothing published, or nothing that can be read: what is measured now stands
+            continue
+    return found

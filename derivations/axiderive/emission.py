@@ -1,0 +1,119 @@
+"""What is written of checked problems: modules, handbook, web edition, index and evidence."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from . import pool, work
+from .cache import Cache, digest, source_digest
+from .work import Outcome, Settings
+from .writing import STUDIES
+
+if TYPE_CHECKING:
+    from .contact.systems import Problem
+    from .entry import Entry
+
+WRITING = (*work.DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
+EMITTING = (*work.VERIFYING, *WRITING, "axiderive.emission", "axiderive.index")
+
+Published = list[tuple["Problem", Outcome]]
+Record = dict[str, Any]
+
+
+def package(published: Published, cache: Cache) -> dict[str, str]:
+    """The modules by path."""
+    from .emit.modules import package_sources
+
+    records = {problem.key: outcome.entries for problem, outcome in published}
+    key = digest([work.FORMAT, "package", source_digest(*WRITING), records])
+    texts = cache.get(key)
+    if texts is None:
+        texts = package_sources(_derived(published))
+        cache.put(key, texts)
+    return dict(texts)
+
+
+def _derived(published: Published) -> dict[str, dict[str, Entry]]:
+    return {problem.key: work.read_entries(problem, outcome.entries) for problem, outcome in published}
+
+
+def emitted(
+    published: Published,
+    modules: Mapping[str, str],
+    chapter: Record | None,
+    cache: Cache,
+    settings: Settings,
+    jobs: int,
+) -> dict[str, bytes]:
+    results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
+    studies = _studies()
+    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter, studies])
+    texts = cache.get(key)
+    if texts is None:
+        files = _emit(published, modules, chapter, studies, jobs)
+        texts = {path: content.decode() for path, content in files.items()}
+        cache.put(key, texts)
+    return {path: text.encode() for path, text in sorted(texts.items())}
+
+
+def _studies() -> dict[str, Record]:
+    """The records of `axicontact study` beside the evidence, by name; the book draws them."""
+    folder = work.project_root() / "catalogue" / STUDIES
+    return {path.stem: json.loads(path.read_bytes()) for path in sorted(folder.glob("*.json"))}
+
+
+def _emit(
+    published: Published,
+    modules: Mapping[str, str],
+    chapter: Record | None,
+    studies: Mapping[str, Record],
+    jobs: int,
+) -> dict[str, bytes]:
+    from .emit import handbook, html, index
+    from .index import dumps
+
+    derived = _derived(published)
+    evidence = {problem.key: outcome.evidence for problem, outcome in published}
+    texts = dict(modules)
+    models = _page_models(published, jobs)
+    book = handbook.handbook_sources(derived, evidence, chapter, models, studies)
+    texts |= {f"handbook/{path}": text for path, text in book.items()}
+    site = html.html_sources(derived, evidence, chapter, models, texts)
+    texts |= {f"handbook/html/{path}": text for path, text in site.items()}
+    files = {path: text.encode() for path, text in texts.items()}
+    files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
+    for problem, outcome in published:
+        record = index.evidence_record(problem, outcome.entries, outcome.evidence)
+        files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
+    if chapter is not None:
+        files["evidence/chapter11.json"] = index.to_bytes(chapter)
+    return files
+
+
+def _page_models(published: Published, jobs: int) -> dict[str, Record]:
+    """What the page of every profile shows, in the order of the handbook; made side by side."""
+    from .emit import handbook, spread
+
+    own: dict[str, dict[str, tuple[Record, Record]]] = {}
+    for problem, outcome in published:
+        own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
+    numbers = handbook.numbered(list(own))
+    every = {problem.key: (outcome.entries, outcome.evidence) for problem, outcome in published}
+    tasks = [
+        (name, found | {key: every[key] for key in sorted(spread.needed(name) & set(every))}, numbers[name])
+        for name, found in own.items()
+    ]
+    made = dict(pool.run(_page_model, tasks, jobs))
+    return {name: made[name] for name in own}
+
+
+def _page_model(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record]:
+    """The page of one profile, from what is stored of its problems."""
+    from .contact.systems import problem
+    from .emit import spread
+
+    derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
+    evidence = {key: record for key, (_, record) in found.items()}
+    return profile_id, spread.model(profile_id, derived, evidence, number)

@@ -1,0 +1,30 @@
+"""The records of `axicontact study` as figures and tables of the book: whatever cases the records hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from . import error, extremes, maps
+
+Records = Mapping[str, Mapping[str, Any]]
+"""What was measured, by name of the study: error, maps, extremes; a study may be missing."""
+
+
+def timing(record: Mapping[str, Any], keys: frozenset[str]) -> error.Figure:
+    """Error against time of these keys alone, in the frame that all panels have."""
+    whole = error.figure(record, keys)
+    return replace(whole, panels=tuple(panel for panel in whole.panels if panel.known))
+
+
+def figures(records: Records, keys: frozenset[str]) -> dict[str, Any]:
+    """What the template of the studies draws; `keys` are those that the book prints and a panel may refer to."""
+    found: dict[str, Any] = {"error": None, "maps": None, "extremes": None}
+    if "error" in records:
+        found["error"] = error.figure(records["error"], keys)
+    if "maps" in records:
+        found["maps"] = maps.figure(records["maps"], keys)
+    if "extremes" in records:
+        found["extremes"] = extremes.table(records["extremes"])
+    return found

@@ -1,0 +1,129 @@
+"""Error against run time: one panel for every formula that was measured, all with the same axes.
+
+The panels are drawn in millimetres, because a frame of pgfplots takes TeX a
+tenth of a second and there is one for every formula.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..prose import escaped
+
+WIDTH, HEIGHT = 43.0, 33.0
+"""Millimetres of the frame."""
+LOWEST = -16
+WORDS = {
+    "emitted": "the function of this catalogue",
+    "lambdify": "the printed formula through NumPy",
+    "generated rule": "a generated rule of $N$ nodes",
+    "Gauss-Jacobi": "Gauss--Jacobi rule for the defining integral",
+    "quad": "adaptive quadrature in double precision",
+    "mpmath": "adaptive quadrature in many digits",
+    "quad, substituted": "adaptive quadrature, singularities substituted away",
+    "mpmath, substituted": "the same in many digits",
+    "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
+    "FFT MDR": "dimensionality reduction on a grid by FFT",
+    "quad and root": "adaptive quadrature and root finding",
+    "table": "interpolation in a table",
+    "BEM": "boundary elements",
+}
+OWN = ("emitted", "generated rule")
+"""Methods of the catalogue, drawn in colour."""
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Line:
+    """What one method reaches: its points in millimetres, its letter and where that sits."""
+
+    letter: str
+    own: bool
+    points: tuple[Point, ...]
+    place: Point
+
+    @property
+    def coordinates(self) -> str:
+        return " ".join(f"({x:.2f},{y:.2f})" for x, y in self.points)
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One formula; `known` says whether the book prints its key."""
+
+    key: str
+    known: bool
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """All panels, their axes, and what the letters mean."""
+
+    panels: tuple[Panel, ...]
+    methods: tuple[tuple[str, str], ...]
+    xticks: tuple[tuple[float, int], ...]
+    yticks: tuple[tuple[float, int], ...]
+    width: float = WIDTH
+    height: float = HEIGHT
+
+
+def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
+    """The panels in the order of the record."""
+    plots: Mapping[str, Mapping[str, Sequence[Point]]] = record["plots"]
+    methods = list(dict.fromkeys(method for plot in plots.values() for method in plot))
+    letters = {method: chr(ord("a") + i) for i, method in enumerate(methods)}
+    ratios = [x for plot in plots.values() for points in plot.values() for x, _ in points]
+    first, last = math.floor(math.log10(min(ratios))), math.ceil(math.log10(max(ratios)))
+    scale = Scale(first, last)
+    panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in plots.items())
+    step = max(1, math.ceil((last - first) / 5))
+    return Figure(
+        panels,
+        tuple((letters[method], WORDS.get(method) or escaped(method)) for method in methods),
+        tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
+        tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
+    )
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Decades of the ratio of times to millimetres; errors from 1e-16 to 1."""
+
+    first: int
+    last: int
+
+    def x(self, ratio: float) -> float:
+        return WIDTH * (math.log10(ratio) - self.first) / (self.last - self.first)
+
+    def y(self, error: float) -> float:
+        power = min(max(math.log10(error), LOWEST), 0.0)
+        return HEIGHT * (power - LOWEST) / -LOWEST
+
+
+def _lines(plot: Mapping[str, Sequence[Point]], letters: Mapping[str, str], scale: Scale) -> Iterator[Line]:
+    points = {m: tuple((scale.x(ratio), scale.y(error)) for ratio, error in rows) for m, rows in plot.items()}
+    taken = [point for own in points.values() for point in own]
+    for method, own in points.items():
+        place = _free(own, taken)
+        taken.append(place)
+        yield Line(letters[method], method in OWN, own, place)
+
+
+AROUND = tuple((2.1 * math.cos(math.pi * i / 4), 2.1 * math.sin(math.pi * i / 4)) for i in (2, 0, 6, 4, 1, 3, 5, 7))
+
+
+def _free(own: Sequence[Point], taken: Sequence[Point]) -> Point:
+    """Beside one of the points, where points and letters are farthest away."""
+
+    def room(place: Point) -> float:
+        inside = 1.0 <= place[0] <= WIDTH and 1.0 <= place[1] <= HEIGHT
+        return min(math.dist(place, other) for other in taken) if inside else -1.0
+
+    places = [(x + dx, y + dy) for x, y in own for dx, dy in AROUND]
+    best = max(places, key=lambda place: round(min(room(place), 2.1), 3))
+    return round(best[0], 2), round(best[1], 2)

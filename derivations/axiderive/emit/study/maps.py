@@ -1,0 +1,123 @@
+"""Stability maps: the printed formula through NumPy beside the emitted function, as heat maps of a few levels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+SIDE = 23.0
+"""Millimetres of a map of two ratios, and of the width of one."""
+STRIP = 3.0
+LEVELS = (5.0, 1e3, 1e6, 1e9, 1e12)
+"""Errors in ulps up to which a cell has the colour of its level; beyond them there is one more, and one for NaN."""
+NAMES = ("5", "10^{3}", "10^{6}", "10^{9}", "10^{12}")
+COLOURS = ("steel!45", "accent!18", "accent!38", "accent!62", "accent!88", "accent!70!black", "black")
+
+Cells = Sequence[Sequence[float | None]]
+
+
+@dataclass(frozen=True)
+class Level:
+    """The cells of one colour as rectangles: corner and size in millimetres."""
+
+    colour: str
+    rectangles: str
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One way to evaluate the formula, with its worst error and the share of the samples that miss 1e-12."""
+
+    levels: tuple[Level, ...]
+    share: str
+
+
+@dataclass(frozen=True)
+class Map:
+    """Naive and emitted side by side; the axes with the ends of their ratios."""
+
+    key: str
+    known: bool
+    across: tuple[str, str, str]
+    up: tuple[str, str, str] | None
+    naive: Picture
+    emitted: Picture
+    height: float
+
+
+@dataclass(frozen=True)
+class Figure:
+    plain: tuple[Map, ...]
+    """Maps of one ratio."""
+    square: tuple[Map, ...]
+    legend: tuple[tuple[str, str], ...]
+    width: float = SIDE
+
+
+def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
+    """The maps of the record, those of one ratio and those of two."""
+    found = [_map(one, keys) for one in record["maps"]]
+    words = [rf"$\le {name}$" for name in NAMES] + ["more", "NaN or infinite"]
+    return Figure(
+        tuple(one for one in found if one.up is None),
+        tuple(one for one in found if one.up is not None),
+        tuple(zip(COLOURS, words, strict=True)),
+    )
+
+
+def _map(one: Mapping[str, Any], keys: frozenset[str]) -> Map:
+    flat = len(one["axes"]) == 1
+    height = STRIP if flat else SIDE
+    axes = [_axis(name, edges) for name, edges in zip(one["axes"], one["edges"], strict=True)]
+    return Map(
+        one["key"],
+        one["key"] in keys,
+        axes[-1],
+        None if flat else axes[0],
+        _picture(one["naive"], height),
+        _picture(one["emitted"], height),
+        height,
+    )
+
+
+def _axis(name: str, edges: Sequence[float]) -> tuple[str, str, str]:
+    """Name of the ratio in print and its ends: a ratio reaches to 0 and to 1 as far as doubles go."""
+    if edges[-1] > 1:
+        return f"${name}$", f"${edges[0]:g}$", f"${edges[-1]:g}$"
+    return f"${name}$", "$0$", "$1$"
+
+
+def _picture(found: Mapping[str, Any], height: float) -> Picture:
+    cells: Cells = found["worst"]
+    by_level: dict[int, list[str]] = {}
+    for i, row in enumerate(cells):
+        for level, start, stop in _runs(row):
+            width, tall = SIDE / len(row), height / len(cells)
+            corner = f"({start * width:.3f},{i * tall:.3f})"
+            by_level.setdefault(level, []).append(f"{corner} rectangle +({(stop - start) * width:.3f},{tall:.3f})")
+    share = found["share"]
+    return Picture(
+        tuple(Level(COLOURS[level], " ".join(by_level[level])) for level in sorted(by_level)),
+        "0" if not share else f"{100 * share:.2g}",
+    )
+
+
+def _runs(row: Sequence[float | None]) -> list[tuple[int, int, int]]:
+    """Neighbours of one level as one: level, first cell, cell after the last; cells without a sample are left out."""
+    runs: list[tuple[int, int, int]] = []
+    for j, value in enumerate(row):
+        if value is None:
+            continue
+        level = _level(value)
+        if runs and runs[-1][0] == level and runs[-1][2] == j:
+            runs[-1] = (level, runs[-1][1], j + 1)
+        else:
+            runs.append((level, j, j + 1))
+    return runs
+
+
+def _level(ulps: float) -> int:
+    if ulps < 0:
+        return len(LEVELS) + 1
+    return next((i for i, bound in enumerate(LEVELS) if ulps <= bound), len(LEVELS))

@@ -1,0 +1,32 @@
+"""The part of the package that one module rests on."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from pathlib import PurePosixPath
+
+
+def closure(sources: Mapping[str, str], module: str) -> dict[str, str]:
+    """The texts of a module, of all it imports from the package, and of the packages around them.
+
+    A package stands for its name alone: its text is empty, for it would bring in everything it offers.
+    """
+    found: dict[str, str] = {}
+    pending = [module]
+    while pending:
+        path = pending.pop()
+        found[path] = sources[path]
+        pending += [other for other in _imported(sources, path) if other not in found and other not in pending]
+    packages = {f"{parent}/__init__.py" for path in found for parent in PurePosixPath(path).parents if parent.name}
+    return dict(sorted({**dict.fromkeys(packages, ""), **found}.items()))
+
+
+def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:
+    for node in ast.walk(ast.parse(sources[path])):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            folder = PurePosixPath(path).parents[node.level - 1]
+            base = folder.joinpath(*(node.module or "").split(".")) if node.module else folder
+            for target in (base, *(base / alias.name for alias in node.names)):
+                if f"{target}.py" in sources:
+                    yield f"{target}.py"

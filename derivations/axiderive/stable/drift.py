@@ -1,0 +1,68 @@
+"""What counts as drift between two measurements of the same functions, and what the libraries of a machine explain."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+Record = dict[str, Any]
+UNITS, FACTOR = 1.0, 3.0
+"""How far a worst error may move: NumPy's functions differ by a unit between processors, and roots amplify that.
+
+With AVX-512 off it moved from 2.1 to 6.4 units at most, in a force at given depth.
+"""
+NOTHING = 2.0**52
+"""Units at which a printed formula has lost all digits; what it gives there is noise, as is the last one it keeps."""
+STATED = ("form", "nodes", "sample")
+
+
+def settled(kept: Mapping[str, Record], found: Mapping[str, Record]) -> dict[str, Record]:
+    """The kept row of every function whose errors have not drifted, so that a record does not depend on the machine."""
+    return {suffix: row if drift(kept, {suffix: row}) else kept[suffix] for suffix, row in found.items()}
+
+
+def drift(kept: Mapping[str, Record], found: Mapping[str, Record]) -> list[tuple[str, str]]:
+    """What no difference between machines explains, as suffix and sentence; only functions in `found` are compared.
+
+    The same form, nodes and points are wanted, the same number of lost values, and a worst error that is at most
+    one unit more than three times the smaller of both; of the printed formula, half or twice the digits that were lost.
+    """
+    lines = []
+    for suffix, row in found.items():
+        if suffix in kept:
+            lines += [(suffix, line) for line in _row(kept[suffix], row)]
+        else:
+            lines.append((suffix, "there is no record of them; run axicontact build"))
+    return lines
+
+
+def _row(kept: Record, found: Record) -> list[str]:
+    lines = [f"{name} was {kept.get(name)}, is {found[name]}" for name in STATED if kept.get(name) != found[name]]
+    for domain, new in found.items():
+        if domain not in STATED:
+            lines += [f"{domain}: {line}" for line in _errors(kept.get(domain, {}), new)]
+    return lines
+
+
+def _errors(old: Record, new: Record) -> list[str]:
+    lines = [
+        f"{name} was {old.get(name)}, is {new[name]}" for name in ("points", "lost") if old.get(name) != new.get(name)
+    ]
+    before, now = _worst(old), _worst(new)
+    if max(before, now) > UNITS + FACTOR * min(before, now):
+        lines.append(f"the worst error was {before}, is {now} units")
+    if ("naive" in old) != ("naive" in new):
+        lines.append(f"the printed formula was {'' if 'naive' in old else 'not '}measured")
+    elif "naive" in new:
+        digits = sorted(math.log2(1.0 + min(_worst(errors), NOTHING)) for errors in (old["naive"], new["naive"]))
+        if digits[1] > UNITS + 2.0 * digits[0]:
+            lines.append(
+                f"the worst error of the printed formula was {_worst(old['naive'])}, is {_worst(new['naive'])}"
+            )
+    return lines
+
+
+def _worst(errors: Record) -> float:
+    """Infinite where every value was lost, nought where there was no point."""
+    return float(errors.get("worst_ulp", math.inf if errors.get("points") else 0.0))

@@ -1,0 +1,129 @@
+"""Parts of the book that follow records: study figures, matrix, domains; nothing in them is typed."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from axiderive import notation as nt
+from axiderive.emit import front, matrix
+from axiderive.emit.prose import domain
+from axiderive.emit.study import error, extremes, figures, maps
+from axiderive.pdf import problems
+
+STUDIES = Path(__file__).parents[1] / "catalogue" / "evidence" / "study"
+
+
+@pytest.fixture(scope="module")
+def records() -> dict[str, Any]:
+    return {path.stem: json.loads(path.read_bytes()) for path in sorted(STUDIES.glob("*.json"))}
+
+
+def test_the_error_panels_show_every_method_where_the_record_has_it(records: dict[str, Any]) -> None:
+    record = records["error"]
+    figure = error.figure(record, frozenset({"cone.p"}))
+    assert [panel.key for panel in figure.panels] == list(record["plots"])
+    assert [panel.key for panel in figure.panels if panel.known] == ["cone.p"]
+    (x0, low), (x1, high) = figure.xticks[0], figure.xticks[-1]
+    for panel in figure.panels:
+        plot = record["plots"][panel.key]
+        assert len(panel.lines) == len(plot)
+        for line, rows in zip(panel.lines, plot.values(), strict=True):
+            for (x, y), (ratio, worst) in zip(line.points, rows, strict=True):
+                assert low + (x - x0) * (high - low) / (x1 - x0) == pytest.approx(math.log10(ratio), abs=0.02)
+                assert y / figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
+            assert 0 <= line.place[0] <= figure.width
+            assert 0 <= line.place[1] <= figure.height
+
+
+def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> None:
+    record = copy.deepcopy(records["error"])
+    record["plots"]["cone.fgm.adh.p"] = {"emitted": [[1.0, 3e-16]], "a_method & more": [[1e9, 2e-5]]}
+    figure = error.figure(record, frozenset())
+    assert figure.panels[-1].key == "cone.fgm.adh.p"
+    assert figure.methods[-1][1] == r"a\_method \& more"
+    assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= figure.width
+    assert figures({}, frozenset()) == {"error": None, "maps": None, "extremes": None}
+
+
+RECTANGLE = re.compile(r"\(([\d.]+),([\d.]+)\) rectangle \+\(([\d.]+),([\d.]+)\)")
+
+
+def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -> None:
+    record = records["maps"]
+    figure = maps.figure(record, frozenset())
+    shown = {one.key: one for one in (*figure.plain, *figure.square)}
+    assert set(shown) == {one["key"] for one in record["maps"]}
+    bounds = dict(zip(maps.COLOURS, (*maps.LEVELS, math.inf, -1.0), strict=True))
+    for one in record["maps"]:
+        for way in ("naive", "emitted"):
+            cells = one[way]["worst"]
+            coloured = 0
+            for level in getattr(shown[one["key"]], way).levels:
+                for x, y, width, tall in (map(float, r) for r in RECTANGLE.findall(level.rectangles)):
+                    i = round(y * len(cells) / shown[one["key"]].height)
+                    j = round(x * len(cells[0]) / figure.width)
+                    for value in cells[i][j : j + round(width * len(cells[0]) / figure.width)]:
+                        coloured += 1
+                        bound = bounds[level.colour]
+                        lower = max((b for b in bounds.values() if 0 < b < bound), default=0.0)
+                        assert value == -1 if bound < 0 else lower < value <= bound or value == lower == 0
+                    assert tall == pytest.approx(shown[one["key"]].height / len(cells), abs=1e-3)
+            assert coloured == sum(value is not None for row in cells for value in row)
+
+
+def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> None:
+    rows = extremes.table(records["extremes"])
+    assert sum(row["cases"] for row in rows) == len(records["extremes"]["rows"])
+    limits = [row["limit"] for row in rows]
+    assert len({limit for i, limit in enumerate(limits) if limit != limits[i - 1]}) == len(set(limits))
+    made = [
+        {"limit": "R -> infinity", "key": "x.p", "emitted": 2e-16, "naive": None, "ulps": 1.5},
+        {"limit": "R -> infinity", "key": "x.w", "emitted": 3e-16, "naive": 0.25, "ulps": None},
+    ]
+    (row,) = extremes.table({"rows": made})
+    assert (row["limit"], row["keys"], row["lost"], row["refused"]) == (r"$R\to \infty$", "p, w", 1, 0)
+    assert (row["ulps"], row["emitted"], row["naive"]) == ("$1.5$", r"$3\times10^{-16}$", "$0.25$")
+
+
+def test_the_matrix_of_the_book_says_what_the_matrix_says() -> None:
+    entries = {
+        "d": {"status": "closed", "certified": True, "checks": []},
+        "p": {"status": "integral", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 46}]},
+        "aF": {"status": "root", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 50}]},
+    }
+    cells = matrix.matrix(["cone", "cone.vis"], {"cone": {"entries": entries}, "cone.vis": {"entries": {}}})
+    (row,) = front.matrix_rows(
+        [{"name": "cone", "title": "Cone", "number": "1.1", "status": cells["profiles"]["cone"]}]
+    )
+    first, *_, last = row["cells"]
+    assert first == r"1\,\ok\enspace{}1\,$\int_{46}$\enspace{}1\,$\surd_{50}$"
+    assert last == r"\textcolor{note}{not verified}"
+    assert row["cells"][1] == r"\textcolor{note}{left out}"
+    assert len(front.matrix_legend()) == len(matrix.LEGEND)
+
+
+@pytest.mark.parametrize("record", nt.all_notation(), ids=lambda record: record.name)
+def test_domains_are_printed_with_printed_symbols(record: nt.Notation) -> None:
+    """tau > 0 is the domain of the relaxation time, whose name is another one."""
+    text = domain(record)
+    words = set(
+        re.findall(r"(?<![\\A-Za-z])[A-Za-z]{2,}", re.sub(r"\\(?:mathrm|text|operatorname)\{[^}]*\}", "", text))
+    )
+    assert not words, text
+    assert bool(text) == bool(record.domain)
+
+
+def test_an_overfull_line_of_the_main_file_is_not_blamed_on_the_last_profile() -> None:
+    sources = {
+        "book.tex": b"\\documentclass{article}\n" + b"text\n" * 30 + b"%% matrix cone\n" + b"row\n" * 9,
+        "profiles/cone.tex": b"%% cone.p\nrow\n",
+    }
+    log = "(./book.tex (./profiles/cone.tex [1])\nOverfull \\hbox (26.0pt too wide) in alignment at lines 34--36\n"
+    assert problems(log, sources) == ["book.tex:34: [matrix] line is 9.1 mm too wide"]

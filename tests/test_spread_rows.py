@@ -1,0 +1,182 @@
+"""Rows of a spread that no entry stands behind: limits, universal curves, measured errors, read back as printed."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import pytest
+import sympy as sp
+
+from axiderive import notation as nt
+from axiderive.contact.systems import problem
+from axiderive.emit.blocks import blocks
+from axiderive.emit.limits import limit_rows
+from axiderive.emit.page import evidence_rows
+from axiderive.emit.printed import named
+from axiderive.emit.readback import read
+from axiderive.emit.universal import power_of_depth, universal_rows
+from axiderive.entry import Entry
+from axiderive.profiles import NAMES, load
+from axiderive.proof.evaluate import case_at, evaluate
+from axiderive.proof.unevaluated import evaluate_case
+from axiderive.work import read_entries
+
+EVIDENCE = Path(__file__).parents[1] / "catalogue" / "evidence"
+READ_BACK = mp.mpf(10) ** -20
+DIGITS = 40
+NEAR = sp.Rational(1, 10**60)
+"""How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
+
+
+@cache
+def stored(key: str) -> tuple[dict[str, Entry], dict[str, Any]]:
+    record = json.loads((EVIDENCE / f"{key}.json").read_bytes())
+    return read_entries(problem(key), record["entries"]), record["evidence"]
+
+
+WITH_LIMITS = [name for name in NAMES if load(name).limits]
+VALUES = {
+    nt.r: "3/7",
+    nt.a: "11/8",
+    nt.theta: "2/5",
+    nt.R: "17/6",
+    nt.R1: "9/2",
+    nt.R2: "13/6",
+    nt.A: "3/11",
+    nt.E_star: "7/3",
+}
+
+
+def _rows(name: str, evidence: dict[str, Any] | None = None) -> list[dict[str, Any]]:
+    profile = load(name)
+    derived = {limit.target: stored(limit.target)[0] for limit in profile.limits}
+    entries, found = stored(name)
+    return limit_rows(profile, entries, derived, evidence or found)
+
+
+@pytest.mark.parametrize("name", WITH_LIMITS)
+def test_a_printed_limit_is_what_the_own_formula_tends_to(name: str) -> None:
+    profile, (entries, _) = load(name), stored(name)
+    rows = _rows(name)
+    assert len(rows) == len(profile.limits)
+    for limit, one in zip(profile.limits, rows, strict=True):
+        near = NEAR if limit.value == 0 else sp.sympify(limit.value)
+        values = {symbol: sp.Rational(text) for symbol, text in VALUES.items()} | {limit.symbol: near}
+        parts = one["tex"].split(r",\quad ")
+        keys = one["comment"].removeprefix("limit ").split()
+        assert [key.rpartition(".")[2] for key in keys] == ["d", "F", "p"][: len(parts)]
+        for key, part in zip(keys, parts, strict=True):
+            with mp.workdps(DIGITS + 20):
+                _, _, text = part.partition(r"\to ")
+                printed = read(text)[0].members[0](named(values))
+                entry = entries[key.rpartition(".")[2]]
+                own = evaluate_case(case_at(entry, values), values, DIGITS)
+                assert abs(printed - own) < READ_BACK * abs(own), key
+
+
+def test_a_limit_that_was_not_checked_is_not_printed() -> None:
+    failed = copy.deepcopy(stored("rounded_punch")[1])
+    for check in failed["entries"]["F"]["checks"]:
+        if check["compared"].startswith("limit"):
+            check["outcome"] = "failed"
+    (one,) = _rows("rounded_punch", failed)
+    assert r"g(a)\to" in one["tex"]
+    assert r"F_{\mathrm N}\to" not in one["tex"]
+    assert _rows("rounded_punch", {"entries": {}}) == []
+
+
+POWER_LAWS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
+ADHESIVE = [f"{name}{group}" for name in POWER_LAWS for group in (".adh", ".fgm.adh")]
+
+
+def _universal(key: str) -> list[str]:
+    base = stored(key.removesuffix(".adh"))[0]
+    return [row["tex"] for row in universal_rows(key, base["d"], ".fgm" in key)]
+
+
+def _curve_values() -> dict[Any, Any]:
+    values = {symbol: sp.Rational(text) for symbol, text in VALUES.items()}
+    values |= {
+        nt.n: sp.Rational(17, 10),
+        nt.k: sp.Rational(3, 8),
+        nt.H: sp.Rational(9, 5),
+        nt.dgamma: sp.Rational(1, 9),
+    }
+    return values
+
+
+def _worst(key: str, rows: list[str]) -> Any:
+    """Largest difference between the printed ratios and those of the entries; the curve of the force comes first."""
+    entries, values, found = stored(key)[0], _curve_values(), []
+    bodies = [s.members[-1] for text in rows for s in read(text) if s.members[0].name != "x"]
+    with mp.workdps(DIGITS):
+        radius = evaluate(entries["ac"].cases[0].expr, values, DIGITS)
+        values[nt.a_c] = radius
+        for x in (mp.mpf("0.3"), mp.mpf(1), mp.mpf("2.7")):
+            at = values | {nt.a: radius * x}
+            for suffix, body in zip(("F", "d"), bodies, strict=True):
+                load, pulled = (entries[s].cases[0].expr for s in (suffix, f"{suffix}c"))
+                wanted = evaluate(load, at, DIGITS) / evaluate(pulled, values, DIGITS)
+                found.append(abs(body({**named(values), "x": x}) - wanted))
+    return max(found)
+
+
+@pytest.mark.parametrize("key", ADHESIVE)
+def test_the_universal_curve_is_the_adhesive_contact_over_its_pull_off(key: str) -> None:
+    rows = _universal(key)
+    assert rows
+    assert _worst(key, rows) < READ_BACK
+
+
+@pytest.mark.parametrize("key", ["cone.adh", "power_law.adh", "power_law.fgm.adh"])
+def test_no_changed_digit_of_a_universal_curve_passes(key: str) -> None:
+    rows = _universal(key)
+    mutants = 0
+    for index, text in enumerate(rows):
+        for match in re.finditer(r"\d", text):
+            changed = text[: match.start()] + str(int(match[0]) % 9 + 1) + text[match.end() :]
+            assert _worst(key, [*rows[:index], changed, *rows[index + 1 :]]) > READ_BACK, changed
+            mutants += 1
+    assert mutants >= 4
+
+
+def test_only_one_power_of_the_radius_has_a_universal_curve() -> None:
+    for name in NAMES:
+        entries = stored(name)[0]
+        if "d" in entries:
+            assert (power_of_depth(entries["d"]) is None) == (name not in POWER_LAWS), name
+
+
+def test_further_rows_stand_in_their_blocks() -> None:
+    derived = {key: stored(key)[0] for key in ("power_law", "power_law.adh", *POWER_LAWS[:4])}
+    found = blocks("power_law", derived, {}, {"power_law": stored("power_law")[1]})
+    assert [len(line) for line in found["normal"].further] == [2, 2]
+    assert len(found["adhesive"].further) == 1
+    assert found["tangential"].further == []
+
+
+def test_measured_errors_stand_beside_the_evidence() -> None:
+    entries, record = stored("rounded_punch")
+    errors = {"points": 30, "worst_ulp": 3.5, "share_above_5": 0.0, "lost": 0}
+    measured = {
+        "p": {"form": "rule", "nodes": [24, 32], "bench": errors | {"naive": errors | {"worst_ulp": 1.6e17}},
+              "extreme": {"points": 19, "lost": 19, "share_above_5": 1.0}},
+        "F": {"form": "kernel", "nodes": [], "bench": errors | {"naive": errors | {"worst_ulp": 3.9e9, "lost": 2}},
+              "extreme": {"points": 0}},
+    }  # fmt: skip
+    rows = {
+        row["suffix"]: row
+        for row in evidence_rows(
+            "rounded_punch", {"rounded_punch": entries}, {"rounded_punch": record | {"evaluation": measured}}
+        )["table"]
+    }
+    assert rows["p"]["evaluation"] == ["Gauss rule, 24, 32 nodes", r"$3.5$\,/\,30", "all 19 lost", "no digit"]
+    assert rows["F"]["evaluation"] == ["special function", r"$3.5$\,/\,30", "--", r"$3.9\times10^{9}$\,/\,30 (2 lost)"]
+    assert (rows["p"]["ruled"], rows["F"]["ruled"], rows["d"]["ruled"]) == (True, False, False)
+    assert rows["d"]["evaluation"] == []
