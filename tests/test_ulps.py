@@ -11,14 +11,18 @@ import math
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import axicontact
+from axiderive.check import _drift as check_again
 from axiderive.contact.normal import derive
+from axiderive.contact.systems import problem
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
 from axiderive.stable.closure import closure
+from axiderive.stable.drift import drift, settled
 from axiderive.stable.emitted import form
 from axiderive.stable.measure import Sample, count_for, function_of, samples, ulps, value
 from axiderive.stable.naive import naive
@@ -109,10 +113,10 @@ def test_the_record_of_a_problem() -> None:
     found = record("rounded_punch", sources, entries, count=12)
     assert [found[suffix]["form"] for suffix in ("d", "p", "ad", "k")] == ["kernel", "rule", "root", "closed"]
     assert found["d"]["bench"]["worst_ulp"] <= CLOSED < 1e4 < found["d"]["bench"]["naive"]["worst_ulp"]
-    assert found == record("rounded_punch", closure(sources, "axicontact/normal/rounded_punch.py"), entries, count=12)
-    path = "axicontact/normal/rounded_punch.py"
+    path, few = "axicontact/normal/rounded_punch.py", ("d", "ad")
+    assert record("rounded_punch", closure(sources, path), entries, few, count=12) == {key: found[key] for key in few}
     worse = sources | {path: sources[path].replace("arctan_gap(root / b)", "(root / b - np.arctan(root / b))")}
-    assert record("rounded_punch", worse, entries, count=12)["d"]["bench"]["worst_ulp"] > 1e4
+    assert record("rounded_punch", worse, entries, ["d"], count=12)["d"]["bench"]["worst_ulp"] > 1e4
 
 
 def test_a_condition_is_the_sum_of_logarithmic_slopes() -> None:
@@ -137,3 +141,34 @@ def test_an_error_of_two_units_is_seen() -> None:
     assert ulps(near, point.exact) <= 0.5
     assert 1.0 < ulps(math.nextafter(math.nextafter(near, math.inf), math.inf), point.exact) < 3.0
     assert ulps(math.nan, point.exact) == math.inf
+
+
+def test_check_measures_again() -> None:
+    entries = derive(load("cone"))
+    sources = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").rglob("*.py")}
+    kept = record("cone", sources, entries, ["d"])
+    assert check_again(problem("cone"), entries, ["d"], {"evaluation": kept}, ROOT) == []
+    kept["d"]["extreme"]["worst_ulp"] += 10.0
+    (failure,) = check_again(problem("cone"), entries, ["d"], {"evaluation": kept}, ROOT)
+    assert failure["key"] == "cone.d"
+    assert "the worst error was 1" in failure["message"]
+
+
+def test_drift_is_what_no_library_explains() -> None:
+    """A unit, or thrice the error, is the machine; a lost value, another form or more is not."""
+
+    def row(worst: float, lost: int = 0, form: str = "closed", naive: float = 1e3) -> dict[str, dict[str, Any]]:
+        errors = {"points": 30, "worst_ulp": worst, "lost": lost, "naive": {"points": 30, "worst_ulp": naive}}
+        return {"F": {"form": form, "nodes": [], "sample": {"seed": 17, "count": 30}, "bench": errors}}
+
+    kept = row(2.0)
+    for same in (kept, row(2.9), row(1.0), row(6.9), row(2.0, naive=1e4)):
+        assert drift(kept, same) == []
+        assert settled(kept, same) == kept
+    for other in (row(7.1), row(0.3), row(2.0, lost=1), row(2.0, form="rule"), row(2.0, naive=2.0)):
+        ((suffix, _),) = drift(kept, other)
+        assert suffix == "F"
+        assert settled(kept, other) == other
+    assert drift({}, kept)
+    # the digits of a formula that has lost all of them are noise
+    assert drift(row(2.0, naive=7e15), row(2.0, naive=1e21)) == []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,16 +27,17 @@ def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: boo
     """Verify these keys (profiles, problems or single formulas; all if empty); whether all of them passed."""
     index = load()
     wanted = _wanted(keys, index)
+    stored = folder if folder.is_dir() else index.folder.parent / "evidence"
     started, checked, failures = time.perf_counter(), 0, []
     rows: list[list[str]] = []
     for key, selected in wanted.items():
         problem = systems.problem(key)
-        record = _stored(folder if folder.is_dir() else index.folder.parent / "evidence", key)
+        record = _stored(stored, key)
         entries = read_entries(problem, record["entries"])
         evidence = verify(problem, entries, settings)
-        drifted = _drift(problem, entries, record["evidence"], index)
         checked += len(selected)
-        failures += [failure for failure in drifted if failure["key"] in selected]
+        suffixes = [suffix for suffix in entries if f"{key}.{suffix}" in selected]
+        failures += _drift(problem, entries, suffixes, record["evidence"], stored.parent)
         failures += [failure for failure in evidence["failures"] if failure["key"] in selected]
         for suffix, found in evidence["entries"].items():
             if f"{key}.{suffix}" in selected:
@@ -61,13 +62,14 @@ def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
     return wanted
 
 
-def _drift(problem: Problem, entries: dict[str, Entry], evidence: dict[str, Any], index: Index) -> list[dict[str, str]]:
-    """What the functions of the installed package err today and the stored record does not say."""
+def _drift(
+    problem: Problem, entries: dict[str, Entry], suffixes: Collection[str], evidence: dict[str, Any], package: Path
+) -> list[dict[str, str]]:
+    """What the functions of the package below a folder err today and the stored record does not say."""
     if problem.system.name not in records.SYSTEMS:
         return []
-    root = index.folder.parent
-    sources = {path.relative_to(root).as_posix(): path.read_text() for path in index.folder.rglob("*.py")}
-    found = records.record(problem.key, closure(sources, problem.module), entries)
+    sources = {path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*.py")}
+    found = records.record(problem.key, closure(sources, problem.module), entries, suffixes)
     return [
         {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
         for suffix, line in drift(evidence.get("evaluation", {}), found)

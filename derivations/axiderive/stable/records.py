@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from ..contact.systems import problem
@@ -24,7 +24,13 @@ Record = dict[str, Any]
 
 
 def record(
-    key: str, sources: Mapping[str, str], entries: Mapping[str, Entry], count: int = COUNT, seed: int = SEED
+    key: str,
+    sources: Mapping[str, str],
+    entries: Mapping[str, Entry],
+    suffixes: Collection[str] | None = None,
+    *,
+    count: int = COUNT,
+    seed: int = SEED,
 ) -> dict[str, Record]:
     """Errors of every function of a problem of normal contact, by suffix.
 
@@ -36,6 +42,8 @@ def record(
         The texts of the package by path; the module and what it imports are taken from there.
     entries : mapping of str to Entry
         What the functions shall evaluate, by suffix.
+    suffixes : collection of str, optional
+        The functions to measure; all of them where none are named.
     count, seed : int
         Points in either domain, a tenth where the exact value is an integral; where they start.
 
@@ -55,6 +63,7 @@ def record(
                 entries, suffix, getattr(module, entry.quantity.function), sources[found.module], count, seed
             )
             for suffix, entry in entries.items()
+            if suffixes is None or suffix in suffixes
         }
 
 

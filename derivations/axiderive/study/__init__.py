@@ -87,9 +87,9 @@ def _error(arguments: argparse.Namespace) -> int:
 def _maps(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import maps
-    from .subject import NAMES
+    from .subject import GRADED, NAMES
 
-    record = maps.measure(_names(arguments, NAMES), seed=arguments.seed, quick=arguments.quick)
+    record = maps.measure(_names(arguments, (*NAMES, GRADED)), seed=arguments.seed, quick=arguments.quick)
     return _finish(arguments, record, maps.text)
 
 

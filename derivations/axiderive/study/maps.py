@@ -18,7 +18,7 @@ from .. import notation as nt
 from ..entry import Entry
 from .accuracy import Judged, Point, judged, reference
 from .report import Record, rounded, table, versions
-from .subject import NAMES, PARAMETERS, entries
+from .subject import GRADED, NAMES, PARAMETERS, entries
 
 QUANTITIES = ("d", "F", "p", "w")
 DECADES = 12
@@ -78,7 +78,11 @@ def axes(entry: Entry) -> tuple[Axis, ...]:
 
 
 def measure(
-    names: Sequence[str] = NAMES, *, seed: int = 17, quick: bool = False, quantities: Sequence[str] = QUANTITIES
+    names: Sequence[str] = (*NAMES, GRADED),
+    *,
+    seed: int = 17,
+    quick: bool = False,
+    quantities: Sequence[str] = QUANTITIES,
 ) -> Record:
     """The record of the study: one map for each formula that depends on a ratio."""
     cells, samples = (QUICK_CELLS, QUICK_SAMPLES) if quick else (CELLS, SAMPLES)
@@ -122,7 +126,7 @@ def _map(name: str, suffix: str, seed: int, cells: int, samples: int) -> Record:
 def _point(entry: Entry, own: tuple[Axis, ...], cell: tuple[int, ...], cells: int, rng: random.Random) -> Point:
     """A contact radius near 1 and the lengths that belong to a random place in the cell."""
     a = 2.0 ** rng.uniform(-1.0, 1.0)
-    point = {symbol: PARAMETERS[symbol] for symbol in (*entry.profile.parameters, nt.E_star)} | {nt.a: a}
+    point = {symbol: PARAMETERS[symbol] for symbol in entry.parameters} | {nt.a: a}
     for axis, index in zip(own, cell, strict=True):
         size = axis.place((index + rng.random()) / cells)
         point[axis.symbol] = size if axis.kind == "exponent" else a * size

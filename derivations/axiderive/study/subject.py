@@ -26,8 +26,9 @@ Array = Any
 Function = Callable[..., Any]
 NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
 QUANTITIES = ("p", "Fd", "w")
-OTHERS = {"power_law.fgm": QUANTITIES, "paraboloid.adh": ("ad",), "cone.adh": ("ad",)}
-"""On a graded half space, and with adhesion."""
+GRADED, ADHESIVE = "power_law.fgm", ("paraboloid.adh", "cone.adh")
+OTHERS = {GRADED: QUANTITIES, **dict.fromkeys(ADHESIVE, ("ad",))}
+"""On a graded half space, and with adhesion: the quantities of their own."""
 RADIUS = 2.0
 PARAMETERS = {
     nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
