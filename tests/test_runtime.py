@@ -6,9 +6,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact import _arcs
+from axicontact import _arcs, _inverse
 from axicontact._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
-from axicontact._inverse import inverse
 from axicontact._nodes import gauss_legendre
 from axicontact._powers import power_displacement, power_pressure, power_punches
 from axiderive.emit import nodes as certified
@@ -105,7 +104,7 @@ def test_inverse_keeps_to_the_bracket_where_newton_overshoots() -> None:
         return np.where(steep, t**9, t), np.where(steep, 9.0, 1.0)
 
     value = np.array([1e-8, 0.999, 1.0, 1.001, 7.0, 1e9])
-    root = inverse(curve, value, np.full(6, 1e3), (1.0, 9.0))
+    root = _inverse.inverse(curve, value, np.full(6, 1e3), (1.0, 9.0))
     np.testing.assert_allclose(root, np.where(value > 1, value ** (1 / 9), value), rtol=SIXTEEN_ULP)
 
 
@@ -116,3 +115,23 @@ def test_domains_are_read_off_the_notation() -> None:
     assert bounds("-1 < nu <= 1/2") == ("-1.0", "0.5", "high")
     with pytest.raises(ValueError, match="not an interval"):
         bounds("0 <= c <= a")
+
+
+def test_a_root_across_an_infinite_slope_takes_few_steps() -> None:
+    """Six steps, next to the corner of a capped paraboloid too, where Newton's iteration in the radius took 120."""
+    calls = []
+
+    def curve(a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        calls.append(a)
+        root = np.sqrt(np.maximum(a - 1.0, 0.0) * (a + 1.0))
+        value = a * (a + 3.0 * root)
+        with np.errstate(divide="ignore"):
+            return value, 1.0 + a * (1.0 + np.where(a > 1.0, 3.0 * a / root, 0.0)) / (a + 3.0 * root)
+
+    for radius in (1e-3, 0.999, 1.0 - 1e-14, 1.0 + 1e-14, 1.0 + 1e-9, 1.001, 2.0, 1e3):
+        calls.clear()
+        with np.errstate(all="ignore"):
+            value = curve(np.array([radius]))[0]
+            got = _inverse.inverse_across(curve, value, 1.0, (2.0, np.inf))
+        assert abs(got[0] / radius - 1.0) <= 4 * EPS
+        assert len(calls) <= 12, (radius, len(calls))

@@ -44,8 +44,8 @@ CONDITIONED = {
 a radius where the depth is almost stationary, a pressure next to its zero."""
 AMPLIFIED = 3.0
 """Their errors over 1 + the sum of |d ln value/d ln argument|."""
-KINK = {"capped_paraboloid.ad": 600.0, "rounded_curved_punch.aF": 20.0, "sphere_tipped_cone.dF": 20.0}
-"""Radii within a few units of a break, where the slope of the curve jumps to infinity."""
+KINK = {"sphere_tipped_cone.dF": 20.0}
+"""A radius within a few units of the break, where the slope of the curve bends sharply."""
 UNDEFINED = {"concave_power"}
 """The threshold of complete contact is itself a root; without it no sample lies above it for certain."""
 

@@ -81,8 +81,9 @@ def imports(module: ModuleText) -> list[str]:
         line = f"from .._integrals import {', '.join(rules)}"
         split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
         blocks += [line] if len(line) <= 120 else split
-    if "inverse(" in text:
-        blocks.append("from .._inverse import inverse")
+    roots = [name for name in ("inverse", "inverse_across") if f"{name}(" in text]
+    if roots:
+        blocks.append(f"from .._inverse import {', '.join(roots)}")
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")

@@ -142,7 +142,10 @@ class Inverses:
             "",
         ]
         call = f"inverse(curve, {field}, {start}, {self._exponents(suffix)}{options})"
-        if largest is None:
+        if self._bends_freely():
+            lines.append(f"return inverse_across(curve, {field}, {self.compact.b}, {self._exponents(suffix)})")
+            needs = needs | {str(self.compact.b)}
+        elif largest is None:
             lines.append(f"return {call}")
         else:
             needs = needs | {str(s) for s in largest.free_symbols}
@@ -151,6 +154,13 @@ class Inverses:
             # the largest depth and the argument are both rounded
             lines.append(f"return np.where({target.call('largest')} * {1 + 2**-50!r} >= {field}, a, np.nan)")
         return self.functions.add(name, (field,), lines, needs | set(target.needs) | self._start_needs())
+
+    def _bends_freely(self) -> bool:
+        """Whether g' has a parameter of its own beyond the break, so that it may outgrow the tip at will."""
+        if set(self.compact.slopes) != {"tip", "beyond"}:
+            return False
+        tip, beyond = (self.compact.slopes[key][1].needs() for key in ("tip", "beyond"))
+        return bool({str(symbol) for symbol in beyond - tip} - {"t", "root", str(self.compact.b)})
 
     def _start(self) -> str:
         """A length of the profile, small against the largest contact radius."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 PACKAGE = "axicontact"
 RULES = ("integral", "panels")
-ITERATION = "inverse"
+ITERATIONS = frozenset(("inverse", "inverse_across"))
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "power_displacement",
@@ -85,7 +85,7 @@ def form(source: str, function: str) -> tuple[str, list[int]]:
         kind = "rule"
     else:
         kind = "kernel" if kernels else "closed"
-    return ("root" if ITERATION in names else kind), sorted(nodes)
+    return ("root" if names & ITERATIONS else kind), sorted(nodes)
 
 
 def _stated(body: ast.FunctionDef) -> set[int]:
