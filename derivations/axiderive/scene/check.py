@@ -15,7 +15,7 @@ from ..entry import Entry
 from ..profiles.profile import Profile
 from ..proof.half_space import HalfSpace
 from . import interface
-from .contact import DIGITS, Contact
+from .contact import DIGITS, Contact, short
 
 if TYPE_CHECKING:
     from .request import Request
@@ -82,7 +82,7 @@ def _at(contact: Contact, physics: str, name: str, a: float) -> Rows:
 def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
     """Normal contact, with or without adhesion."""
     E, pi, moved = mp.mpf(contact.all["E_star"]), mp.pi, contact.moved(a)
-    outside, places = 1.6 * a, [0.45 * a, *contact.between(a)]
+    outside, places = short(1.6 * a), [short(x) for x in (0.45 * a, *contact.between(a))]
 
     def pulled(inside: float) -> Any:
         return E * moved / (pi * mp.sqrt((mp.mpf(a) - inside) * (mp.mpf(a) + inside)))
@@ -145,7 +145,7 @@ def _graded(contact: Contact, name: str) -> Rows:
     known = {nt.H: mp.mpf(contact.all["H"]), nt.k: mp.mpf(contact.all["k"]), **contact.given()}
     rows: Rows = []
     for a in contact.radii():
-        r = a * (1.6 if name == "displacement" else 0.45)
+        r = short(a * (1.6 if name == "displacement" else 0.45))
         half_space = HalfSpace(contact.profile, {**known, nt.r: mp.mpf(r)}, DIGITS, graded=True)
         with mp.workdps(DIGITS + 10):
             place = {"a": a, "r": r, "d": 0.0, "F": 0.0}

@@ -90,13 +90,7 @@ class _Composition:
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
-            page = page_sources(
-                _plain(self.request.title),
-                self.profile,
-                self.entries,
-                evidence.stored(self.profile, self.answer),
-                own=self.answer is not None,
-            )
+            page = page_sources(self.request, self.profile, self.entries, evidence.stored(self.profile, self.answer))
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:

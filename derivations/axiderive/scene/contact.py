@@ -52,6 +52,11 @@ def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], flo
     return own | moved | material, reach
 
 
+def short(place: float) -> float:
+    """A place in few digits; where it lies exactly does not matter."""
+    return float(f"{place:.4g}")
+
+
 def _reach(profile: Profile, values: Mapping[str, float]) -> float:
     found = examine(profile, {p: values[p.name] for p in profile.parameters}).compact_to
     return np.inf if found is None else found
@@ -87,7 +92,7 @@ class Contact:
 
     def radii(self) -> list[float]:
         """Contact radii of the size of the profile, on both sides of its breaks, and that of the worked example."""
-        return [*self._drawn(), *([self.worked()] if self.request.at else [])]
+        return [*map(short, self._drawn()), *([self.worked()] if self.request.at else [])]
 
     def _drawn(self) -> list[float]:
         known = {s: float(v) for s, v in self.given().items()}

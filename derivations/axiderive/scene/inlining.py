@@ -13,13 +13,19 @@ WIDTH = 112
 
 
 def returned(definition: Definition) -> tuple[list[ast.stmt], ast.expr] | None:
-    """Assignments and the returned expression of a function that is nothing else."""
+    """Assignments, also under conditions, and the returned expression of a function that is nothing else."""
     body = list(definition.function.body) if definition.function else []
     if body and isinstance(body[0], ast.Expr):
         body = body[1:]
     if not body or not isinstance(last := body[-1], ast.Return) or last.value is None:
         return None
-    return (body[:-1], last.value) if all(isinstance(s, ast.Assign) for s in body[:-1]) else None
+    return (body[:-1], last.value) if all(_assigns(s) for s in body[:-1]) else None
+
+
+def _assigns(statement: ast.stmt) -> bool:
+    if isinstance(statement, ast.If):
+        return all(isinstance(s, ast.Assign) for s in (*statement.body, *statement.orelse))
+    return isinstance(statement, ast.Assign)
 
 
 def inlined(linker: Linker) -> dict[Key, str]:

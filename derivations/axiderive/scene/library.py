@@ -67,6 +67,8 @@ class Module:
     definitions: dict[str, Definition] = field(default_factory=dict)
     imported: dict[str, Key] = field(default_factory=dict)
     aliases: dict[str, str] = field(default_factory=dict)
+    notes: dict[str, str] = field(default_factory=dict)
+    """What the text under a constant says of it."""
 
     def __post_init__(self) -> None:
         tree = ast.parse(self.text)
@@ -75,8 +77,11 @@ class Module:
         for line in self.lines:
             self.starts.append(self.starts[-1] + len(line.encode()))
         self.bytes = self.text.encode()
-        for node in tree.body:
+        for node, below in zip(tree.body, [*tree.body[1:], None], strict=True):
             self._define(node)
+            match node, below:
+                case ast.Assign(targets=[ast.Name(id=name)]), ast.Expr(value=ast.Constant(value=str(note))):
+                    self.notes[name] = note.splitlines()[0].rstrip(".")
 
     def _define(self, node: ast.stmt) -> None:
         match node:

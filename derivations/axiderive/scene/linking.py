@@ -131,6 +131,7 @@ class Linker:
                     name = f"_{group}_{stem}"
                 taken.add(name)
             self.names[key] = name
+        self.names |= SHARED
 
     @staticmethod
     def given(call: ast.Call, callee: Definition) -> dict[str, ast.expr]:
@@ -141,7 +142,8 @@ class Linker:
         return rewritten(self, self.reached[key], doc)
 
 
-SHARED: frozenset[Key] = frozenset(
-    {("_integrals", "integral"), ("_elementwise", "Array"), ("_elementwise", "Result"), ("_branches", "Load")}
-)
-"""What is written anew for a scene, in fewer lines, or read by the type checker only."""
+SHARED: dict[Key, str] = {
+    ("_integrals", "integral"): "_integral", ("_nodes", "_LOWER_HALVES"): "_NODES",
+    ("_elementwise", "Array"): "", ("_elementwise", "Result"): "", ("_branches", "Load"): "",
+}  # fmt: skip
+"""Names of what is written anew for a scene, in fewer lines; empty for what is read by the type checker only."""

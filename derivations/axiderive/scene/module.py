@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from ..emit.python import NODE_COUNTS
 from .library import Key, Module
 from .linking import OWN, Linker, Wanted
+from .rewriting import documented
 
 CORE = '''def _elementwise(function{option}):
     """Numbers or arrays in, a float or an array out{nan}."""
@@ -39,10 +40,10 @@ from .{module} import {radius}, {force}, {depth}
 def pull_off({parameters}):
     if control not in XI:
         raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    radius = np.ravel({radius_call})
+    a = np.ravel({radius_call})
     force = {force_call}
     depth = {depth_call}
-    return PullOff(*(float(np.squeeze(x)) for x in (radius, force, depth)))
+    return PullOff(*(float(np.squeeze(x)) for x in (a, force, depth)))
 """
 
 
@@ -70,9 +71,7 @@ class PullOff:
         """The function, to be linked like those it rests on."""
 
         def call(key: Key) -> str:
-            given = {"a": "radius"}
-            passed = modules[key[0]].definitions[key[1]].parameters
-            return f"{key[1]}({', '.join(given.get(p, p) for p in passed)})"
+            return f"{key[1]}({', '.join(modules[key[0]].definitions[key[1]].parameters)})"
 
         text = PULL_OFF.format(
             module=self.radius[0], radius=self.radius[1], force=self.force[1], depth=self.depth[1],
@@ -129,6 +128,7 @@ def module_text(
     body = "\n\n\n".join([*public, *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
+    if "_NODES[" in body:
         values.append(_nodes(modules["_nodes"], _counts(linker)))
     free = sorted({k for one in wanted for k in one.keywords} | set(pull_off.keywords if pull_off else ()))
     if free:
@@ -158,7 +158,7 @@ def _wrapper(linker: Linker, one: Wanted) -> str:
     signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
     check = f"    _require({', '.join(f'{k}={k}' for k in one.keywords)})\n" if one.keywords else ""
     call = f"{linker.names[one.key]}({', '.join(passed)})"
-    return f'def {one.name}({signature}):\n    """{one.doc}"""\n{check}    return {call}'
+    return "\n".join([f"def {one.name}({signature}):", *documented(one.doc), f"{check}    return {call}"])
 
 
 def _pull_off(linker: Linker, own: PullOff) -> str:
@@ -166,7 +166,7 @@ def _pull_off(linker: Linker, own: PullOff) -> str:
     _, *body = linker.text((OWN, "pull_off")).splitlines()
     signature = ", ".join(['control="force"', *(["*", *own.keywords] if own.keywords else [])])
     check = [f"    _require({', '.join(f'{k}={k}' for k in own.keywords)})"] if own.keywords else []
-    head = ['@np.errstate(all="ignore")', f"def pull_off({signature}):", f'    """{own.doc}"""']
+    head = ['@np.errstate(all="ignore")', f"def pull_off({signature}):", *documented(own.doc)]
     return "\n".join([*head, *check, *body])
 
 

@@ -18,6 +18,9 @@ from ..emit.rows import ordered
 from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
+from . import interface
+from .request import Request
+from .sections import sections_for
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \documentclass[10pt,a4paper,twoside]{article}
@@ -34,6 +37,11 @@ MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \input{profiles/%(name)s}
 \end{document}
 """
+CLAIMS = {
+    "closed": "every formula is derived and compared with its definition, the certified ones are proved",
+    "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
+}
+"""What holds for the formulas of a profile of one's own."""
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -48,21 +56,29 @@ def escaped(text: str) -> str:
 
 
 def page_sources(
-    title: str, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any], *, own: bool
+    request: Request, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     path = f"profiles/{profile.name}.tex"
-    texts = None if own else _stored(path)
+    texts = None if request.own else _stored(path, request.physics)
     if texts is None:
-        preamble = templates().get_template("preamble.tex.j2").render(version=__version__)
         closed = entries["d"].status == "closed"
+        claim = CLAIMS["closed" if closed else "integral"]
+        preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
         texts = {path: body, "preamble.tex": preamble}
+    names = {*(p.name for p in profile.parameters if nt.known(p.name)), *interface.MATERIAL[request.physics]}
+    here = {nt.describe(name).latex: f"; here {_number(v)}" for name, v in request.values.items() if name in names}
     rows = [
-        f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}\\\\"
-        for n in front.notation_rows(symbols(entries) | {p.name for p in profile.parameters if nt.known(p.name)})
+        f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}{here.get(n['latex'], '')}\\\\"
+        for n in front.notation_rows(symbols(entries) | names)
     ]
-    main = MAIN % {"title": escaped(title), "version": __version__, "rows": "\n".join(rows), "name": profile.name}
+    main = MAIN % {
+        "title": escaped(request.title.strip() or "Scene"),
+        "version": __version__,
+        "rows": "\n".join(rows),
+        "name": profile.name,
+    }
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
 
 
@@ -102,12 +118,18 @@ def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[
     return "\n".join([*lines, ""])
 
 
-def _stored(path: str) -> dict[str, str] | None:
+def _stored(path: str, physics: str) -> dict[str, str] | None:
     try:
         folder = load().folder.parent / "handbook"
-        return {name: (folder / name).read_text() for name in (path, "preamble.tex")}
+        page, preamble = ((folder / name).read_text() for name in (path, "preamble.tex"))
+        return {path: sections_for(page, physics), "preamble.tex": preamble}
     except (NoCatalogueError, OSError):
         return None
+
+
+def _number(value: float) -> str:
+    digits, _, power = f"{value:.7g}".partition("e")
+    return f"${digits}" + (rf"\cdot 10^{{{int(power)}}}$" if power else "$")
 
 
 def _math(text: str) -> str:

@@ -32,6 +32,15 @@ def _constant(name: str, value: str) -> str:
     return textwrap.fill(f"{name} = {table}", WIDTH, subsequent_indent="    ", break_long_words=False)
 
 
+def documented(doc: str) -> list[str]:
+    """The lines of a docstring; a single one that is too long goes on below."""
+    if not doc:
+        return []
+    if "\n" not in doc:
+        doc = "\n    ".join(textwrap.wrap(doc, WIDTH))
+    return [f'    """{doc}"""']
+
+
 def _binds_less(value: ast.expr, parent: ast.AST | None) -> bool:
     """Whether an expression needs brackets where a call stood."""
     if not isinstance(value, (ast.BinOp, ast.UnaryOp, ast.IfExp, ast.Compare, ast.Lambda)):
@@ -60,6 +69,8 @@ class _Rewriting:
         name = self.linker.names[self.definition.key]
         if isinstance(node, ast.Assign):
             above = [comment.strip() for comment in self._comments(node)]
+            note = self.module.notes.get(self.definition.name)
+            above += [f"# {note[0].lower() if note[1:2].islower() else note[0]}{note[1:]}"] if note else []
             return "\n".join([*above, _constant(name, self._render(node.value))])
         if isinstance(node, ast.ClassDef):
             fields = [s.target.id for s in node.body if isinstance(s, ast.AnnAssign) and isinstance(s.target, ast.Name)]
@@ -71,7 +82,7 @@ class _Rewriting:
             doc, body = doc or self.module.source(body[0]).strip('"'), body[1:]
         kept = [part for arg, part in zip(node.args.args, self._arguments(node), strict=True) if arg.arg not in own]
         head = f"def {name}({', '.join(kept)}):"
-        lines = [head, *([f'    """{doc}"""'] if doc else [])]
+        lines = [head, *documented(doc)]
         for decorator in node.decorator_list:
             lines.insert(0, f"@{ast.unparse(decorator)}")
         for statement in body:
@@ -151,7 +162,7 @@ class _Rewriting:
         return self._name(key) if same and key not in self.linker.inlined else ""
 
     def _name(self, key: Key) -> str:
-        return self.linker.names.get(key, f"_{key[1]}")
+        return self.linker.names[key]
 
     def _call(self, call: ast.Call) -> list[tuple[int, int, str]]:
         """The call without the arguments that are no longer taken; untouched inside if none is."""

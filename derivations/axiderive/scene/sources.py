@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 from collections.abc import Mapping
 from functools import cache
@@ -38,12 +39,25 @@ OWN = Path(__file__).with_name("runtime")
 @cache
 def runtime() -> dict[str, Module]:
     texts = {path.stem: path.read_text() for folder in FOLDERS for path in sorted(folder.glob("*.py"))}
-    texts |= {"_nodes": nodes_source(NODE_COUNTS), "_kernels": stored("_kernels.py") or kernels_source()}
+    texts |= {"_nodes": nodes_source(NODE_COUNTS), "_kernels": polynomials(stored("_kernels.py") or kernels_source())}
     modules = {name: _module(name, text) for name, text in texts.items()}
     for path in sorted(OWN.glob("*.py")):
         own = _module(path.stem, path.read_text())
         modules.setdefault(path.stem, own).definitions.update(own.definitions)
     return modules
+
+
+def polynomials(kernels: str) -> str:
+    """The module with kernels of denominator 1 as coefficients in descending order, for `np.polyval`."""
+    found = []
+    for node in ast.parse(kernels).body:
+        match node:
+            case ast.Assign(value=ast.Tuple(elts=[ast.Tuple() as top, ast.Tuple(elts=[ast.Constant(value=1.0)])])):
+                rows = "".join(f"    {ast.unparse(coefficient)},\n" for coefficient in reversed(top.elts))
+                found.append((ast.get_source_segment(kernels, node.value) or "", f"(\n{rows})"))
+    for old, new in found:
+        kernels = kernels.replace(old, new)
+    return kernels
 
 
 @cache

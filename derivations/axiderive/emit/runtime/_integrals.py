@@ -43,7 +43,7 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
 
 
 def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: Array, count: int) -> Array:
-    """The same in equal panels no wider than about `width`; their number follows the largest `stop` of the block."""
+    """Integral from 0 to `stop` in equal panels no wider than about `width`, as many as the largest `stop` needs."""
     largest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0))
     panels = int(np.ceil(min(largest, PANELS)))
     if panels == 1:
@@ -63,7 +63,7 @@ def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Arr
 
 
 def integral_in_strip(integrand: Callable[[Array], Array], stop: Array, width: Array | float = 1.0) -> Array:
-    """The same for an integrand without singularities closer than width*pi/2 to the real axis; see STRIPS."""
+    """Integral from 0 to `stop`, without singularities closer than width*pi/2 to the real axis."""
     longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
     for length, count in STRIPS:
         if longest <= length:
@@ -119,7 +119,7 @@ def pressure_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
 
 
 def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
-    """The same where g' oscillates with a wavelength."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, where g' oscillates with a wavelength."""
 
     def integrand(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
@@ -146,7 +146,7 @@ def falling(stop: Array, even: Array | float = 0.0) -> Callable[[Array], Array]:
 
 @in_groups
 def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same where g' has a singularity at t**2 = -b**2."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, where g' has a singularity at t**2 = -b**2."""
     scale, reach = np.sqrt(r * r + b * b), difference_root(a, r)
     stop = np.arcsinh(reach / scale)
     fallen = falling(stop)
@@ -161,7 +161,7 @@ def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
 
 @in_groups
 def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
-    """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
     ratio = difference_root(a, r) / difference_root(R, a)
     stop = np.arcsinh(ratio)
@@ -179,7 +179,7 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
 
 @in_groups
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from max(r, b) to a > b; `slope` takes t and sqrt(t**2 - b**2)."""
     # on the outer side of the break, where the part below it adds nothing
     r = np.where(r == b, np.nextafter(b, np.inf), r)
     within = r < b
@@ -205,7 +205,7 @@ def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array
 
 
 def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
-    """The same where g' oscillates with a wavelength."""
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' oscillates with a wavelength."""
 
     def integrand(angle: Array) -> Array:
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
@@ -215,7 +215,7 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
 
 @in_groups
 def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same where g' has a singularity at t**2 = -b**2."""
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' has a singularity at t**2 = -b**2."""
     scale, end = b / np.sqrt(r * r + b * b), a / difference_root(r, a)
     stop = np.arcsinh(end / scale)
     fallen = falling(stop)
@@ -230,7 +230,7 @@ def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> St
 
 @in_groups
 def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
-    """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = np.minimum(r, R)
     end = a / difference_root(scale, a)
     stop = np.arcsinh(end)
@@ -249,7 +249,7 @@ def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> St
 
 @in_groups
 def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of g'(t) arcsin(t/r) from b to a < r; `slope` takes t and sqrt(t**2 - b**2)."""
     reach, ratio = difference_root(r, b), b / r
     end = difference_root(a, b) / difference_root(r, a)
     stop = np.arcsinh(end / ratio)
@@ -273,7 +273,7 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
 
 @in_groups
 def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
-    """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of t g'(t) from b to a; `slope` takes t and sqrt(t**2 - b**2)."""
     reach = difference_root(a, b)
     stop = np.arcsinh(reach / b)
     fallen = falling(stop)

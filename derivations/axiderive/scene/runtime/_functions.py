@@ -7,8 +7,20 @@ from collections.abc import Sequence
 import numpy as np
 
 from ._elementwise import Array
+from ._kernels import DAWSON
 
 
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
     """P(v)/Q(v) with coefficients in ascending order."""
     return np.polyval(top[::-1], v) / np.polyval(bottom[::-1], v)
+
+
+def beside(r: Array, a: Array, kernel: Sequence[float]) -> Array:
+    """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r."""
+    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
+    return a / r * np.polyval(kernel, angle * angle)
+
+
+def dawson(x: Array) -> Array:
+    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2."""
+    return x * np.exp(-x * x) * np.polyval(DAWSON, x * x)
