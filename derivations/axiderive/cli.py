@@ -161,12 +161,19 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _derive(arguments: argparse.Namespace) -> int:
+    _remember_all()
     from .scene.commands import derive
 
     return derive(arguments)
 
 
+def _remember_all() -> None:
+    """Let SymPy, which is not loaded yet, keep more than its last 1000 results: 10 % of a derivation."""
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+
+
 def _emit(arguments: argparse.Namespace) -> int:
+    _remember_all()
     from .scene.commands import emit
 
     return emit(arguments)

@@ -14,12 +14,13 @@ from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..contact import general, normal
 from ..contact.medium import GRADED, HOMOGENEOUS, Medium
-from ..emit import example, python
+from ..emit import python
 from ..emit.general import library_source
 from ..entry import Entry
 from ..notation import a, r
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate, certify_profile
+from ..proof.evaluate import case_at, evaluate
 from .definition import Definition
 from .errors import ExpressionError
 from .numeric import Numeric
@@ -131,7 +132,7 @@ def _derived(profile: Profile, medium: Medium) -> tuple[Profile, dict[str, Entry
         return profile, general.derive(profile), False
 
 
-def environment(profile: Profile, known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+def environment(known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
     return {**known, sp.Symbol("E_star", positive=True): sp.S.One}
 
 
@@ -171,10 +172,10 @@ def _compared(
         if entry.status != "closed":
             continue
         place = {} if at is None else {r: at}
-        value = example.value(profile, entry, environment(profile, known) | {a: radius} | place)
-        wanted = definition.quantity(suffix, radius, at)
+        here = environment(known) | {a: radius} | place
+        value, wanted = evaluate(case_at(entry, here).expr, here, DIGITS + 5), definition.quantity(suffix, radius, at)
         with mp.workdps(DIGITS + 5):
-            residual = abs(mp.mpf(str(value)) / wanted - 1) if wanted else abs(mp.mpf(str(value)))
+            residual = abs(value / wanted - 1) if wanted else abs(value)
             found.append(Comparison(suffix, f"a = {float(radius):g}", float(residual)))
     return tuple(found)
 
