@@ -11,20 +11,21 @@ import sympy as sp
 from .. import notation as nt
 from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
-from ..abel.reduce import NotReducibleError, parse
-from ..contact import general, normal
-from ..contact.medium import GRADED, HOMOGENEOUS, Medium
+from ..abel.reduce import parse
+from ..contact import normal
+from ..contact.medium import GRADED, HOMOGENEOUS
 from ..emit import python
+from ..emit.example import number
 from ..emit.general import library_source
 from ..entry import Entry
 from ..notation import a, r
 from ..profiles.profile import Profile, Sketch
-from ..proof.certificate import Certificate, certify_profile
+from ..proof.certificate import Certificate
 from ..proof.evaluate import case_at, evaluate
 from .definition import Definition
-from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
+from .routes import Derived, Route, derived
 from .validity import Validity, examine
 
 FIELDS = ("d", "F", "p", "w")
@@ -51,8 +52,7 @@ class Answer:
     own: OwnProfile
     profile: Profile
     entries: dict[str, Entry]
-    closed: bool
-    """Whether the profile is in the normal form; else every quantity is a regular integral, p one over g'."""
+    route: Route
     certificates: dict[str, Certificate]
     validity: Validity
     comparisons: tuple[Comparison, ...]
@@ -77,6 +77,16 @@ class Answer:
         nested = any(i.function.has(sp.Integral) for c in entry.cases for i in c.expr.atoms(sp.Integral))
         return "one regular integral over g'(t), itself an integral" if nested else "one regular integral"
 
+    @property
+    def told(self) -> str:
+        """How the formulas were found, outside the normal form."""
+        if self.route is Route.NORMAL_FORM:
+            return ""
+        closed = [s for s in FIELDS if self.entries[s].status == "closed"]
+        single = [f"{s}: {self.status(s)}" for s in FIELDS if s not in closed]
+        found = f"{', '.join(closed)} by undetermined coefficients, certified; " if closed else ""
+        return f"outside the normal form; {found}{'; '.join([*single, 'values by generated rules'])}"
+
 
 def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = None, k: sp.Expr = sp.S.Zero) -> Answer:
     """Derive, certify, compare and emit; to be called while the notation is extended by `own.notation`.
@@ -96,13 +106,14 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     profile = _placed(profile, known)
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
     medium = HOMOGENEOUS if k == 0 else GRADED
-    profile, entries, closed = _derived(profile, medium)
-    certificates = certify_profile(profile, dict(entries)) if closed else {}
-    compared = () if k != 0 else _compared(profile, entries, known)
+    found = derived(profile, medium)
+    profile, entries = found.profile, found.entries
+    compared = () if k != 0 else _compared(found, known)
     plain = entries if k == 0 else normal.derive(profile)
+    closed = found.route is Route.NORMAL_FORM
     frozen = all(p in (values or {}) for p in profile.parameters)
     module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
-    return Answer(own, profile, entries, closed, certificates, validity, compared, module, known, k)
+    return Answer(own, profile, entries, found.route, found.certificates, validity, compared, module, known, k)
 
 
 def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile:
@@ -113,23 +124,6 @@ def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile
     if not breaks and lengths:
         radius = min(lengths) * 0.8
     return replace(profile, sketch=Sketch(tuple((s, float(v)) for s, v in known.items()), a=radius))
-
-
-def _derived(profile: Profile, medium: Medium) -> tuple[Profile, dict[str, Entry], bool]:
-    """Closed entries where the profile is a sum of atoms; the profile learns where a spherical tip ends."""
-    try:
-        atoms = parse(profile.pieces, medium.k).atoms
-        spheres = {atom.R for atom in atoms if isinstance(atom, SphereAtom)}
-        if spheres:
-            if len(spheres) > 1 or profile.breaks or not (end := spheres.pop()).is_Symbol:
-                raise NotReducibleError
-            profile = replace(profile, chain=(a, end))
-        return profile, normal.derive(profile, medium), True
-    except (NotReducibleError, AssertionError):
-        if medium.k != 0:
-            message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
-            raise ExpressionError(message, profile.subtitle) from None
-        return profile, general.derive(profile), False
 
 
 def environment(known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
@@ -162,19 +156,20 @@ def points(
     return found
 
 
-def _compared(
-    profile: Profile, entries: Mapping[str, Entry], known: dict[sp.Symbol, sp.Rational]
-) -> tuple[Comparison, ...]:
-    """Closed formulas against the definition; an integral is its definition, and its rule is measured instead."""
+def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Comparison, ...]:
+    """Formulas against the definition; an integral over the profile is its definition, its rule is measured instead."""
+    profile, entries = derived.profile, derived.entries
     definition, found = Definition(profile, known, DIGITS), []
     for suffix, radius, at in points(profile, known):
         entry = entries[suffix]
-        if entry.status != "closed":
+        over_growth = suffix == "p" and entry.status == "integral" and derived.route is Route.COEFFICIENTS
+        if entry.status != "closed" and not over_growth:
             continue
         place = {} if at is None else {r: at}
         here = environment(known) | {a: radius} | place
-        value, wanted = evaluate(case_at(entry, here).expr, here, DIGITS + 5), definition.quantity(suffix, radius, at)
+        expr, wanted = case_at(entry, here).expr, definition.quantity(suffix, radius, at)
         with mp.workdps(DIGITS + 5):
+            value = mp.mpf(str(number(expr, here))) if over_growth else evaluate(expr, here, DIGITS + 5)
             residual = abs(value / wanted - 1) if wanted else abs(value)
             found.append(Comparison(suffix, f"a = {float(radius):g}", float(residual)))
     return tuple(found)

@@ -55,7 +55,7 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         formats=("python", "json"),
     )
     result = composed(request, answer)
-    return [*lines, *result.lines], result
+    return [*lines, *(line for line in result.lines if line not in lines)], result
 
 
 def exponent_of(text: str) -> sp.Rational:
@@ -99,6 +99,6 @@ def _tail(answer: Answer) -> list[str]:
         lines.append(
             f"checked   {count} values against the defining integrals, {DIGITS} digits, worst {answer.worst:.1e}"
         )
-    if not answer.closed:
-        lines.append("form      outside the normal form (sums of powers, spheres, hyperboloids, 1 - cos, 1 - exp)")
+    if answer.told:
+        lines.append(f"form      {answer.told}")
     return lines

@@ -180,11 +180,8 @@ class _Composition:
     def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines = []
-        if self.answer is not None and not self.answer.closed:
-            lines.append(
-                "outside the normal form: d, F and w are one regular integral each, p one over g'(t), itself an "
-                "integral; evaluated by generated rules"
-            )
+        if self.answer is not None and (told := self.answer.told):
+            lines.append(f"form      {told}")
         if values:
             lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
         return lines

@@ -1,0 +1,202 @@
+"""Integrals by undetermined coefficients: one radical or pole y = B + s x**2 beside the root of the contact.
+
+Each integral is a root times polynomials over powers of y, plus multiples of the
+few functions with the remaining singularities.  The conditions on the coefficients
+are linear.  What they give is a conjecture until the certificate proves it.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from ..abel.masters import ArctanIntegral
+from ..notation import a, r, x
+
+LARGEST_DEGREE = 12
+V = sp.Dummy("V", positive=True)
+"""The square of the variable."""
+HALF = sp.S.Half
+
+
+class NotSolvableError(ValueError):
+    """There is no integral of the form that was tried."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """x P(x**2) (B + s x**2)**e of f'(x), with a half-integer or a negative integer e; P alone with s = 0."""
+
+    P: sp.Expr
+    B: sp.Expr
+    s: sp.Expr
+    e: sp.Rational
+
+    @property
+    def halved(self) -> bool:
+        return bool(self.e.q == 2)
+
+    @property
+    def falls(self) -> bool:
+        """Whether B - |s| x**2 ends at a radius."""
+        return bool(self.s.is_negative)
+
+    def y(self, square: sp.Expr) -> sp.Expr:
+        return self.B + self.s * square
+
+    @property
+    def steep(self) -> sp.Expr:
+        return sp.sqrt(sp.Abs(self.s))
+
+    @property
+    def highest(self) -> int:
+        """The largest power of y in a denominator."""
+        return max(0, int(sp.ceiling(-self.e)))
+
+    # over the profile
+
+    def angle(self) -> sp.Expr:
+        """T with dT/dx = x/(sqrt(a**2 - x**2) y**(1/2 or 1)) that vanishes at x = a."""
+        root = sp.sqrt(a**2 - x**2)
+        if self.halved:
+            turn = sp.atanh if self.falls else sp.atan
+            return -turn(self.steep * root / sp.sqrt(self.y(x**2))) / self.steep
+        turn, edge = (sp.atan if self.falls else sp.atanh), sp.sqrt(self.y(a**2))
+        return -turn(self.steep * root / edge) / (self.steep * edge)
+
+    def primitive(self, weight: sp.Expr) -> sp.Expr:
+        """Antiderivative of x P y**e weight/sqrt(a**2 - x**2) that vanishes at x = a; the weight is one in V."""
+        tau = HALF if self.halved else sp.S.One
+        mu = max(tau - 1, -self.e - 1)
+        y = self.y(V)
+        wanted = sp.expand(self.P * weight * y ** (self.e + mu + 1))
+        Q, unknown = polynomial(max(sp.degree(wanted, V), mu + 1))
+        C = sp.Dummy("C")
+        own = -Q * y + 2 * (a**2 - V) * (sp.diff(Q, V) * y - mu * self.s * Q)
+        other = C * y ** (mu + 1 - tau) if self.s != 0 else sp.S.Zero
+        q, c = solved([own + other - wanted], [*unknown, C], (Q, C))
+        algebraic = sp.sqrt(a**2 - x**2) * q.subs(V, x**2) * self.y(x**2) ** (-mu)
+        return algebraic + (c * self.angle() if c != 0 else 0)
+
+    # over the growth of the contact
+
+    @cached_property
+    def depth(self) -> sp.Expr:
+        return sp.expand(-a * self.primitive(sp.S.One).subs(x, 0))
+
+    @property
+    def theta(self) -> sp.Expr:
+        """The function in the depth."""
+        if self.halved:
+            return sp.atan(self.steep * a / sp.sqrt(self.B))
+        return sp.atanh(self.steep * a / sp.sqrt(self.y(a**2)))
+
+    @property
+    def _growth(self) -> sp.Expr:
+        """y dtheta/da, over sqrt(y) for a pole."""
+        return self.steep * (sp.sqrt(self.B) if self.halved else 1)
+
+    def _parts(self) -> tuple[sp.Expr, sp.Expr]:
+        """q and kappa in V, of the depth a**2 q + a kappa theta."""
+        mark = sp.Dummy("theta")
+        marked = self.depth.subs(self.theta, mark)
+        if marked.has(sp.atan, sp.atanh):
+            raise NotSolvableError
+        kappa = sp.diff(marked, mark) / a
+        square = {a: sp.sqrt(V)}
+        return sp.cancel(sp.expand(marked.subs(mark, 0) / a**2).subs(square)), sp.expand(kappa).subs(square)
+
+    def over_arc(self) -> sp.Expr:
+        """Integral of g(t)/sqrt(r**2 - t**2) from 0 to a < r."""
+        if self.falls:
+            raise NotSolvableError
+        q, kappa = self._parts()
+        n, y, s, delta = self.highest, self.y(V), self.s, sp.S.Zero if self.halved else HALF
+        goal = sp.cancel(sp.powsimp(sp.expand(kappa * y ** (n + 1 + delta))))
+        rest = sp.cancel(V * q * y ** (n + 1))
+        size = max(degree_of(goal), degree_of(rest), n + 1)
+        (Q1, first), (Q2, second) = polynomial(size), polynomial(size)
+        C1, C2 = sp.Dummy("C1"), sp.Dummy("C2")
+        gap = r**2 - V
+        of_theta = -Q1 * y + 2 * gap * (sp.diff(Q1, V) * y - (n + delta) * s * Q1) - goal
+        of_rest = gap * Q1 * self._growth + gap * (Q2 * y + 2 * V * (sp.diff(Q2, V) * y - n * s * Q2)) - V * Q2 * y
+        of_rest += C1 * y ** (n + 1) + C2 * y**n - rest
+        free = [Q1, C2] if s == 0 else []
+        unknown = [u for u in (*first, *second, C1, C2) if not any(expr.has(u) for expr in free)]
+        none = dict.fromkeys([u for u in (*first, C2) if u not in unknown], sp.S.Zero)
+        q1, q2, c1, c2 = solved(
+            [of_theta.xreplace(none), of_rest.xreplace(none)], unknown, [e.xreplace(none) for e in (Q1, Q2, C1, C2)]
+        )
+        at, z = self.y(a**2), sp.sqrt(r**2 - a**2)
+        total = z * a * q2.subs(V, a**2) / at**n + c1 * sp.asin(a / r)
+        if s != 0:
+            outer = sp.sqrt(self.y(r**2))
+            total += z * q1.subs(V, a**2) * self.theta / at ** (n + delta)
+            total += c2 * sp.atan(a * outer / (sp.sqrt(self.B) * z)) / (sp.sqrt(self.B) * outer)
+        return total
+
+    def over_growth(self) -> sp.Expr:
+        """Integral of g'(t)/sqrt(t**2 - r**2) from r to a."""
+        if self.falls or not (self.halved or self.s == 0):
+            raise NotSolvableError
+        q, kappa = self._parts()
+        n, y, s = self.highest, self.y(V), self.s
+        goal = sp.cancel(kappa + 2 * V * sp.diff(kappa, V))
+        rest = sp.cancel((2 * sp.diff(V * q, V) + kappa * self._growth / y) * y ** (n + 1))
+        size = max(degree_of(goal), degree_of(rest), n + 1)
+        (Q1, first), (Q2, second) = polynomial(size), polynomial(size)
+        C1, C2 = sp.Dummy("C1"), sp.Dummy("C2")
+        gap = V - r**2
+        of_theta = V * Q1 + gap * (Q1 + 2 * V * sp.diff(Q1, V)) + C2 - goal
+        of_rest = gap * Q1 * self._growth * y**n + Q2 * y + 2 * gap * (sp.diff(Q2, V) * y - n * s * Q2)
+        of_rest += C1 * y**n - rest
+        none = dict.fromkeys([*first, C1, C2] if s == 0 else [], sp.S.Zero)
+        unknown = [u for u in (*first, *second, C1, C2) if u not in none]
+        q1, q2, c1, c2 = solved(
+            [of_theta.xreplace(none), of_rest.xreplace(none)], unknown, [e.xreplace(none) for e in (Q1, Q2, C1, C2)]
+        )
+        at, root = self.y(a**2), sp.sqrt(a**2 - r**2)
+        total = root * q2.subs(V, a**2) / at**n
+        if s != 0:
+            length, outer = sp.sqrt(self.B / s), sp.sqrt(self.y(r**2))
+            below = length + outer / self.steep
+            total += root * a * q1.subs(V, a**2) * self.theta
+            total += c1 * sp.atan(self.steep * root / outer) / (self.steep * outer)
+            total += c2 * (ArctanIntegral((a + root) / below) - ArctanIntegral((a - root) / below))
+        return total
+
+
+def polynomial(degree: sp.Expr) -> tuple[sp.Expr, list[sp.Symbol]]:
+    """A polynomial in V with unknown coefficients."""
+    if degree > LARGEST_DEGREE:
+        raise NotSolvableError
+    unknown = [sp.Dummy(f"c{i}") for i in range(max(0, int(degree)) + 1)]
+    return sp.Add(*(c * V**i for i, c in enumerate(unknown))), unknown
+
+
+def degree_of(expr: sp.Expr) -> int:
+    if not expr.is_polynomial(V):
+        raise NotSolvableError
+    return int(sp.degree(expr, V)) if expr != 0 else 0
+
+
+def solved(conditions: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], wanted: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The wanted expressions with the unknowns that make polynomials in V vanish, those left open set to 0.
+
+    Raises
+    ------
+    NotSolvableError
+        If there are none.
+    """
+    rows = itertools.chain.from_iterable(sp.Poly(sp.expand(c), V).coeffs() for c in conditions)
+    solutions = sp.linsolve([row for row in rows if row != 0], list(unknown))
+    if not solutions:
+        raise NotSolvableError
+    (values,) = solutions
+    free = dict.fromkeys(unknown, sp.S.Zero)
+    found = dict(zip(unknown, (value.xreplace(free) for value in values), strict=True))
+    return [sp.factor(expr.xreplace(found)) for expr in wanted]
