@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ..abel.order import Chain
 from ..contact import general
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Case, Entry, Primitive
@@ -68,15 +69,17 @@ def _joined(B: sp.Expr, s: sp.Expr, terms: list[tuple[sp.Expr, sp.Rational]]) ->
     """The terms over the lowest power of their base, written with a length where that is simple."""
     e = min(e for _, e in terms)
     P = sp.expand(sp.Add(*(factor * (B + s * V) ** (own - e) for factor, own in terms)))
-    length = sp.sqrt(B / abs(s))
-    if s != 0 and not any(power.exp.q == 2 for power in length.atoms(sp.Pow)):
+    length = sp.sqrt(B / abs(s)) if s != 0 else sp.S.One
+    if _rooted(sp.sqrt(B)) and not _rooted(length):
         size = abs(s) ** e
         P, B, s = sp.expand(P * size), length**2, sp.sign(s)
     return Part(P, B, s, e)
 
 
-def derive(profile: Profile) -> tuple[Profile, dict[str, Entry]]:
-    """All entries, those closed for which the coefficients could be determined; the profile learns where it ends.
+def derive(profile: Profile) -> tuple[Profile, dict[str, Entry], dict[str, Entry]]:
+    """All entries, and those of p and w as single integrals; the profile learns where it ends.
+
+    Closed are those for which the coefficients could be determined.
 
     Raises
     ------
@@ -90,6 +93,8 @@ def derive(profile: Profile) -> tuple[Profile, dict[str, Entry]]:
     under = {s for part in parts_of(shape) if part.s != 0 for s in _under_a_root(sp.sqrt(part.B / abs(part.s)))}
     roots = {s: sp.Dummy(s.name, positive=True) for s in sorted(under, key=str)}
     parts = parts_of(shape.xreplace({s: root**2 for s, root in roots.items()}))
+    if any(power.base.is_Add for part in parts for power in sp.sqrt(part.B * part.s).atoms(sp.Pow) if power.exp.q == 2):
+        raise NotSolvableError
     back = {root: sp.sqrt(s) for s, root in roots.items()}
     ends = {sp.sqrt(-part.B / part.s) for part in parts if part.falls}
     if len(ends) > 1 or not all(end.is_Symbol for end in ends):
@@ -111,7 +116,7 @@ def derive(profile: Profile) -> tuple[Profile, dict[str, Entry]]:
     force = sp.factor_terms(-2 * E_star * whole(lambda part: part.primitive(V).subs(x, 0)))
     mean = sp.factor_terms(sp.expand(force / (sp.pi * a**2)))
     growth = closed("d", Case(chain, depth), primitives={chain: (Primitive(sp.S.Zero, a, integrand, primitive),)})
-    single = integrals(profile, growth)
+    single = {"p": _over_closed_growth(plain["p"], whole(Part.growth), chain), "w": plain["w"]}
     entries = {
         **plain,
         "d": growth,
@@ -122,7 +127,11 @@ def derive(profile: Profile) -> tuple[Profile, dict[str, Entry]]:
     }
     for suffix, source, value in (("ad", depth, d), ("aF", force, F), ("Fd", depth, d), ("dF", force, F)):
         entries[suffix] = replace(plain[suffix], cases=(Case(chain, sp.Eq(source, value)),))
-    return profile, entries
+    return profile, entries, single
+
+
+def _rooted(length: sp.Expr) -> bool:
+    return any(power.exp.q == 2 for power in length.atoms(sp.Pow))
 
 
 def _under_a_root(length: sp.Expr) -> set[sp.Symbol]:
@@ -147,11 +156,9 @@ def _displacement(whole: Whole, depth: sp.Expr, integral: Entry) -> Entry:
     return replace(integral, status="closed", cases=(Case(integral.cases[0].chain, value),))
 
 
-def integrals(profile: Profile, depth: Entry) -> dict[str, Entry]:
-    """Pressure and displacement as one regular integral each: over the closed g'(t), and over the profile."""
-    plain = general.derive(profile)
-    (case,) = depth.cases
+def _over_closed_growth(plain: Entry, growth: sp.Expr, chain: Chain) -> Entry:
+    """The pressure as one regular integral over g'(t) in closed form."""
     radius = sp.sqrt(r**2 + u**2)
-    growth = sp.diff(case.expr, a).subs(a, radius) / radius
-    value = HOMOGENEOUS.pressure_scale * sp.Integral(growth, (u, 0, sp.sqrt(a**2 - r**2)))
-    return {"p": replace(plain["p"], cases=(Case((r, *case.chain), value),)), "w": plain["w"]}
+    integrand = sp.Add(*(term / radius for term in sp.Add.make_args(growth.subs(a, radius))))
+    value = HOMOGENEOUS.pressure_scale * sp.Integral(integrand, (u, 0, sp.sqrt(a**2 - r**2)))
+    return replace(plain, cases=(Case((r, *chain), value),))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 
+from sympy.polys.polyerrors import BasePolynomialError
+
 from ..abel.radicals import SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..contact import general, normal
@@ -53,7 +55,7 @@ def derived(profile: Profile, medium: Medium) -> Derived:
             raise ExpressionError(message, profile.subtitle) from None
     try:
         return _by_coefficients(profile)
-    except NotSolvableError:
+    except (NotSolvableError, BasePolynomialError, NotImplementedError):
         return Derived(profile, general.derive(profile), Route.INTEGRALS, {})
 
 
@@ -76,12 +78,11 @@ def _by_coefficients(profile: Profile) -> Derived:
     NotSolvableError
         If the depth or the force is not found, or not proved.
     """
-    profile, entries = algebraic.derive(profile)
+    profile, entries, single = algebraic.derive(profile)
     certificates = certify_profile(profile, dict(entries))
     if not (certificates["d"].proved and certificates["F"].proved and certificates["pm"].proved):
         raise NotSolvableError
-    plain = algebraic.integrals(profile, entries["d"])
     for suffix in ("p", "w"):
         if not certificates[suffix].proved:
-            entries[suffix] = plain[suffix]
+            entries[suffix] = single[suffix]
     return Derived(profile, entries, Route.COEFFICIENTS, certificates)

@@ -92,8 +92,8 @@ class Part:
     def theta(self) -> sp.Expr:
         """The function in the depth."""
         if self.halved:
-            return sp.atan(self.steep * a / sp.sqrt(self.B))
-        return sp.atanh(self.steep * a / sp.sqrt(self.y(a**2)))
+            return (sp.atanh if self.falls else sp.atan)(self.steep * a / sp.sqrt(self.B))
+        return (sp.atan if self.falls else sp.atanh)(self.steep * a / sp.sqrt(self.y(a**2)))
 
     @property
     def _growth(self) -> sp.Expr:
@@ -109,6 +109,15 @@ class Part:
         kappa = sp.diff(marked, mark) / a
         square = {a: sp.sqrt(V)}
         return sp.cancel(sp.expand(marked.subs(mark, 0) / a**2).subs(square)), sp.expand(kappa).subs(square)
+
+    def growth(self) -> sp.Expr:
+        """g'(a), with one fraction before each function."""
+        q, kappa = self._parts()
+        y, delta = self.y(V), sp.S.Zero if self.halved else HALF
+        plain = sp.cancel(sp.powsimp(sp.expand(kappa * y**delta)))
+        rational = sp.factor(2 * sp.diff(V * q, V) + plain * self._growth / y)
+        before = sp.factor(plain + 2 * V * (sp.diff(plain, V) - delta * self.s * plain / y))
+        return (a * rational + before * y ** (-delta) * self.theta).subs(V, a**2)
 
     def over_arc(self) -> sp.Expr:
         """Integral of g(t)/sqrt(r**2 - t**2) from 0 to a < r."""
