@@ -114,9 +114,9 @@ def _viscoelastic(name: str) -> str:
     return text
 
 
-def ramps(name: str) -> bool:
+def ramps(profile: Profile | None) -> bool:
     """Whether the force under a ramp of the depth is known: that on the elastic half space is a power of the depth."""
-    return "def _ramp_force" in _viscoelastic(name)
+    return profile is not None and profile.contact == "compact" and "def _ramp_force" in _viscoelastic(profile.name)
 
 
 def graded_refusal(profile: Profile) -> str:

@@ -29,7 +29,7 @@ def want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
     contact = scene.profile.contact if scene.profile else "compact"
     known = available(scene.physics, contact)
-    if scene.physics.startswith("viscoelastic") and scene.profile and not ramps(scene.profile.name):
+    if scene.physics.startswith("viscoelastic") and not scene.own and not ramps(scene.profile):
         known.remove("ramp_force")
     default = [name for name in DEFAULT[scene.physics] if name in known]
     raw = table.get("quantities", default)
