@@ -13,7 +13,9 @@ import sympy as sp
 
 from axiderive import notation as nt
 from axiderive.cli import main
+from axiderive.contact import normal
 from axiderive.contact.medium import HOMOGENEOUS
+from axiderive.emit import python
 from axiderive.expression import ExpressionError, own_profile, routes, undetermined
 from axiderive.expression.answer import Answer, answered
 from axiderive.expression.routes import Route
@@ -21,6 +23,7 @@ from axiderive.expression.validity import examine
 from axiderive.notation import R, a, b, theta
 from axiderive.scene import interface
 from axiderive.scene.compose import Request, Result, composed
+from axiderive.scene.measured import RuleError
 from axiderive.scene.worker import LimitError, limited
 
 ALL = list(interface.functions("normal"))
@@ -140,6 +143,27 @@ def test_a_profile_that_does_not_touch_with_its_apex_is_refused(text, message):
     own = own_profile(text)
     with nt.extended(own.notation), pytest.raises(ExpressionError, match=message):
         examine(own.profile, dict(own.profile.sketch.values), text)
+
+
+def test_a_sphere_that_ends_before_a_break_is_refused():
+    with pytest.raises(ExpressionError, match="f is no real number at r = 2.1"):
+        answer_to("R - sqrt(R**2 - r**2) + c*Max(0, r - b)")
+
+
+def test_sums_of_real_powers_are_printed_and_their_module_is_refused():
+    """Their formulas are closed; the rules over the profile lose digits at r = 0, and the file is not written."""
+    answer = answer_to("A*r**n + c*r**2")
+    assert answer.route is Route.NORMAL_FORM
+    assert {answer.status(suffix) for suffix in ("d", "F")} == {"closed, certified"}
+    assert answer.worst < AGREEMENT
+    with pytest.raises(RuleError, match="use whole powers"):
+        module_of("A*r**n + c*r**2")
+
+
+def test_a_force_that_would_lose_digits_is_not_emitted_in_closed_form():
+    profile = own_profile("c*Max(0, r - b)**3").profile
+    with pytest.raises(ValueError, match="loses digits; emit it by"):
+        python.module_source(normal.derive(profile))
 
 
 def random_expression(source: random.Random, breaks: int) -> str:

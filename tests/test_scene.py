@@ -17,7 +17,7 @@ import pytest
 
 from axiderive.cli import main
 from axiderive.exits import CommandError
-from axiderive.scene import reading, text
+from axiderive.scene import reading, sources, text
 from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import Result, composed
 from axiderive.scene.page import escaped
@@ -178,6 +178,42 @@ def test_other_combinations(source):
     compile(result.files["test_scene.py"], "test_scene.py", "exec")
 
 
+LAWS = {
+    "maxwell": 'E = "2 MPa", tau = "3 s"',
+    "kelvin_voigt": 'E = "2 MPa", eta = "4 MPa s"',
+    "standard_solid": 'E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s"',
+    "power_creep": 'E = "2 MPa", alpha = 0.25, t_0 = "1 min"',
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("profile", ["cone", "truncated_cone"])
+def test_viscoelastic_scenes_agree_with_the_convolution(profile, law):
+    """The values are convolutions of the elastic quadrature; measured 8e-16 at worst."""
+    material = f'viscoelastic = {{ model = "{law}", {LAWS[law]} }}'
+    result = composed_from(f'profile = "{profile}"\n[physics]\n{material}' + NO_PDF)
+    evidence = json.loads(result.files["evidence.json"])
+    errors = {name: float(error) for name, error in evidence["module against 20-digit quadrature"].items()}
+    assert set(errors) == {"step_force", "step_load_radius"} | ({"ramp_force"} if profile == "cone" else set())
+    assert max(errors.values()) < 1e-14
+    module = result.files["scene.py"].decode()
+    assert "def step_force(t, d" in module
+    assert not [other for other in LAWS if f"_{other}(" in module and other != law]
+    titles = re.findall(r"^\\sect.*\{([^{}]*)\}$", result.files[f"profiles/{profile}.tex"].decode(), re.MULTILINE)
+    assert "Viscoelastic half-space" in titles
+    assert "Adhesive contact" not in titles
+
+
+def test_a_wrong_relaxation_does_not_pass(monkeypatch):
+    module = sources.stored("viscoelastic/cone.py")
+    assert module is not None
+    monkeypatch.setattr(
+        sources, "_viscoelastic", lambda name: module.replace("ramp_maxwell(t, 2.0", "ramp_maxwell(t, 1.0")
+    )
+    with pytest.raises(ArithmeticError, match="ramp_force"):
+        composed_from('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell" }' + NO_PDF)
+
+
 def test_the_worked_example_is_at_the_force_that_was_asked_for():
     """The state stands in the docstring; every function is tested there; the force found again is the one given."""
     files = composed_from(NEEDLE + NO_PDF).files
@@ -296,7 +332,17 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ('profile = "cone"\n[medium]\nkind = "layered"', "unknown medium 'layered'"),
         ('profile = "cone"\n[medium]\nkind = "power_law"\nk = 1.2', "k = 1.2 is outside -1 < k < 1"),
         ('profile = "cone"\n[medium]\nc0 = 1', "unknown key in [medium] 'c0'"),
-        ('profile = "cone"\n[physics]\nviscoelastic = { model = "kelvin" }', "viscoelastic is not emitted"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "kelvin" }', "did you mean 'kelvin_voigt'?"),
+        ('profile = "cone"\n[physics]\nviscoelastic = true', "viscoelastic needs a model out of maxwell"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", tau = "3 mm" }', "must be a time"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", eta = 1 }', "unknown key 'eta'"),
+        ('profile = "cone"\n[medium]\nE_star = 1\n[physics]\nviscoelastic = { model = "maxwell" }', "leave [medium]"),
+        ('profile = "r**2"\n[physics]\nviscoelastic = { model = "maxwell" }', "profiles of the catalogue"),
+        (
+            'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',
+            "unknown quantity 'ramp_force'",
+        ),
+        ('profile = "cone"\n[physics]\nplane = true', "plane is not emitted"),
         ('profile = "cone"\n[output]\nformats = ["exe"]', "formats must be a list out of python"),
         ('profile = "cone"\n[want]\nat = { F = "50 mN" }', "freeze theta, E_star too"),
         ('profile = "cone"\n[want]\nat = { p = 1 }', "at names one field of the contact"),

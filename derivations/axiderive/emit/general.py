@@ -237,6 +237,8 @@ def _closed(layer: Layer) -> EvaluationForm | None:
     chain = (a,) if b == 0 else (b, a)
     try:
         depth = parse(pieces).depth(Order(chain)).expr()
+        if depth.has(sp.gamma):
+            return None
         form = slope_form(depth, facts_of(chain))
     except (NotReducibleError, ValueError, AssertionError):
         return None

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import mpmath as mp
+import numpy as np
 import sympy as sp
 
 from .. import notation as nt
@@ -23,6 +24,7 @@ from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate
 from ..proof.evaluate import case_at, evaluate
 from .definition import Definition
+from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
 from .routes import Derived, Route, derived
@@ -106,6 +108,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     profile = _placed(profile, known)
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
     medium = HOMOGENEOUS if k == 0 else GRADED
+    _require_real(profile, known, own.expression.text)
     found = derived(profile, medium)
     profile, entries = found.profile, found.entries
     compared = () if k != 0 else _compared(found, known)
@@ -114,6 +117,18 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     frozen = all(p in (values or {}) for p in profile.parameters)
     module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
     return Answer(own, profile, entries, found.route, found.certificates, validity, compared, module, known, k)
+
+
+def _require_real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], text: str) -> None:
+    """A slope at the radii of the comparisons: a sphere may end before the breaks."""
+    numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
+    for radius in (1.5 * float(radii(profile, known)[-1]) if profile.breaks else profile.sketch.a,):
+        if not np.isfinite(numeric.slope(np.array([radius]))).all():
+            where = ", ".join(f"{s.name} = {float(v):g}" for s, v in known.items())
+            message = (
+                f"f is no real number at r = {radius:.3g} ({where}); put numbers for parameters, so that it ends later"
+            )
+            raise ExpressionError(message, text)
 
 
 def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile:
@@ -196,5 +211,7 @@ def _module(
 def _plain(profile: Profile) -> bool:
     """Powers of r, or one round shape: what the modules of the catalogue evaluate without loss for any parameters."""
     atoms = parse(profile.pieces).atoms
+    if len(atoms) > 1 and any(isinstance(atom, PowerAtom) and not atom.n.is_number for atom in atoms):
+        return False
     single = len(atoms) == 1 and isinstance(atoms[0], (SphereAtom, HyperboloidAtom))
     return single or all(isinstance(atom, PowerAtom) for atom in atoms)

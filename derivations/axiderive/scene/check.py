@@ -16,6 +16,7 @@ from ..profiles.profile import Profile
 from ..proof.half_space import HalfSpace
 from . import interface
 from .contact import DIGITS, Contact, short
+from .relaxing import relaxing
 
 if TYPE_CHECKING:
     from .request import Request
@@ -57,6 +58,8 @@ def check_values(
             continue
         if request.physics == "graded":
             rows = _graded(contact, name)
+        elif request.physics.startswith("viscoelastic."):
+            rows = relaxing(contact, interface.functions(request.physics)[name])
         else:
             rows = _compact(contact, request.physics, name) if contact.compact else _complete(contact, name)
         parameters = [*(p.name for p in profile.parameters), *interface.MATERIAL[request.physics]]

@@ -12,6 +12,7 @@ import sympy as sp
 
 from .. import __version__
 from .. import notation as nt
+from ..emit.physics.viscoelastic import MATERIAL
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
 from ..expression.answer import Answer, answered
@@ -127,7 +128,7 @@ class _Composition:
                 pull_off = self._pull_off(modules)
                 continue
             function = own.get(quantity) or plain[quantity]
-            key = (f"{function.physics}.{name}", f"_{quantity}")
+            key = (f"{function.module}.{name}", f"_{function.quantity.function}")
             if key[1] not in modules[key[0]].definitions:
                 # what is the same for all profiles is a function of the runtime, the shape that of any medium
                 key = OF_RUNTIME.get(quantity, (f"normal.{name}", f"_{quantity}"))
@@ -158,8 +159,10 @@ class _Composition:
         return PullOff(radius, (key, force), (key, depth), PULL_OFF_DOC, parameters, self._keywords(parameters))
 
     def _head(self) -> str:
+        own = MATERIAL.get(self.request.physics.partition(".")[2], "")
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
-                "graded": "on a half space whose modulus grows as a power of depth"}  # fmt: skip
+                "graded": "on a half space whose modulus grows as a power of depth",
+                "viscoelastic": f"on {own}, while it grows"}  # fmt: skip
         title = _plain(self.request.title)
         what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
             self.profile.subtitle)  # fmt: skip
@@ -167,7 +170,7 @@ class _Composition:
             f"{title}.",
             "",
             *_wrapped(
-                f"{what}. Contact {kind[self.request.physics]}, SI units, angles in radians. "
+                f"{what}. Contact {kind[self.request.physics.partition('.')[0]]}, SI units, angles in radians. "
                 f"Written by axicontact {__version__}."
             ),
         ]
@@ -197,13 +200,13 @@ def _json(record: Any) -> bytes:
 
 
 def _comment(name: str) -> str:
-    record = nt.describe(name)
+    record = interface.record(name)
     return f"{record.meaning} [{record.unit}]"
 
 
 def _interval(name: str) -> tuple[str, str]:
     try:
-        low, high, _ = bounds(nt.describe(name).domain)
+        low, high, _ = bounds(interface.record(name).domain)
     except ValueError:
         low, high = "0.0", "inf"
     return low, "np.inf" if high == "inf" else high

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 DIGITS = 20
 UNITS = {"a": "m", "d": "m", "F": "N"}
-MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25}
+MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25,
+            "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free."""
 
 
@@ -127,7 +128,7 @@ class Contact:
             key = (suffix, a, at)
             if key not in self.found:
                 self.found[key] = self.definition.quantity(suffix, a, at)
-            return (mp.mpf(self.all["E_star"]) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
+            return (mp.mpf(self.all.get("E_star", 1.0)) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
 
     def height(self, at: float) -> mp.mpf:
         known = self.given() | {nt.r: sp.Rational(at)}

@@ -6,19 +6,27 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from .. import notation as nt
-from ..contact import adhesive, tangential
+from ..contact import adhesive, tangential, viscoelastic
 from ..emit import docstring
 from ..emit.physics import adhesive as adhesive_text
 from ..emit.physics import tangential as tangential_text
+from ..emit.physics import viscoelastic as viscoelastic_text
+from ..emit.physics.text import name_of
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 
+LAWS = {law.name: law for law in viscoelastic.LAWS}
+LETTERS = {"tau": "relaxation"}
+"""Parameters that share their letter with another symbol of the notation."""
 MATERIAL = {
     "normal": ("E_star",),
     "adhesive": ("E_star", "dgamma"),
     "tangential": ("E_star", "G_star", "mu"),
     "graded": ("H", "k"),
+    **{f"viscoelastic.{name}": tuple(map(name_of, law.parameters)) for name, law in LAWS.items()},
 }
-GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm."}
+GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm.", "viscoelastic": "vis."}
+LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
+"""What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
 INVERSES = frozenset(["radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"])
 SIGNED = {("adhesive", "radius_from_depth"), ("adhesive", "radius_from_force")}
@@ -33,11 +41,22 @@ class Function:
     summary: str
 
     @property
+    def law(self) -> str:
+        """The material law in its name in the catalogue."""
+        return self.physics.partition(".")[2]
+
+    @property
     def name(self) -> str:
-        return self.quantity.function
+        return self.quantity.function.removesuffix(f"_{self.law}")
+
+    @property
+    def module(self) -> str:
+        return self.physics.partition(".")[0]
 
     @property
     def fields(self) -> tuple[str, ...]:
+        if self.law:
+            return ("t", *LOADED[self.quantity.suffix.partition("_")[0]])
         return tuple(str(argument) for argument in self.quantity.arguments)
 
     @property
@@ -47,12 +66,14 @@ class Function:
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
         unit = nt.describe(self.quantity.symbol).unit
-        return f"{self.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.physics]}{self.quantity.suffix}."
+        return f"{self.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.module]}{self.quantity.suffix}."
 
 
 def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
     """All functions of a physics by name, `pull_off` left out."""
     table: Mapping[str, Quantity]
+    if physics.startswith("viscoelastic."):
+        return _viscoelastic(physics)
     if physics == "graded":
         return {name: replace(own, physics=physics) for name, own in functions("normal").items()}
     if physics == "adhesive":
@@ -66,6 +87,19 @@ def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
         for suffix, quantity in table.items()
         if suffix in text
     }
+
+
+def _viscoelastic(physics: str) -> dict[str, Function]:
+    law = LAWS[physics.partition(".")[2]]
+    text = {kind: line.format(viscoelastic_text.MATERIAL[law.name]) for kind, line in viscoelastic_text.SUMMARY.items()}
+    kinds = ((kind, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"]) for kind in LOADED)
+    found = [Function(physics, quantity, text[kind]) for kind, quantity in kinds]
+    return {function.name: function for function in found}
+
+
+def record(name: str) -> nt.Notation:
+    """The notation of a parameter by its name in the functions."""
+    return nt.describe(LETTERS.get(name, name))
 
 
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:

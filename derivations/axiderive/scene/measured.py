@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from ..exits import FAILED, CommandError
 from . import interface
 from .check import Value
 
@@ -15,6 +16,12 @@ if TYPE_CHECKING:
 LARGEST_ERROR = 1e-6
 
 
+class RuleError(CommandError, ArithmeticError):
+    """The module is off by more than any rule may be."""
+
+    code = FAILED
+
+
 def measured(
     text: str, values: Sequence[Value], request: Request, free: Mapping[str, float]
 ) -> tuple[list[Value], dict[str, float]]:
@@ -22,7 +29,7 @@ def measured(
 
     Raises
     ------
-    ArithmeticError
+    RuleError
         If a value is off by more than any rule may be.
     """
     space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
@@ -40,8 +47,11 @@ def measured(
         got = function(*own.fields, **dict(own.keywords))
         error = abs(got - own.wanted) / abs(own.wanted) if own.wanted else abs(got)
         if not error <= LARGEST_ERROR:
-            message = f"{own.function}{own.fields} gives {got!r} instead of {own.wanted!r}; the module is not written"
-            raise ArithmeticError(message)
+            message = (
+                f"{own.function}{own.fields} gives {got!r} instead of {own.wanted!r}; nothing was written: the rules "
+                "hold for pieces that are smooth in r, use whole powers in them"
+            )
+            raise RuleError(message)
         errors[own.function] = max(errors.get(own.function, 0.0), error)
         called.append(own)
     return called, errors

@@ -60,15 +60,16 @@ def page_sources(
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     path = f"profiles/{profile.name}.tex"
-    texts = None if request.own else _stored(path, request.physics)
+    texts = None if request.own else _stored(path, request.physics.partition(".")[0])
     if texts is None:
         closed = entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
         texts = {path: body, "preamble.tex": preamble}
-    names = {*(p.name for p in profile.parameters if nt.known(p.name)), *interface.MATERIAL[request.physics]}
-    here = {nt.describe(name).latex: f"; here {_number(v)}" for name, v in request.values.items() if name in names}
+    material = (interface.record(name).name for name in interface.MATERIAL[request.physics])
+    names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
+    here = {interface.record(name).latex: f"; here {_number(v)}" for name, v in request.values.items()}
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}{here.get(n['latex'], '')}\\\\"
         for n in front.notation_rows(symbols(entries) | names)

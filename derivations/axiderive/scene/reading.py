@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass, field
-from typing import Any
 
 import sympy as sp
 
@@ -14,15 +12,13 @@ from .. import profiles
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
-from . import interface, wishes
+from . import wishes
+from .freezing import frozen
+from .kinds import physics
 from .medium import medium_values
-from .sources import graded_refusal
 from .text import SceneText, near
-from .units import UnitError, kind_of, value_of
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
-PHYSICS = ("normal", "adhesive", "tangential")
-LATER = ("viscoelastic", "plane", "loads")
 
 
 @dataclass
@@ -64,7 +60,7 @@ def read(text: SceneText) -> Scene:
     with nt.extended(scene.notation):
         _parameters(text, scene)
         scene.values |= medium_values(text)
-        _physics(text, scene)
+        physics(text, scene)
         wishes.want(text, scene)
         _rules(text, scene)
     wishes.output(text, scene)
@@ -133,79 +129,6 @@ def _parameters(text: SceneText, scene: Scene) -> None:
                 text.problem(section, key, f"unknown {what} {key[:40]!r}{near(key, names) if names else ''}")
             else:
                 frozen(text, scene.values, section, key, raw)
-
-
-def frozen(text: SceneText, values: dict[str, float], section: str, key: str, raw: Any) -> None:
-    """Read, check and keep one value; `key` names a symbol of the notation."""
-    record = nt.describe(key)
-    try:
-        value = value_of(raw, kind_of(record))
-    except UnitError as error:
-        text.problem(section, key, f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
-        return
-    low, high = _bounds(record)
-    if not low < value < high:
-        hint = f'; degrees need a unit: {key} = "{value:g} deg"' if record.unit == "rad" and high < value < 90 else ""
-        text.problem(section, key, f"{key} = {value:g} is outside {record.domain}{hint or '; change the value'}")
-        return
-    values[key] = value
-
-
-def _bounds(record: nt.Notation) -> tuple[float, float]:
-    if record.unit == "rad":
-        return 0.0, math.pi / 2
-    return (-1.0, 1.0) if record.name == "k" else (0.0, math.inf)
-
-
-def _physics(text: SceneText, scene: Scene) -> None:
-    table = text.table("physics", (*PHYSICS, *LATER))
-    asked = [name for name in (*PHYSICS, *LATER) if table.get(name) not in (None, False)]
-    for name in asked:
-        if name in LATER:
-            nearest = 'adhesive = { dgamma = "50 mJ/m^2" } or normal = true'
-            text.problem("physics", name, f"{name} is not emitted for scenes yet; the nearest is {nearest}")
-    chosen = [name for name in asked if name in ("adhesive", "tangential")]
-    if len(chosen) == 2:
-        message = "adhesive and tangential together are not derived; emit two scenes, one with each"
-        text.problem("physics", "tangential", message)
-    medium = text.values.get("medium")
-    graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
-    if graded and chosen:
-        message = f"{chosen[0]} on a graded half space cannot be emitted for a scene yet; the nearest is normal = true"
-        text.problem("physics", chosen[0], message)
-    scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
-    profile = scene.profile
-    if graded and profile is not None and profile.contact != "compact":
-        what = f"{profile.name}, a complete contact, on a graded half space"
-        text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
-    elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
-        text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
-    if profile is not None and profile.contact != "compact" and chosen:
-        message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
-        text.problem("physics", chosen[0], message)
-    for name in chosen:
-        raw = table[name]
-        names = [n for n in interface.MATERIAL[name] if n != "E_star"]
-        if raw is True:
-            continue
-        if not isinstance(raw, dict):
-            text.problem("physics", name, f"{name} must be true or a table such as {{ {names[0]} = ... }}")
-            continue
-        for key, value in raw.items():
-            if key in names:
-                _inline(text, scene, name, key, value)
-            else:
-                text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
-
-
-def _inline(text: SceneText, scene: Scene, name: str, key: str, value: Any) -> None:
-    """A value of an inline table: its line is that of the table."""
-    before = len(text.problems)
-    frozen(text, scene.values, "physics", key, value)
-    line = text.line_of("physics", name)
-    for i in range(before, len(text.problems)):
-        message = text.problems[i][1].split(": ", 1)[1].split("\n  ")[0]
-        text.problems[i] = (line, text.at(line, message))
 
 
 def _rules(text: SceneText, scene: Scene) -> None:

@@ -9,10 +9,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from .. import profiles
 from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
 from ..contact import normal as plain
 from ..contact import tangential as slipping
+from ..contact import viscoelastic as creeping
 from ..contact.medium import GRADED
 from ..emit import physics, python
 from ..emit.graded import normal as graded_normal
@@ -21,7 +23,7 @@ from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
 from ..emit.imports import RUNTIME
 from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
-from ..emit.physics import adhesive, tangential
+from ..emit.physics import adhesive, tangential, viscoelastic
 from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
 from ..entry import Entry
@@ -100,6 +102,23 @@ def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
     return stored(f"normal/{name}.py") or python.module_source(entries)
 
 
+@cache
+def _viscoelastic(name: str) -> str:
+    """The viscoelastic module of a profile of the catalogue."""
+    text = stored(f"viscoelastic/{name}.py")
+    if text is None:
+        profile = profiles.load(name)
+        entries = stored_entries(profile)
+        own = NormalModule.read(entries, stored_module(name, entries))
+        text = viscoelastic.module_source(own, creeping.derive(profile))
+    return text
+
+
+def ramps(profile: Profile | None) -> bool:
+    """Whether the force under a ramp of the depth is known: that on the elastic half space is a power of the depth."""
+    return profile is not None and profile.contact == "compact" and "def _ramp_force" in _viscoelastic(profile.name)
+
+
 def graded_refusal(profile: Profile) -> str:
     """Why no module of a profile is emitted for a graded half space; empty if one is."""
     try:
@@ -130,6 +149,9 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     if wanted == "graded":
         key = f"graded.{profile.name}"
         return {**modules, key: _module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
+    if wanted.startswith("viscoelastic."):
+        key = f"viscoelastic.{profile.name}"
+        return {**modules, key: _module(key, _viscoelastic(profile.name))}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
     write, above = {
         "adhesive": (adhesive.module_source, stuck.derive),

@@ -17,6 +17,8 @@ KINDS: dict[str, dict[str, Fraction]] = {
               "nN": Fraction(1, 10**9)},
     "energy per area": {"J/m^2": Fraction(1), "mJ/m^2": Fraction(1, 1000), "N/m": Fraction(1),
                         "mN/m": Fraction(1, 1000)},
+    "viscosity": {"Pa s": Fraction(1), "kPa s": Fraction(1000), "MPa s": Fraction(10**6), "GPa s": Fraction(10**9)},
+    "time": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60), "h": Fraction(3600)},
     "angle": {"rad": Fraction(1), "deg": Fraction(0)},
     "number": {"1": Fraction(1)},
 }  # fmt: skip
@@ -33,6 +35,8 @@ def kind_of(record: nt.Notation) -> str:
     if record.unit == "rad":
         return "angle"
     known = {nt.LENGTH: "length", nt.STRESS: "pressure", nt.FORCE: "force", nt.NUMBER: "number"}
+    if record.unit in ("s", "Pa s"):
+        return "time" if record.unit == "s" else "viscosity"
     if record.name == "dgamma":
         return "energy per area"
     return known.get(record.dimension, record.unit)
@@ -102,5 +106,13 @@ def _article(kind: str) -> str:
 
 
 def _example(kind: str) -> str:
-    units = {"length": "mm", "pressure": "MPa", "force": "mN", "energy per area": "mJ/m^2", "angle": "deg"}
+    units = {
+        "length": "mm",
+        "pressure": "MPa",
+        "force": "mN",
+        "energy per area": "mJ/m^2",
+        "angle": "deg",
+        "viscosity": "kPa s",
+        "time": "s",
+    }
     return f"5 {units[kind]}" if kind in units else "5" if kind == "number" else f"5 {kind}"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from .. import notation as nt
 from . import interface
+from .sources import ramps
 from .text import SceneText, near
 from .units import UnitError, kind_of, value_of
 
@@ -19,6 +20,7 @@ DEFAULT = {
     "graded": ["depth", "force", "pressure", "displacement"],
     "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
     "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
+    **{f"viscoelastic.{law}": ["ramp_force", "step_force", "step_load_radius"] for law in interface.LAWS},
 }
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
@@ -27,6 +29,8 @@ def want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
     contact = scene.profile.contact if scene.profile else "compact"
     known = available(scene.physics, contact)
+    if scene.physics.startswith("viscoelastic") and not scene.own and not ramps(scene.profile):
+        known.remove("ramp_force")
     default = [name for name in DEFAULT[scene.physics] if name in known]
     raw = table.get("quantities", default)
     if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
@@ -56,7 +60,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
         return
     profile = scene.profile
-    if scene.physics == "graded" or profile is None or profile.contact != "compact":
+    if scene.physics.startswith(("graded", "viscoelastic")) or profile is None or profile.contact != "compact":
         message = "a worked example is given for a compact contact on a homogeneous half space; leave at out"
         text.problem("want", "at", message)
         return

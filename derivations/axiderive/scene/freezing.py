@@ -1,0 +1,43 @@
+"""Values of a scene: read with their units, checked against the domain of their symbol, kept as SI."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .. import notation as nt
+from . import interface
+from .text import SceneText
+from .units import UnitError, kind_of, value_of
+
+
+def frozen(text: SceneText, values: dict[str, float], section: str, key: str, raw: Any) -> None:
+    """Read, check and keep one value; `key` names a symbol of the notation."""
+    record = interface.record(key)
+    try:
+        value = value_of(raw, kind_of(record))
+    except UnitError as error:
+        text.problem(section, key, f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+        return
+    low, high = _bounds(record)
+    if not low < value < high:
+        hint = f'; degrees need a unit: {key} = "{value:g} deg"' if record.unit == "rad" and high < value < 90 else ""
+        text.problem(section, key, f"{key} = {value:g} is outside {record.domain}{hint or '; change the value'}")
+        return
+    values[key] = value
+
+
+def _bounds(record: nt.Notation) -> tuple[float, float]:
+    if record.unit == "rad":
+        return 0.0, math.pi / 2
+    return {"k": (-1.0, 1.0), "alpha": (0.0, 1.0)}.get(record.name, (0.0, math.inf))
+
+
+def inline(text: SceneText, values: dict[str, float], name: str, key: str, value: Any) -> None:
+    """A value of an inline table: its line is that of the table."""
+    before = len(text.problems)
+    frozen(text, values, "physics", key, value)
+    line = text.line_of("physics", name)
+    for i in range(before, len(text.problems)):
+        message = text.problems[i][1].split(": ", 1)[1].split("\n  ")[0]
+        text.problems[i] = (line, text.at(line, message))

@@ -1,0 +1,89 @@
+"""The kind of contact a scene asks for, and the combinations that are at hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..profiles.profile import Profile
+from . import interface
+from .freezing import inline
+from .sources import graded_refusal
+from .text import SceneText, near
+
+if TYPE_CHECKING:
+    from .reading import Scene
+
+PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic")
+LATER = ("plane", "loads")
+
+
+def physics(text: SceneText, scene: Scene) -> None:
+    table = text.table("physics", (*PHYSICS, *LATER))
+    asked = [name for name in (*PHYSICS, *LATER) if table.get(name) not in (None, False)]
+    for name in asked:
+        if name in LATER:
+            nearest = 'adhesive = { dgamma = "50 mJ/m^2" } or normal = true'
+            text.problem("physics", name, f"{name} is not emitted for scenes yet; the nearest is {nearest}")
+    chosen = [name for name in asked if name not in ("normal", *LATER)]
+    if len(chosen) > 1:
+        count = {2: "two", 3: "three"}[len(chosen)]
+        message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"
+        text.problem("physics", chosen[-1], message)
+    medium = text.values.get("medium")
+    graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
+    if graded and chosen:
+        message = f"{chosen[0]} on a graded half space cannot be emitted for a scene yet; the nearest is normal = true"
+        text.problem("physics", chosen[0], message)
+    profile = scene.profile
+    scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
+    if scene.physics == "viscoelastic":
+        scene.physics = _viscoelastic(text, scene, table["viscoelastic"], profile)
+    if graded and profile is not None and profile.contact != "compact":
+        what = f"{profile.name}, a complete contact, on a graded half space"
+        text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
+    elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
+        text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
+    if profile is not None and profile.contact != "compact" and chosen:
+        message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
+        text.problem("physics", chosen[0], message)
+    for name in chosen:
+        _table(text, scene, name, table[name])
+
+
+def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
+    """The values of one kind of contact."""
+    if name == "viscoelastic":
+        if not scene.physics.startswith(name):
+            return
+        raw = {key: value for key, value in raw.items() if key != "model"}
+    names = [n for n in interface.MATERIAL[scene.physics if name == "viscoelastic" else name] if n != "E_star"]
+    if raw is True:
+        return
+    if not isinstance(raw, dict):
+        text.problem("physics", name, f"{name} must be true or a table such as {{ {names[0]} = ... }}")
+        return
+    for key, value in raw.items():
+        if key in names:
+            inline(text, scene.values, name, key, value)
+        else:
+            text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
+
+
+def _viscoelastic(text: SceneText, scene: Scene, raw: Any, profile: Profile | None) -> str:
+    """The kind of contact with its material law; `normal` where something is wrong."""
+    laws = ", ".join(interface.LAWS)
+    form = 'write viscoelastic = { model = "standard_solid", E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s" }'
+    model = raw.get("model") if isinstance(raw, dict) else None
+    if not isinstance(model, str):
+        text.problem("physics", "viscoelastic", f"viscoelastic needs a model out of {laws}; {form}")
+        return "normal"
+    if model not in interface.LAWS:
+        text.problem("physics", "viscoelastic", f"unknown model {model[:40]!r}{near(model, interface.LAWS)}")
+        return "normal"
+    if text.table("medium"):
+        message = "a viscoelastic half space has its moduli in the table of viscoelastic; leave [medium] out"
+        text.problem("medium", "", message)
+    if profile is not None and scene.own:
+        message = "viscoelastic is emitted for profiles of the catalogue; the nearest here is normal = true"
+        text.problem("physics", "viscoelastic", message)
+    return f"viscoelastic.{model}"
