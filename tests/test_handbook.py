@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import mpmath as mp
 import pytest
@@ -26,6 +27,7 @@ from axiderive.profiles import NAMES, load
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
 """Profiles that bring every kind of row, one of them in complete contact."""
+BOOK = Path(__file__).parents[1] / "catalogue" / "handbook"
 LEFT_OUT = "rounded_punch.tan"
 """A problem that counts as one whose check failed."""
 
@@ -79,6 +81,7 @@ EVIDENCE = {
         ("b = R sin(theta)", r"$b=R\,\sin \theta$"),
         ("needs the force F_min.", r"needs the force $F_{\mathrm{min}}$."),
         ("Popov, Heß & Willert 2019", r"Popov, Heß \& Willert 2019"),
+        ("beyond abs(e) = a/2 one edge", r"beyond $|e|=a/2$ one edge"),
         ("100 % of A_1 ... A_N", r"100 \% of $A_1 \dots  A_N$"),
         ("Cone, paraboloid and quartic are n = 1, 2, 4.", "Cone, paraboloid and quartic are $n=1, 2, 4$."),
     ],
@@ -213,3 +216,20 @@ def test_the_book_compiles_without_a_remark(sources: dict[str, str]) -> None:
     second, _ = pdf.compile_pdf(encoded)
     assert first == second
     assert first.startswith(b"%PDF")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_the_whole_book_compiles_without_a_remark_to_the_same_bytes_in_two_folders(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    book = {p.relative_to(BOOK).as_posix(): p.read_bytes() for p in sorted(BOOK.rglob("*.tex"))}
+    folders = (tmp_path, tmp_path / "a folder further down" / "ü")
+    found = []
+    for folder in folders:
+        folder.mkdir(exist_ok=True, parents=True)
+        monkeypatch.setattr(pdf.tempfile, "tempdir", str(folder))
+        found.append(pdf.compile_pdf(book))
+    (first, remarks), (second, _) = found
+    assert remarks == []
+    assert first == second
