@@ -21,6 +21,7 @@ from axiderive.emit.page import kind_of, spaced
 from axiderive.emit.prose import prose
 from axiderive.emit.references import WORKS, label
 from axiderive.emit.sketch import sketch
+from axiderive.emit.universal import universal_rows
 from axiderive.emit.values import Numbers, sketch_values
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
@@ -140,6 +141,20 @@ def test_what_is_compiled_is_what_was_read_back(sources: dict[str, str], derived
             for region in one.regions:
                 assert f"{{{region.tex}" in (sources["handbook.tex"] if one.listed else text), one.key
                 assert not region.condition or f"${region.condition}$" in text
+
+
+def test_rows_without_a_key_are_those_that_are_read_back(
+    sources: dict[str, str], derived: dict[str, dict[str, Entry]]
+) -> None:
+    """What follows from other rows is set by macros of its own, and is the text that its tests read."""
+    rows = [
+        one["tex"]
+        for key, base in (("cone.adh", "cone"), ("cone.fgm.adh", "cone.fgm"))
+        for one in universal_rows(key, derived[base]["d"], base != "cone")
+    ]
+    told = [line for line in sources["profiles/cone.tex"].splitlines() if line.startswith(r"\further")]
+    assert told == [rf"\further{{Universal curve}}{{}}{{{text}}}" for text in rows]
+    assert r"\further" not in sources["profiles/rounded_punch.tex"]  # none of its limits is recorded as checked here
 
 
 def test_a_problem_that_is_missing_is_said_to_be_missing(sources: dict[str, str]) -> None:

@@ -12,14 +12,12 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .plots import Curve, Rows, coordinates, labelled
+from .plots import HIGHEST, Curve, Rows, coordinates, labelled
 from .values import Numbers, Values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")
 ECCENTRICITIES = ("0", "0.25", "0.5", "0.75")
-HIGHEST = 3.2
-"""Upper end of the axes that the labels are placed for."""
 
 
 @dataclass(frozen=True)
