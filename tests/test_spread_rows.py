@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import re
 from functools import cache
 from pathlib import Path
@@ -16,6 +17,7 @@ import sympy as sp
 from axiderive import notation as nt
 from axiderive.contact.systems import problem
 from axiderive.emit.blocks import blocks
+from axiderive.emit.given import axes_of
 from axiderive.emit.limits import limit_rows
 from axiderive.emit.page import evidence_rows
 from axiderive.emit.printed import named
@@ -180,3 +182,35 @@ def test_measured_errors_stand_beside_the_evidence() -> None:
     assert rows["F"]["evaluation"] == ["special function", r"$3.5$\,/\,30", "--", r"$3.9\times10^{9}$\,/\,30 (2 lost)"]
     assert (rows["p"]["ruled"], rows["F"]["ruled"], rows["d"]["ruled"]) == (True, False, False)
     assert rows["d"]["evaluation"] == []
+
+
+PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
+
+
+def _points(curve: Any) -> list[tuple[float, float]]:
+    return [(float(x), float(y)) for x, y in PAIR.findall(curve.coordinates)]
+
+
+def test_the_frames_of_a_prescribed_pressure_show_its_displacement() -> None:
+    """Uniform pressure: w = 2 p_0 a/E* in the middle, 4/pi at the edge; far away that of the whole force."""
+    entries = stored("loads.uniform")[0]
+    pressure, displacement = axes_of(entries["w"].profile, entries)
+    assert {y for _, y in _points(pressure.curves[0])} == {1.0}
+    shown = dict(_points(displacement.curves[0]))
+    assert shown[min(shown)] == pytest.approx(2.0, abs=2e-3)
+    below, above = max(x for x in shown if x < 1), min(x for x in shown if x > 1)
+    assert shown[above] < 4 / math.pi < shown[below]
+    last = max(shown)
+    assert shown[last] == pytest.approx(1 / last * (1 + 1 / (8 * last**2)), rel=2e-3)
+
+
+def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None:
+    entries = stored("plane.eccentric_punch")[0]
+    pressure, tilt = axes_of(entries["p"].profile, entries)
+    assert [curve.label for curve in pressure.curves] == ["0", "0.25", "0.5", "0.75"]
+    assert dict(_points(pressure.curves[0]))[0.0] == pytest.approx(2 / math.pi, rel=1e-4)
+    lifted = _points(pressure.curves[-1])
+    assert all(y == 0 for x, y in lifted if x < 0)  # zero beyond 4 e - 3 a = 0
+    slope = [y / x for x, y in _points(tilt.curves[0]) if 0 < x < 0.5]
+    assert max(slope) == pytest.approx(4.0, rel=1e-4) == min(slope)
+    assert _points(tilt.curves[0])[-1][1] > 4.0

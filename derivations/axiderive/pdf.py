@@ -15,7 +15,8 @@ INSTALL = f"apt-get install --no-install-recommends {' '.join(PACKAGES)}"
 NEEDED = ("tikz.sty", "tgpagella.sty", "tgheros.sty", "mathpazo.sty", "booktabs.sty")
 # without -halt-on-error a bad label kept pdflatex looping for minutes
 PDFLATEX = ("pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error")
-TIMEOUT = 120
+TIMEOUT = 600
+"""Seconds for one pass: it takes about 20 s of processor time, on a machine that may be busy with other things."""
 MOST_PASSES = 4
 WIDEST_OVERFULL_PT = 2.0
 

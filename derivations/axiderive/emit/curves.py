@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath as mp
 
 from ..profiles.profile import Profile
+from .plots import HIGHEST, Curve, coordinates, labelled
 from .values import Numbers
 
 SHARE = "0.6"
@@ -31,11 +32,27 @@ class Adhesion:
 class Curves:
     adhesion: Adhesion
     slip: str
+    sphere: Curve
+    """Partial slip of the sphere, labelled beside that of the profile."""
 
 
 def curves(profile: Profile, numbers: Numbers) -> Curves:
     """Both plots at the values of the sketch, in units of its depth and force."""
-    return Curves(_adhesion(profile, numbers), _slip(profile, numbers))
+    slip = _slip(profile, numbers)
+    return Curves(_adhesion(profile, numbers), coordinates(slip), _sphere(slip))
+
+
+SLIP_FRAME = 1.25
+"""Upper ends of both axes of the plot of partial slip."""
+
+
+def _sphere(slip: list[tuple[float, float]]) -> Curve:
+    """F_x/(mu F_N) = 1 - (1 - u/u_s)^(3/2); its label is placed on the frame of the pressures."""
+    rows = [(i / 60, 1 - (1 - i / 60) ** 1.5) for i in range(61)]
+    up = HIGHEST / SLIP_FRAME
+    family = [[(x / SLIP_FRAME, y * up) for x, y in own] for own in ([*slip, (SLIP_FRAME, 1.0)], rows)]
+    placed = labelled(family, 1, "sphere", [])
+    return replace(placed, coordinates=coordinates(rows), x=placed.x * SLIP_FRAME, y=placed.y / up)
 
 
 def _radii(profile: Profile, numbers: Numbers, largest: Any) -> list[Any]:
@@ -67,25 +84,21 @@ def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
     least_depth = min(range(len(rows)), key=lambda i: rows[i][0])
     first, last = sorted((least_depth, least_force))
     return Adhesion(
-        _coordinates(rows[last:]),
-        _coordinates(rows[first : last + 1]),
-        _coordinates(rows[: first + 1]),
+        coordinates(rows[last:]),
+        coordinates(rows[first : last + 1]),
+        coordinates(rows[: first + 1]),
         _point(rows[least_force]),
         _point(rows[least_depth]),
-        _coordinates(plain),
+        coordinates(plain),
     )
 
 
-def _slip(profile: Profile, numbers: Numbers) -> str:
+def _slip(profile: Profile, numbers: Numbers) -> list[tuple[float, float]]:
     """(11.78), (11.80): F_x/(mu F) over u/u_s, both 0 in full stick."""
     depth, force = numbers.depth, numbers("F")
     rows = [(float(1 - d / depth), float(1 - load / force)) for _, d, load in _states(profile, numbers, numbers["a"])]
-    return _coordinates(sorted(rows))
+    return sorted(rows)
 
 
 def _point(row: tuple[float, float]) -> tuple[float, float]:
     return float(f"{row[0]:.4g}"), float(f"{row[1]:.4g}")
-
-
-def _coordinates(rows: list[tuple[float, float]]) -> str:
-    return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)

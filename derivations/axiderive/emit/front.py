@@ -197,7 +197,7 @@ def _sign_text(cell: str) -> str:
             parts.append(count + (SIGNS[sign] % digits if digits or "%s" in SIGNS[sign] else SIGNS[sign]))
         else:
             parts.append(rf"\textcolor{{note}}{{{part.replace('–', '--')}}}")
-    return r"\enspace{}".join(parts)
+    return r"\;".join(parts)
 
 
 def definition_rows() -> list[tuple[str, str, str]]:

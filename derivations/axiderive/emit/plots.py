@@ -63,7 +63,7 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     )
     ball, punch = ("cylinder", "flat strip") if plane else ("sphere", "flat punch")
     for i, label in enumerate([*(label for label, _ in family), ball, punch]):
-        curves.append(_labelled(shown, i, label, [(curve.x, curve.y) for curve in curves if curve.label]))
+        curves.append(labelled(shown, i, label, [(curve.x, curve.y) for curve in curves if curve.label]))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
     words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
@@ -78,10 +78,10 @@ def _force_references(force: Curve) -> tuple[Curve, ...]:
     family = [own, [(x, (WIDEST * x) ** 1.5) for x in depths], [(x, WIDEST * x) for x in depths]]
     found: list[Curve] = []
     for i, label in ((1, "sphere"), (2, "flat punch")):
-        curve = _labelled(family, i, label, [(other.x, other.y) for other in found])
+        curve = labelled(family, i, label, [(other.x, other.y) for other in found])
         found.append(curve)
     return tuple(
-        replace(curve, x=WIDEST * curve.x, coordinates=_coordinates([(WIDEST * x, y) for x, y in rows]))
+        replace(curve, x=WIDEST * curve.x, coordinates=coordinates([(WIDEST * x, y) for x, y in rows]))
         for curve, rows in zip(found, family[1:], strict=True)
     )
 
@@ -163,7 +163,7 @@ def _pressure(numbers: Numbers) -> Rows:
     return [(x, y) for x, y in rows if y < HIGHEST * 1.06]
 
 
-def _labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
+def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
     """The label sits where it has most room above or below its curve, away from other curves and labels."""
     own, others = family[index], [rows for i, rows in enumerate(family) if i != index]
     half = 0.02 + 0.012 * len(label)
@@ -182,7 +182,7 @@ def _labelled(family: list[Rows], index: int, label: str, taken: list[tuple[floa
         base = apart - (top - bottom)
         best = max(best, (min(above, 0.4) + base, x, top, True), (min(below, 0.4) + base - 0.05, x, bottom, False))
     _, x, y, up = best
-    return Curve(_coordinates(own), label, x, round(y, 3), up)
+    return Curve(coordinates(own), label, x, round(y, 3), up)
 
 
 def _height(rows: Rows, x: float) -> float:
@@ -216,14 +216,14 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
         reference = r"$d_1=d(a_1)$, $F_1=F_{\mathrm N}(a_1)$" + _reference(profile, numbers)
     x, y = rows[int(len(rows) * 0.7)]
-    return Curve(_coordinates(rows), "", round(x, 3), round(y, 3)), reference
+    return Curve(coordinates(rows), "", round(x, 3), round(y, 3)), reference
 
 
 def _strip_under_load(numbers: Numbers) -> tuple[Curve, str]:
     """The depth of a strip whose edge is fixed goes with the load."""
     load, depth = numbers("F"), numbers.depth
     rows = [(float(numbers.at(P=load * s).depth / depth), float(s)) for s in (mp.mpf(i) / 10 for i in range(0, 33, 2))]
-    return Curve(_coordinates(sorted(rows)), "", 1.0, 1.0), "$(d_1, P_1)$: the contact of the sketch"
+    return Curve(coordinates(sorted(rows)), "", 1.0, 1.0), "$(d_1, P_1)$: the contact of the sketch"
 
 
 def _needs_ring(numbers: Numbers) -> bool:
@@ -267,5 +267,5 @@ def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
     return low, above
 
 
-def _coordinates(rows: Rows) -> str:
+def coordinates(rows: Rows) -> str:
     return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)

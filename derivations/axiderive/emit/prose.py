@@ -10,7 +10,7 @@ import re
 
 from .. import notation as nt
 
-_FUNCTION = r"(?:tan|sin|cos|ln|exp)\([^()]*\)"
+_FUNCTION = r"(?:tan|sin|cos|ln|exp|abs)\([^()]*\)"
 _SUBSCRIPTED = r"(?:[A-Za-z]_(?:\d|[A-Za-z]+))"
 _WORDS = ("theta", "wavelength")
 _ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|R[12]|[a-zA-Z]'?(?![a-zA-Z])|\d+(?:\.\d+)?)"
@@ -64,7 +64,7 @@ def _is_mathematics(run: str, rest: str) -> bool:
     if run in ("I", "wavelength") or re.fullmatch(r"\d+(\.\d+)?", run):
         return False
     return all(
-        name in _WORDS or len(name) <= 2 or "_" in name or name in ("tan", "sin", "cos", "ln", "exp")
+        name in _WORDS or len(name) <= 2 or "_" in name or name in ("tan", "sin", "cos", "ln", "exp", "abs")
         for name in _names(run)
     )
 
@@ -77,6 +77,7 @@ def formula(run: str) -> str:
     """ASCII mathematics as LaTeX."""
     run = re.sub(r"(?<=[\w)']) (?=[\w(])", r"\\,", run)
     run = re.sub(r"\b(tan|sin|cos|ln|exp)\((\w+)\)", lambda m: rf"\{m[1]} {_symbol(m[2])}", run)
+    run = re.sub(r"\babs\((\w+)\)", lambda m: f"|{_symbol(m[1])}|", run)
     run = re.sub(r"\^\(([^()]*)\)", lambda m: f"^{{{m[1]}}}", run)
     run = re.sub(r"(?<![\\\w{])[a-zA-Z]\w*(?![^{}]*\}\})", lambda m: _symbol(m[0]), run)
     for plain, tex in _RELATIONS.items():

@@ -12,6 +12,7 @@ from ..profiles import NAMES
 from ..profiles.profile import Profile
 from . import blocks, front, matrix, page, references
 from .curves import curves
+from .given import axes_of
 from .panel import panel
 from .plots import plots
 from .prose import prose
@@ -98,6 +99,7 @@ NOTHING: dict[str, Any] = {
     "calls": [],
     "derivation": "",
     "complete": False,
+    "axes": (),
 }
 
 
@@ -105,7 +107,8 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
     prefix = profile_id.rpartition(".")[0]
     texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
-    if not main or "p" not in main or prefix == "loads" or profile.name == "eccentric_punch":
+    texts["axes"] = axes_of(profile, main) if main else ()
+    if not main or "p" not in main or texts["axes"]:
         return texts
     values = sketch_values(profile)
     if prefix == "plane":

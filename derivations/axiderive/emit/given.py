@@ -1,0 +1,124 @@
+"""Plots of what has no profile to sink in: prescribed pressures, and the punch that an eccentric load tilts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry
+from ..profiles.loads import Load
+from ..profiles.profile import Profile
+from .plots import HIGHEST, Curve, Rows, coordinates, labelled
+from .values import Numbers, Values
+
+DIGITS = 16
+EXPONENTS = ("-0.5", "0", "0.5", "2")
+ECCENTRICITIES = ("0", "0.25", "0.5", "0.75")
+
+
+@dataclass(frozen=True)
+class Axes:
+    """One frame: names, ends and ticks of its axes, the curves and what stands below it."""
+
+    names: tuple[str, str]
+    x: tuple[float, float]
+    y: tuple[float, float]
+    ticks: tuple[tuple[float, ...], tuple[float, ...]]
+    curves: tuple[Curve, ...]
+    title: str
+    words: str
+
+
+def axes_of(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
+    """The two frames of a prescribed pressure or of the eccentric punch; none for others."""
+    if isinstance(profile, Load):
+        return _load_axes(profile, entries)
+    if nt.e in profile.parameters:
+        return _tilted_axes(profile, entries)
+    return ()
+
+
+def _load_axes(load: Load, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
+    """p over p_0, and w over p_0 a/E*; for the power at several exponents."""
+    free = load.exponent == nt.sigma
+    exponents = [sp.Rational(s) for s in EXPONENTS] if free else [sp.sympify(load.exponent)]
+    labels = list(EXPONENTS) if free else [""]
+    radii = [mp.mpf(i) / 50 for i in range(50)] + [mp.mpf("0.99"), mp.mpf("0.998")]
+    pressures = [[(float(x), float((1 - x * x) ** mp.mpf(str(s)))) for x in radii] for s in map(sp.Float, exponents)]
+    places = [mp.mpf(2 * i + 1) / 41 for i in range(61)]
+    displacements = []
+    for s in exponents:
+        values: Values = {nt.a: sp.S.One, nt.p_0: sp.S.One, nt.E_star: sp.S.One, nt.sigma: s}
+        numbers = Numbers(load, entries, values, DIGITS)
+        displacements.append([(float(x), float(numbers("w", x))) for x in places])
+    words = f"for the exponents $s={', '.join(EXPONENTS)}$" if free else "inside the circle of radius $a$"
+    return (
+        _axes(("$r/a$", "$p/p_0$"), (0.0, 1.0), 2.0, pressures, labels, ("Pressure", f"{words}.")),
+        _axes(
+            ("$r/a$", "$w E^{*}/(p_0 a)$"), (0.0, 3.0), 3.2, displacements, labels,
+            ("Displacement", "of the surface, inside and outside the loaded circle."),
+        ),
+    )  # fmt: skip
+
+
+def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
+    """Pressure over the mean P/(2 a) for several eccentricities; inclination over the eccentricity."""
+    values: Values = {nt.a: sp.S.One, nt.P: sp.Integer(2), nt.E_star: sp.S.One}
+    pressures: list[Rows] = []
+    for e in ECCENTRICITIES:
+        numbers = _Strip(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
+        places = [mp.sin(mp.pi * (mp.mpf(i) / 60 - mp.mpf(1) / 2)) for i in range(1, 60)]
+        pressures.append([(float(x), y) for x in places if (y := float(numbers("p", x))) < HIGHEST * 1.06])
+    tilt = []
+    for share in (mp.mpf(i) / 50 for i in range(46)):
+        e = sp.Rational(str(share)) + sp.Rational(1, 10**9)  # the border of lift-off belongs to neither case
+        tilt.append((float(share), float(mp.pi / 2 * _Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
+    return (
+        _axes(
+            ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), HIGHEST, pressures, list(ECCENTRICITIES),
+            ("Pressure", f"for $e/a={', '.join(ECCENTRICITIES)}$; beyond one half the left edge is lifted off."),
+        ),
+        _axes(
+            ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), 16.0, [tilt], [""],
+            ("Inclination", r"under the load $P$ at $x=e$; linear until an edge lifts off."),
+        ),
+    )  # fmt: skip
+
+
+class _Strip(Numbers):
+    def place(self, suffix: str) -> sp.Symbol:
+        return nt.x
+
+
+def _axes(
+    names: tuple[str, str],
+    x: tuple[float, float],
+    top: float,
+    family: list[Rows],
+    labels: list[str],
+    words: tuple[str, str],
+) -> Axes:
+    """A frame with its labels where the curves leave most room; they are placed on a unit square."""
+    left, wide = x[0], x[1] - x[0]
+    scaled = [[((u - left) / wide, v * HIGHEST / top) for u, v in rows] for rows in family]
+    curves: list[Curve] = []
+    for i, (rows, label) in enumerate(zip(family, labels, strict=True)):
+        if not label:
+            curves.append(Curve(coordinates(rows), "", 0.0, 0.0))
+            continue
+        placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves])
+        curves.append(replace(placed, coordinates=coordinates(rows)))
+    curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
+    step = 4.0 if top > 8 else 1.0
+    return Axes(
+        names,
+        x,
+        (0.0, top),
+        (tuple(left + wide * i / 4 for i in range(5)), tuple(step * i for i in range(int(top / step) + 1))),
+        tuple(curves),
+        *words,
+    )
