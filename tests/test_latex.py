@@ -2,33 +2,26 @@
 
 from __future__ import annotations
 
-import dataclasses
-import random
 import re
 
 import mpmath as mp
 import pytest
 import sympy as sp
+from stored_book import rows, stored
 
 from axiderive import notation as nt
 from axiderive.contact.normal import derive
-from axiderive.contact.systems import BY_NAME, Problem, problem, problems
-from axiderive.emit.blocks import rows_of
+from axiderive.contact.systems import problems
 from axiderive.emit.latex import entry_latex, latex
-from axiderive.emit.printed import holds
-from axiderive.emit.readback import read
-from axiderive.emit.reading import integrates, worst_residual
-from axiderive.emit.rows import Region, Row, row
+from axiderive.emit.readback.grammar import read
+from axiderive.emit.readback.printed import holds
+from axiderive.emit.rows import row
 from axiderive.emit.width import width
-from axiderive.entry import Entry
 from axiderive.profiles import load
-
-READ_BACK = mp.mpf(10) ** -20
-"""A printed row agrees with its entry to twenty digits or it does not agree."""
 
 E, F, a, b, d, r, R, theta = nt.E_star, nt.F, nt.a, nt.b, nt.d, nt.r, nt.R, nt.theta
 INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}
-"""Profiles whose read-back integrates for many seconds."""
+"""Profiles whose long rows take seconds to print."""
 
 
 @pytest.mark.parametrize(
@@ -82,6 +75,8 @@ def test_cases_have_the_variable_on_the_left() -> None:
         (r"E^{*2}", 49),
         (r"\tan^{2} x", "tan(3)**2"),
         (r"\int_{0}^{x} t\,\mathrm{d}t", 4.5),
+        (r"\int_0^x\frac{\mathrm dt}{t+1}", "log(4)"),
+        (r"2\mathrm e^{-x^2}", "2*exp(-9)"),
         (r"\sum_{j=1}^{3} j^{2}", 14),
         (r"F_{\mathrm N} x", 6),
     ],
@@ -92,7 +87,7 @@ def test_reading(tex: str, value: float | str) -> None:
     assert abs(read(tex)[0].members[0](env) - want) < 1e-14
 
 
-@pytest.mark.parametrize("tex", [r"\frac{a", r"a)", r"\sqrt{}", r"a+", r"\mathrm{F} x"])
+@pytest.mark.parametrize("tex", [r"\frac{a", r"a)", r"\sqrt{}", r"a+", r"\mathrm{F} x", r"\int_0^1 t"])
 def test_what_cannot_be_read_is_an_error(tex: str) -> None:
     with pytest.raises(SyntaxError):
         read(tex)
@@ -111,17 +106,8 @@ def test_names_that_mean_two_things_are_told_apart() -> None:
     """chi_2, Ti_2 and C_0 are functions; a bare letter before a bracket is a factor."""
     env = {"a": mp.mpf(2), "b": mp.mpf(3)}
     assert read(r"a (b+1)")[0].members[0](env) == 8
-    assert abs(read(r"\chi_{2}(1/2)")[0].members[0](env) - mp.mpf("0.5153252594967")) < 1e-3
-
-
-def _rows(key: str) -> tuple[list[Row], dict[str, Entry], dict[str, Entry]]:
-    """Rows of a problem, its entries, and those of the normal contact that its rules refer to."""
-    own = problem(key)
-    graded = own.system.name.startswith("graded")
-    normal = Problem(BY_NAME["graded.normal" if graded else "normal"], own.name)
-    entries = own.derive()
-    base = normal.derive() if own.system.rests_on else entries
-    return rows_of(own.system, entries, {normal.key: base, key: entries}, own.name), entries, base
+    series = mp.nsum(lambda i: mp.mpf(1) / 2 ** (2 * i + 1) / (2 * i + 1) ** 2, [0, mp.inf])
+    assert abs(read(r"\chi_{2}(1/2)")[0].members[0](env) - series) < 1e-14
 
 
 QUICK = [p.key for p in problems() if p.system.name == "normal" and p.name not in INTEGRALS] + [
@@ -134,105 +120,10 @@ QUICK = [p.key for p in problems() if p.system.name == "normal" and p.name not i
 
 
 @pytest.mark.parametrize("key", QUICK)
-def test_every_row_says_what_its_entry_is(key: str) -> None:
-    rows, entries, base = _rows(key)
-    for one in rows:
-        if not integrates(one, base):
-            assert worst_residual(one, entries, count=1, base=base) < READ_BACK, one.key
-
-
-@pytest.mark.sweep
-@pytest.mark.parametrize("key", [p.key for p in problems()])
-def test_every_row_of_the_book_says_what_its_entry_is(key: str) -> None:
-    rows, entries, base = _rows(key)
-    for one in rows:
-        assert worst_residual(one, entries, count=1, seed=29, base=base) < READ_BACK, one.key
-
-
-@pytest.mark.parametrize("key", QUICK)
 def test_rows_hold_every_entry_and_fit_their_line(key: str) -> None:
-    rows, entries, _ = _rows(key)
-    assert {entry.key for one in rows for entry in (one.entry, *one.also)} == {e.key for e in entries.values()}
-    for one in rows:
+    assert {e.key for one in rows(key) for e in (one.entry, *one.also)} == {e.key for e in stored(key).values()}
+    for one in rows(key):
         for region in one.regions:
             assert region.tex.count("{") == region.tex.count("}")
             assert not re.search(r"\\left(?![a-z])", region.tex)
             assert all(width(line) < 375 for line in region.lines), one.key
-
-
-MUTATED = ("cone", "sphere", "power_law", "truncated_paraboloid", "hyperboloid", "concave_quartic", "capped_cylinder")
-SWAPS = {
-    "+": "-", "-": "+", r"\arcsin": r"\arccos", r"\arccos": r"\arcsin", r"\arctan": r"\arcsin", r"\tan": r"\sin",
-    "artanh": "arsinh", "arcosh": "arsinh", "a": "r", "r": "a", "b": "a", "R": "a", "d": "a", "A": "h", "n": "a",
-    "s": "a", r"\pi": "3", r"\kappa": "a", r"\psi": "a", "F": "E", "E": "F", r"\sqrt": r"\sin", "q": "a", r"\ell": "a",
-}  # fmt: skip
-TOKEN = re.compile(r"\\[A-Za-z]+|artanh|arcosh|\d|[A-Za-z]|[+\-]")
-LAYOUT = re.compile(
-    r"\\(?:begin|end)\{[^}]*\}(?:\[t\])?|\\\\\[[^\]]*\]|\\[Bb]ig[lr]|\\q?quad|\\enspace|\\mathrm|\\operatorname"
-)
-
-
-def _mutants(tex: str, rng: random.Random, count: int) -> list[str]:
-    """The text with one token changed, behind the first equals sign and outside the layout."""
-    start = tex.index("=") + 1
-    layout = [match.span() for match in LAYOUT.finditer(tex)]
-    places = [
-        match
-        for match in TOKEN.finditer(tex, start)
-        if not any(lo <= match.start() < hi for lo, hi in layout) and (match[0] in SWAPS or match[0].isdigit())
-    ]
-    found = []
-    for match in rng.sample(places, min(count, len(places))):
-        new = str((int(match[0]) + 1) % 10 or 1) if match[0].isdigit() else SWAPS[match[0]]
-        glue = " " if new[-1:].isalpha() and tex[match.end() : match.end() + 1].isalpha() else ""
-        found.append(tex[: match.start()] + new + glue + tex[match.end() :])
-    return found
-
-
-def _survives(
-    one: Row, region: Region, mutant: str, entries: dict[str, Entry], base: dict[str, Entry] | None = None
-) -> bool:
-    changed = tuple(dataclasses.replace(r, lines=(mutant,)) if r is region else r for r in one.regions)
-    try:
-        return bool(worst_residual(dataclasses.replace(one, regions=changed), entries, count=3, base=base) < READ_BACK)
-    except (SyntaxError, LookupError, ValueError, TypeError, ArithmeticError, RecursionError, mp.libmp.NoConvergence):
-        return False
-
-
-SUPERPOSED = (
-    "cone.adh", "paraboloid.fgm", "cone.fgm.adh", "power_law.adh", "cone.tan", "cone.vis", "sphere.vis",
-    "plane.parabola", "plane.rounded_wedge", "loads.uniform", "materials",
-)  # fmt: skip
-
-
-@pytest.mark.parametrize("key", SUPERPOSED)
-def test_a_misprint_of_a_rule_does_not_survive(key: str) -> None:
-    """The same for the other kinds of contact: formulas, equations to be solved and rules of superposition."""
-    rng = random.Random(f"misprints {key}")
-    rows, entries, base = _rows(key)
-    survivors = []
-    for one in rows:
-        for region in one.regions:
-            mutants = _mutants(region.tex, rng, 3)
-            survivors += [
-                f"{one.key}: {m}" for m in mutants if m != region.tex and _survives(one, region, m, entries, base)
-            ]
-    assert survivors == []
-
-
-@pytest.mark.parametrize("name", MUTATED)
-def test_a_misprint_does_not_survive(name: str) -> None:
-    """One token of a formula row changed: sign, digit, function or symbol."""
-    rng = random.Random(f"misprints {name}")
-    entries = derive(load(name))
-    tried, survivors = 0, []
-    for suffix in ("d", "F", "p", "w", "aF", "dF"):
-        if suffix not in entries or row(entries[suffix]).kind != "formula":
-            continue
-        one = row(entries[suffix])
-        for region in one.regions:
-            mutants = _mutants(region.tex, rng, 6)
-            tried += len(mutants)
-            survivors += [f"{one.key}: {m}" for m in mutants if m != region.tex and _survives(one, region, m, entries)]
-    assert tried >= 15
-    assert survivors == []

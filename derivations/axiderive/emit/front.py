@@ -200,6 +200,10 @@ def _sign_text(cell: str) -> str:
     return r"\;".join(parts)
 
 
+DEFINED = ("d", "F", "p", "w", "k")
+"""Quantities whose definitions stand in front of the book; the depth of a complete contact is free."""
+
+
 def definition_rows() -> list[tuple[str, str, str]]:
     """Label, general formula and equation numbers of every quantity, compact contact first."""
     printer = Printer()
@@ -208,7 +212,7 @@ def definition_rows() -> list[tuple[str, str, str]]:
         ("", COMPACT, normal.definitions(), normal.REFERENCES),
         ("complete contact: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
     ):
-        for suffix in ("d", "F", "p", "w", "k"):
+        for suffix in DEFINED:
             if suffix in formulas:
                 left = LEFT[suffix]
                 right = "=" + printer(HOMOGENEOUS.stiffness() if suffix == "k" else formulas[suffix])

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
-from .. import notation as nt
-from ..entry import Entry
-from ..proof.shape import coefficient, number, numeric_symbols
-from .readback import environment, read
-from .rows import Region, Row, kappa_row, row
+from ... import notation as nt
+from ...entry import Entry
+from ...proof.shape import coefficient, number, numeric_symbols
+from ..rows import Region, Row, kappa_row, row
+from .grammar import read
+from .nodes import Environment, Node, environment
 
 Values = dict[Any, Any]
+Function = Callable[..., Any]
 
 
 class Printed:
@@ -24,63 +27,54 @@ class Printed:
     def __init__(self, entries: Mapping[str, Entry], base: Mapping[str, Entry]) -> None:
         self.entries, self.base = entries, base
         self.profile = next(iter(base.values())).profile
+        self.kappa = _kappa(tuple(base.values()))
 
     def environment(self, values: Values) -> dict[str, Any]:
         """Every name that a row may use: symbols, kappa, and the functions of other rows."""
-        env = named(values)
-        if text := kappa_row(tuple(self.base.values())):
-            env |= environment(read(text), {})
+        env: dict[str, Any] = named(values) | self.kappa
+        tip = number(values[self.profile.breaks[0]]) if self.profile.truncated else None
         env |= {
-            "g()": self._of_radius("d", values),
-            "F_N()": self._of_radius("F", values),
-            "P()": self._of_radius("P", values),
-            "p()": self._field("p", values),
-            "w()": self._field("w", values),
+            "g()": self._of_radius("d", env, tip),
+            "F_N()": self._of_radius("F", env, tip),
+            "P()": self._of_radius("P", env, tip),
+            "p()": self._field("p", env),
+            "w()": self._field("w", env),
+            "cuts": self._cuts(values),
         }
         env["g'()"] = lambda radius: mp.diff(env["g()"], radius)
         if "Dl" in self.entries:
             env |= {
-                "d_adh()": self._of_radius("d", values, self.entries),
-                "F_adh()": self._of_radius("F", values, self.entries),
-                "Delta ell": self.at("Dl", values, self.entries) if nt.a in values else None,
+                "d_adh()": self._of_radius("d", env, tip, self.entries),
+                "F_adh()": self._of_radius("F", env, tip, self.entries),
+                "Delta ell": Node(lambda known: self.at("Dl", known, self.entries)),
             }
-        env["cuts"] = self._cuts(values)
         return env
 
-    def at(self, suffix: str, values: Values, entries: Mapping[str, Entry] | None = None) -> Any:
-        """A printed row of the normal contact, or of other entries, at these values."""
-        entries = self.base if entries is None else entries
-        env = self.environment(values) if entries is self.entries and suffix != "Dl" else named(values) | self._kappa()
-        one = row(entries[suffix])
-        statements = read((holding(one, env) if one.kind == "formula" else one.regions[0]).tex)
-        if r"\int" in one.regions[0].tex and one.kind == "rule":
-            env = self.environment(values)
+    def at(self, suffix: str, env: Environment, entries: Mapping[str, Entry] | None = None) -> Any:
+        """A printed row of the normal contact, or of other entries, where its names have these values."""
+        one = row((self.base if entries is None else entries)[suffix])
+        region = holding(one, env) if one.kind == "formula" else one.regions[0]
+        statements = read(region.tex)
         return statements[0].members[-1](environment(statements[1:], env))
 
-    def _kappa(self) -> dict[str, Any]:
-        text = kappa_row(tuple(self.base.values()))
-        return environment(read(text), {}) if text else {}
-
     def _of_radius(
-        self, suffix: str, values: Values, entries: Mapping[str, Entry] | None = None
-    ) -> Callable[[Any], Any]:
+        self, suffix: str, env: Environment, tip: Any, entries: Mapping[str, Entry] | None = None
+    ) -> Function:
+        """A quantity at another radius; a contact within the flat tip carries nothing while it is not pressed in."""
+
         def value(radius: Any) -> Any:
-            if self._untouched(radius, values):
+            if tip is not None and radius <= tip:
                 return mp.mpf(0)
-            return self.at(suffix, values | {nt.a: radius}, entries)
+            return self.at(suffix, {**env, "a": radius}, entries)
 
         return value
 
-    def _untouched(self, radius: Any, values: Values) -> bool:
-        """Whether the contact would lie within the flat tip, which carries nothing while it is not pressed in."""
-        return self.profile.truncated and radius <= number(values[self.profile.breaks[0]])
-
-    def _field(self, suffix: str, values: Values) -> Callable[..., Any]:
+    def _field(self, suffix: str, env: Environment) -> Function:
         def value(place: Any, radius: Any = None) -> Any:
-            inside = values if radius is None else values | {nt.a: radius}
-            if suffix == "p" and place > number(inside[nt.a]):
+            radius = env["a"] if radius is None else radius
+            if suffix == "p" and place > radius:
                 return mp.mpf(0)
-            return self.at(suffix, inside | {nt.r: place})
+            return self.at(suffix, {**env, "a": radius, "r": place})
 
         return value
 
@@ -96,7 +90,13 @@ class Printed:
         }
 
 
-def holding(one: Row, env: Mapping[str, Any]) -> Region:
+@lru_cache(maxsize=256)
+def _kappa(entries: tuple[Entry, ...]) -> dict[str, Any]:
+    text = kappa_row(entries)
+    return environment(read(text), {}) if text else {}
+
+
+def holding(one: Row, env: Environment) -> Region:
     """The one region whose printed range contains the point."""
     found = [region for region in one.regions if holds(region.condition, env)]
     if len(found) != 1:
@@ -105,7 +105,7 @@ def holding(one: Row, env: Mapping[str, Any]) -> Region:
     return found[0]
 
 
-def holds(condition: str, env: Mapping[str, Any]) -> bool:
+def holds(condition: str, env: Environment) -> bool:
     """Whether a printed range, chains of < and <= separated by commas, contains the point."""
     for chain in filter(None, condition.split(r",\; ")):
         if re.search(r">|\\ge(?![a-z])", chain):

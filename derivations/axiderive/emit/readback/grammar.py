@@ -1,0 +1,246 @@
+r"""The grammar of printed formulas: recursive descent over the subset of LaTeX that the handbook uses.
+
+Written without SymPy and without looking at the printer: it reads what the
+reader reads.  A function without brackets takes exactly one factor, \frac binds
+its arguments, juxtaposition is a product.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+
+import mpmath as mp
+
+from . import nodes
+from .functions import BRACKETED, FUNCTIONS, STRUVE, Value
+from .nodes import Node, Statement
+from .tokens import SEPARATORS, Tokens
+
+_CLOSING = {"(": ")", "[": "]", r"\{": r"\}"}
+CALLABLE = ("f", "g", "P", "F_N", "p", "w", "w_1D", "F_adh", "d_adh", "E", "J", "Phi_m")
+"""Names that are functions when a bracket follows; every other symbol before a bracket is a factor."""
+_STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", r"\rvert", "<", *SEPARATORS}
+_DIFFERENTIAL = "differential"
+
+
+@lru_cache(maxsize=4096)
+def read(tex: str) -> list[Statement]:
+    """The statements of a printed row, separated by `,` and a quad.
+
+    Raises
+    ------
+    SyntaxError
+        If the source is not of the printed subset.
+    """
+    parser = _Parser(tex)
+    found = [parser.statement()]
+    while parser.separator():
+        found.append(parser.statement())
+    if parser.peek() is not None:
+        raise SyntaxError(parser.message("end of formula"))
+    return found
+
+
+class _Parser(Tokens):
+    def __init__(self, tex: str) -> None:
+        super().__init__(tex)
+        self.differentials: list[list[str]] = []
+        """Variables of integration met so far, in a list for every integral that is open."""
+
+    def statement(self) -> Statement:
+        members = [self.sum()]
+        while self.peek() == "=":
+            self.take()
+            members.append(self.sum())
+        return Statement(tuple(members))
+
+    def sum(self) -> Node:
+        terms: list[tuple[int, Node]] = []
+        while True:
+            sign = 1
+            while self.peek() in ("+", "-"):
+                sign = -sign if self.take() == "-" else sign
+            terms.append((sign, self.product()))
+            if self.peek() not in ("+", "-"):
+                return nodes.total(terms)
+
+    def product(self) -> Node:
+        factors = [(1, self.factor())]
+        while factors[-1][1].name != _DIFFERENTIAL and (self.peek() == "/" or self.peek() not in {None, *_STOPS}):
+            if self.peek() == "/":
+                self.take()
+                factors.append((-1, self.factor()))
+            else:
+                factors.append((1, self.factor()))
+        return nodes.product(factors)
+
+    def factor(self) -> Node:
+        base = self.atom()
+        while self.peek() == "^":
+            self.take()
+            base = nodes.power(base, self.argument())
+        return base
+
+    def argument(self) -> Node:
+        """A TeX argument: a group, or a single token (of a number only its first digit)."""
+        if self.peek() == "{":
+            return self.enclosed("}")
+        self.first_digit()
+        return self.atom()
+
+    def enclosed(self, closing: str) -> Node:
+        """A sum between two tokens, from the first of them on."""
+        self.take()
+        inner = self.sum()
+        self.take(closing)
+        return inner
+
+    def atom(self) -> Node:
+        token = self.peek() or ""
+        if token in _CLOSING or token == "{":
+            return Node(self.enclosed(_CLOSING.get(token, "}")).value)
+        self.take()
+        if token[0].isdigit():
+            return Node(lambda env: mp.mpf(token))
+        if token in (r"\frac", r"\tfrac"):
+            above, below = self.argument(), self.argument()
+            return Node(lambda env: above(env) / below(env))
+        if token == r"\lvert":
+            inner = self.sum()
+            self.take(r"\rvert")
+            return Node(lambda env: abs(inner(env)))
+        if token == r"\prescript":
+            return self.hypergeometric()
+        if token == r"\max":
+            return self.function("max")
+        if token == r"\sqrt":
+            return self.root()
+        if token == r"\int":
+            return self.integral()
+        if token == r"\sum":
+            lower, upper, variable = self.limits()
+            return nodes.series(lower, upper, self.product(), variable)
+        return self.named(token)
+
+    def root(self) -> Node:
+        index = 2
+        if self.peek() == "[":
+            self.take()
+            index = int(self.take())
+            self.take("]")
+        inside = self.argument()
+        return Node(lambda env: mp.root(inside(env), index))
+
+    def limits(self) -> tuple[Node, Node, str]:
+        lower = upper = None
+        variable = ""
+        for _ in range(2):
+            if self.take() == "^":
+                upper = self.argument()
+            elif self.tokens[self.at + 2 : self.at + 3] == ["="]:
+                self.take("{")
+                variable = self.take()
+                lower = self.enclosed("}")
+            else:
+                lower = self.argument()
+        if lower is None or upper is None:
+            raise SyntaxError(self.message("two limits"))
+        return lower, upper, variable
+
+    def integral(self) -> Node:
+        """The differential ends the integrand or stands above the line of a fraction of it."""
+        lower, upper, _ = self.limits()
+        self.differentials.append([])
+        body = self.product()
+        found = self.differentials.pop()
+        if len(found) != 1:
+            raise SyntaxError(self.message("one differential"))
+        return nodes.integral(lower, upper, body, found[0])
+
+    def differential(self) -> Node:
+        self.differentials[-1].append(self.take().lstrip("\\"))
+        return Node(lambda env: mp.mpf(1), _DIFFERENTIAL)
+
+    def named(self, token: str) -> Node:
+        """A symbol, a sequence element or a function."""
+        name = token.lstrip("\\")
+        if name in ("mathrm", "mathbf", "operatorname", "bar"):
+            name = ("bar " if name == "bar" else "") + self.text()
+        elif not name[0].isalpha():
+            raise SyntaxError(self.message("a symbol"))
+        if token == r"\mathbf" and name in STRUVE:
+            return self.struve(name)
+        if token == r"\mathrm" and name == "d" and self.differentials:
+            return self.differential()
+        if token == r"\mathrm" and name == "e":
+            return Node(lambda env: +mp.e)
+        if name == "Delta":
+            name += " " + self.take().lstrip("\\")
+        if self.peek() == "_":
+            self.take()
+            name += f"_{self.text()}"
+        if self.comes("^", "{", "*"):
+            return self.starred(name)
+        upright = token in (r"\mathrm", r"\mathbf", r"\operatorname", r"\chi")
+        if upright and name in BRACKETED:
+            return self.function(name)
+        if name in FUNCTIONS and token.startswith("\\"):
+            return self.call(FUNCTIONS[name])
+        if name == "pi":
+            return Node(lambda env: +mp.pi)
+        primes = ""
+        while self.peek() == "'":
+            primes += self.take()
+        if name in CALLABLE and self.peek() == "(":
+            arguments = self.arguments()
+            return Node(lambda env: env[f"{name}{primes}()"](*(argument(env) for argument in arguments)))
+        return nodes.symbol(name)
+
+    def hypergeometric(self) -> Node:
+        """{}_2F_1(p, q; c; z) and {}_1F_1(p; c; z), from the subscript on."""
+        self.take("_")
+        name = self.text() + self.text()
+        self.take("_")
+        return self.function(f"{name}_{self.text()}")
+
+    def struve(self, name: str) -> Node:
+        self.take("_")
+        order = self.argument()
+        (argument,) = self.arguments()
+        return Node(lambda env: STRUVE[name](order(env), argument(env)))
+
+    def function(self, name: str) -> Node:
+        arguments = self.arguments()
+        return Node(lambda env: BRACKETED[name](*(x(env) for x in arguments)))
+
+    def starred(self, name: str) -> Node:
+        r"""E^{*}, and its powers E^{*2}."""
+        self.take("^"), self.take("{"), self.take("*")
+        base = nodes.symbol(name + "*")
+        if self.peek() == "}":
+            self.take("}")
+            return base
+        exponent = self.sum()
+        self.take("}")
+        return nodes.power(base, exponent)
+
+    def call(self, function: Callable[..., Value]) -> Node:
+        exponent = None
+        if self.peek() == "^":
+            self.take()
+            exponent = self.argument()
+        inside = self.factor()
+        plain = Node(lambda env: function(inside(env)))
+        return plain if exponent is None else nodes.power(plain, exponent)
+
+    def arguments(self) -> list[Node]:
+        opening = self.take()
+        if opening not in _CLOSING:
+            raise SyntaxError(self.message("an opening bracket"))
+        found = [self.sum()]
+        while self.peek() in (",", ";"):
+            self.take()
+            found.append(self.sum())
+        self.take(_CLOSING[opening])
+        return found

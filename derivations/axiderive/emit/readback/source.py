@@ -1,0 +1,74 @@
+r"""The formulas of the compiled source: every row that TeX sets, found without the generator.
+
+A row is an argument of \frow or \fpair, a definition or special function in a
+box of its own, a cell of the table of profiles, or a line of a definition panel.
+All other mathematics of the source stands in a sentence, a range, a figure or a
+table of numbers.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+Kind = Literal["row", "definition", "function", "cell", "panel", "slope"]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula in print: its LaTeX, and the end of its key where it carries one."""
+
+    kind: Kind
+    tex: str
+    suffix: str = ""
+
+
+_BOXED = re.compile(r"\\labelbox\{[^}]*\}\{\}\\hspace\{2mm\}\$\\displaystyle (.*?)\$\\hfill")
+_NAMED = re.compile(r"\\hbox to\\textwidth\{\$\\displaystyle (.*?)\$\\hfill\\parbox")
+_CELL = re.compile(r"& \$\\displaystyle (.*?)\$(?= &|\\\\)")
+_SHAPE = re.compile(r"\$(?:\\displaystyle )?[fp]\([rx]\)=(.*?)\$")
+_SHORTHAND = re.compile(r"\$(?:\\displaystyle )?([^$]*?=[^$]*?)\$")
+_SLOPE = re.compile(r"slope \$f'\(r\)=(.*?)\$")
+
+
+def formulas(text: str) -> list[Formula]:
+    """The formulas of one source file in their order by kind."""
+    found = [Formula("definition", tex) for tex in _BOXED.findall(text)]
+    found += [Formula("function", tex) for tex in _NAMED.findall(text)]
+    found += [Formula("slope", tex) for tex in _SLOPE.findall(text)]
+    for line in text.splitlines():
+        label, _, content = line.strip().partition(" & ")
+        if line.startswith(r"\hyperref[sec:"):
+            found += [Formula("cell", tex) for tex in _CELL.findall(line)]
+        elif label in ("Profile", "Pressure"):
+            found += [Formula("panel", tex) for tex in _SHAPE.findall(content)]
+        elif label == "Shorthand":
+            found += [Formula("panel", tex) for tex in _SHORTHAND.findall(content)]
+        elif line.startswith(r"\frow"):
+            *_, tex, suffix = arguments(line.removeprefix(r"\frow"))
+            found.append(Formula("row", without_remark(tex), suffix))
+        elif line.startswith(r"\fpair"):
+            for half in arguments(line.removeprefix(r"\fpair")):
+                *_, tex, suffix = arguments(half)
+                found.append(Formula("row", without_remark(tex), suffix))
+    return found
+
+
+def without_remark(tex: str) -> str:
+    r"""The formula without the words behind it."""
+    return tex.partition(r"\remark{")[0]
+
+
+def arguments(text: str) -> list[str]:
+    """The groups in braces that follow one another, without the optional argument before them."""
+    found, depth, start = [], 0, 0
+    for i, letter in enumerate(text):
+        escaped = i > 0 and text[i - 1] == "\\"
+        if letter == "{" and not escaped:
+            depth, start = depth + 1, start if depth else i + 1
+        elif letter == "}" and not escaped:
+            depth -= 1
+            if depth == 0:
+                found.append(text[start:i])
+    return found

@@ -1,0 +1,77 @@
+"""The stored results of the catalogue and the rows that the handbook prints of them, without deriving anything."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from axiderive.contact.systems import BY_NAME, Problem, problem, problems
+from axiderive.emit.blocks import rows_of
+from axiderive.emit.readback import front
+from axiderive.emit.readback.compare import residuals, worst_residual
+from axiderive.emit.readback.front import Reading
+from axiderive.emit.rows import Region, Row
+from axiderive.emit.spread import pool_of
+from axiderive.entry import Entry
+from axiderive.work import read_entries
+
+CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
+HANDBOOK = CATALOGUE / "handbook"
+KEYS = tuple(p.key for p in problems())
+PROFILES = tuple(dict.fromkeys(p.profile_id for p in problems()))
+SEED = 29
+
+
+@cache
+def stored(key: str) -> dict[str, Entry]:
+    record = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())
+    return read_entries(problem(key), record["entries"])
+
+
+def base_of(own: Problem) -> str:
+    """Key of the problem whose rows the rules of this one refer to."""
+    if not own.system.rests_on:
+        return own.key
+    return Problem(BY_NAME["graded.normal" if own.system.name.startswith("graded") else "normal"], own.name).key
+
+
+@cache
+def rows(key: str) -> list[Row]:
+    """The rows of a problem as they are printed."""
+    own = problem(key)
+    return rows_of(own.system, stored(key), {k: stored(k) for k in (base_of(own), key)}, own.name)
+
+
+def residual(key: str, one: Row, count: int = 1, seed: int = SEED) -> Any:
+    """How far a row is from its entry."""
+    return worst_residual(one, stored(key), count, seed, stored(base_of(problem(key))))
+
+
+def differs(key: str, one: Row, limit: Any, count: int = 1, seed: int = SEED) -> bool:
+    """Whether a row differs from its entry by more than the limit at one of the points."""
+    return any(found >= limit for found in residuals(one, stored(key), count, seed, stored(base_of(problem(key)))))
+
+
+def changed(one: Row, region: Region, tex: str) -> Row:
+    """The row with other LaTeX in one of its regions."""
+    own = tuple(dataclasses.replace(r, lines=(tex,)) if r is region else r for r in one.regions)
+    return dataclasses.replace(one, regions=own)
+
+
+@cache
+def front_readings() -> list[Reading]:
+    """The formulas that stand in front of the book, but for the rules, which are printed on the spreads as well."""
+    return [
+        *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
+        *front.functions(),
+        *front.laws_of_materials(),
+        *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),
+    ]
+
+
+def panel_readings(name: str) -> list[Reading]:
+    """The formulas of the definition panel of a profile and of the words on its derivation."""
+    return front.panel(name, pool_of(name).load(name.rpartition(".")[2]), stored(name) if name in KEYS else {})

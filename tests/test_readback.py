@@ -1,0 +1,110 @@
+"""What is printed is what was checked: every formula of the compiled handbook, read back from its LaTeX."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import mpmath as mp
+import pytest
+from stored_book import HANDBOOK, KEYS, PROFILES, front_readings, panel_readings, residual, rows
+
+from axiderive.contact.systems import problem
+from axiderive.emit import front
+from axiderive.emit.readback.source import Formula, arguments, formulas, without_remark
+
+READ_BACK = mp.mpf(10) ** -20
+"""A printed row agrees with its entry to twenty digits or it does not agree."""
+SAMPLE = ("rounded_punch", "truncated_cone.adh", "polynomial.tan", "power_law.fgm.tan", "sphere.vis", "capped_cylinder")
+"""Problems of many regions, and of rows that need more than one formula."""
+SPREADS = (
+    "cone",
+    "concave_quartic",
+    "flat_punch",
+    "plane.rounded_wedge",
+    "plane.eccentric_punch",
+    "loads.power",
+    "materials",
+)
+"""Profiles without long integrals, of every kind of contact."""
+
+
+@pytest.mark.parametrize("key", SAMPLE)
+def test_rows_say_what_their_entries_are(key: str) -> None:
+    for one in rows(key):
+        assert residual(key, one) < READ_BACK, one.key
+
+
+def test_the_front_of_the_book_says_what_the_engine_computes() -> None:
+    """Definitions, special functions, material laws and the table of profiles."""
+    for reading in front_readings():
+        assert reading.worst() < READ_BACK, reading.place
+
+
+@pytest.mark.parametrize("name", PROFILES)
+def test_panels_say_what_the_profiles_are(name: str) -> None:
+    for reading in panel_readings(name):
+        assert reading.worst() < READ_BACK, f"{reading.place}: {reading.tex}"
+
+
+def _compiled(path: str) -> list[Formula]:
+    return formulas((HANDBOOK / path).read_text(encoding="utf-8"))
+
+
+def _printed(name: str, kind: str) -> list[str]:
+    return sorted(found.tex for found in _compiled(f"profiles/{name}.tex") if found.kind == kind)
+
+
+@pytest.mark.parametrize(
+    "name", [name if name in SPREADS else pytest.param(name, marks=pytest.mark.slow) for name in PROFILES]
+)
+def test_every_row_of_a_spread_says_what_its_entry_is(name: str) -> None:
+    """The rows TeX sets and the rows that are compared are the same, letter by letter, and none is left over."""
+    compared = []
+    for key in (key for key in KEYS if problem(key).profile_id == name):
+        for one in rows(key):
+            assert residual(key, one) < READ_BACK, one.key
+            compared += [] if one.listed else [region.tex for region in one.regions]
+    assert _printed(name, "row") == sorted(compared)
+    panel = [reading.tex for reading in panel_readings(name)]
+    assert set(_printed(name, "panel") + _printed(name, "slope")) <= {*panel, *_kappa(name)}
+
+
+def _kappa(name: str) -> set[str]:
+    """The definition of kappa, which the rows are read back with."""
+    return {tex for tex in _printed(name, "panel") if tex.startswith(r"\kappa")}
+
+
+def test_every_formula_in_front_was_read_back() -> None:
+    found = _compiled("handbook.tex")
+    compared = {reading.tex for reading in front_readings()}
+    compared |= {f"{one['name']}={one['definition']}" for one in front.master_rows()}
+    ruled = [one for key in KEYS if key.startswith("rounded_punch.fgm") for one in rows(key)]
+    compared |= {region.tex for one in ruled for region in one.regions}
+    assert {one.tex for one in found} <= compared
+    listed = {one.key.partition(".")[2] for one in ruled if one.listed}
+    assert listed <= {one.suffix for one in found}
+
+
+def test_the_source_is_searched_to_its_end() -> None:
+    """As many rows are found as TeX is told to set: a row the search overlooks would not be compared."""
+    count: Counter[str] = Counter()
+    told = 0
+    for path in sorted(HANDBOOK.rglob("*.tex")):
+        if path.name == "preamble.tex":
+            continue
+        text = path.read_text(encoding="utf-8")
+        count.update(one.kind for one in formulas(text))
+        told += text.count("\n\\frow") + 2 * text.count("\n\\fpair")
+        displayed = text.count(r"\displaystyle")
+        shown = [one for one in formulas(text) if one.kind in ("definition", "function", "cell")]
+        panels = sum(line.count(r"\displaystyle") for line in text.splitlines() if line[:6] in (" Short", " Press"))
+        assert displayed == len(shown) + panels, path
+    assert count["row"] == told > 900
+    assert count["definition"] == len(front.definition_rows())
+    assert count["function"] == len(front.master_rows())
+
+
+def test_arguments_of_a_row() -> None:
+    tex = r"[p, q]{Force}{$a<b$}{\frac{1}{2}\{x\}\remark{with $a$ from \own{ad}}}{}"
+    assert arguments(tex) == ["Force", "$a<b$", r"\frac{1}{2}\{x\}\remark{with $a$ from \own{ad}}", ""]
+    assert without_remark(arguments(tex)[2]) == r"\frac{1}{2}\{x\}"
