@@ -20,8 +20,8 @@ from axiderive.emit.blocks import blocks
 from axiderive.emit.given import axes_of
 from axiderive.emit.limits import limit_rows
 from axiderive.emit.page import evidence_rows
-from axiderive.emit.printed import named
 from axiderive.emit.readback import read
+from axiderive.emit.readback.printed import named
 from axiderive.emit.universal import power_of_depth, universal_rows
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load

@@ -8,6 +8,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..emit.physics.text import name_of
 from . import interface
 from .contact import DIGITS, Contact
 
@@ -18,7 +19,7 @@ LATER = (0.4, 1.9)
 def relaxing(contact: Contact, function: interface.Function) -> list[tuple[tuple[float, ...], Any]]:
     """Calls of a function with their results."""
     law = interface.LAWS[function.law]
-    known = {symbol: sp.Float(contact.all[interface.name_of(symbol)], 40) for symbol in law.parameters}
+    known = {symbol: sp.Float(contact.all[name_of(symbol)], 40) for symbol in law.parameters}
     modulus = sp.lambdify(nt.time, law.relaxation.xreplace(known), "mpmath")
     creep = sp.lambdify(nt.time, law.creep.xreplace(known), "mpmath")
     values = contact.all
