@@ -15,6 +15,7 @@ from ._integrals import difference_root, integral
 from ._inverse import inverse
 
 XI = {"force": 3.0, "depth": 1.0}
+"""The retraction at pull-off is 2 a g'(a)/xi, by what is held."""
 ROUNDING = 1e-15
 """A load this close below pull-off, relative to it, counts as pull-off."""
 

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from ._elementwise import Array
-from ._integrals import integral
-from ._kernels import ARCTAN_GAP, DAWSON, TANH_GAP
+from ._kernels import (
+    ARCTAN_GAP,
+    DAWSON,
+    HANKEL_P_0,
+    HANKEL_P_1,
+    HANKEL_Q_0,
+    HANKEL_Q_1,
+    STRUVE_0,
+    STRUVE_1,
+    STRUVE_TAIL_0,
+    STRUVE_TAIL_1,
+    TANH_GAP,
+)
 
 # Gamma(x + 1/2)/Gamma(x) = sqrt(w) (1 + c_1/w**2 + c_2/w**4 + ...), w = x - 1/4 (Tricomi and Erdelyi 1951);
 # the coefficients follow from ratio(x) ratio(x + 1/2) = x
@@ -109,53 +120,44 @@ def dawson(x: Array) -> Array:
 
 def struve_h0(x: Array) -> Array:
     """Struve function H_0(x) for x >= 0."""
-    near = integral(lambda t: np.sin(_near(x) * np.cos(t)), _quarter(x), 64)
-    p, q = _hankel(0.0, _far(x))
-    phase = _far(x) - np.pi / 4.0
-    far = np.sqrt(2.0 / (np.pi * _far(x))) * (p * np.sin(phase) + q * np.cos(phase))
-    return np.where(x < _SWITCH, 2.0 / np.pi * near, far + 2.0 / np.pi / _far(x) * _tail(_far(x), 1.0))
+
+    def far(x: Array) -> Array:
+        v = (_SWITCH / x) * (_SWITCH / x)
+        p, q = rational(v, *HANKEL_P_0), -rational(v, *HANKEL_Q_0) / x
+        return _wave(x, p + q, q - p) + 2.0 / np.pi / x * rational(v, *STRUVE_TAIL_0)
+
+    return _joined(x, lambda x: x * _series(x, STRUVE_0), far)
 
 
 def struve_h1(x: Array) -> Array:
     """Struve function H_1(x) for x >= 0."""
-    near = integral(lambda t: np.sin(_near(x) * np.cos(t)) * np.sin(t) ** 2, _quarter(x), 64)
-    p, q = _hankel(1.0, _far(x))
-    phase = _far(x) - 3.0 * np.pi / 4.0
-    far = np.sqrt(2.0 / (np.pi * _far(x))) * (p * np.sin(phase) + q * np.cos(phase))
-    return np.where(x < _SWITCH, 2.0 / np.pi * x * near, far + 2.0 / np.pi * _tail(_far(x), -1.0))
+
+    def far(x: Array) -> Array:
+        v = (_SWITCH / x) * (_SWITCH / x)
+        p, q = rational(v, *HANKEL_P_1), rational(v, *HANKEL_Q_1) / x
+        return _wave(x, q - p, -p - q) + 2.0 / np.pi * rational(v, *STRUVE_TAIL_1)
+
+    return _joined(x, lambda x: x * x * _series(x, STRUVE_1), far)
 
 
-# from here on the smallest terms of the asymptotic series are below 1e-17
-_SWITCH = 42.0
+# the kernels below end there, those beyond begin; H_0 has its first zero at 4.33
+_SWITCH = 4.0
 
 
-def _near(x: Array) -> Array:
-    return np.minimum(x, _SWITCH)
+def _joined(x: Array, near: Callable[[Array], Array], far: Callable[[Array], Array]) -> Array:
+    beyond = x >= _SWITCH
+    if not np.any(beyond):
+        return near(x)
+    if not np.any(x < _SWITCH):
+        return far(x)
+    return np.where(beyond, far(np.maximum(x, _SWITCH)), near(np.minimum(x, _SWITCH)))
 
 
-def _far(x: Array) -> Array:
-    return np.maximum(x, _SWITCH)
+def _series(x: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
+    """In powers of 16 - x**2, which are all positive."""
+    return rational((_SWITCH - x) * (_SWITCH + x), *kernel)
 
 
-def _quarter(x: Array) -> Array:
-    return np.full_like(x, np.pi / 2.0)
-
-
-def _hankel(order: float, x: Array) -> tuple[Array, Array]:
-    """P and Q of Y_nu(x) = sqrt(2/(pi x)) (P sin + Q cos)(x - nu pi/2 - pi/4)."""
-    mu, term = 4.0 * order * order, np.ones_like(x)
-    sums = [np.ones_like(x), np.zeros_like(x)]
-    for k in range(1, 26):
-        term = term * (mu - (2 * k - 1) ** 2) / (8.0 * k * x)
-        sums[k % 2] = sums[k % 2] + (term if k % 4 < 2 else -term)
-    return sums[0], sums[1]
-
-
-def _tail(x: Array, parity: float) -> Array:
-    """H_nu - Y_nu without its leading power: 1 - 1/x**2 + 9/x**4 ... for nu = 0, 1 + 1/x**2 - 3/x**4 ... for nu = 1."""
-    term, total = np.ones_like(x), np.ones_like(x)
-    for k in range(1, 22):
-        odd = 2 * k - 1
-        term = term * -(odd * (odd if parity > 0.0 else odd - 2)) / (x * x)
-        total = total + term
-    return total
+def _wave(x: Array, sine: Array, cosine: Array) -> Array:
+    """Y_nu(x) from the sums and differences of Hankel's P and Q."""
+    return (sine * np.sin(x) + cosine * np.cos(x)) / np.sqrt(np.pi * x)

@@ -122,7 +122,7 @@ def _tail(rest: Array, near: Array, m: Array, half: Array) -> Array:
 
 
 def _steep(rest: Array, near: Array, m: Array, half: Array) -> Array:
-    """The same for a large power, of which only the upper end counts."""
+    """What lies beyond ln(t/r) = `near`, for a large power m, of which only the upper end counts."""
     rest = np.where(np.isfinite(rest), rest, np.inf)
     stop = np.minimum(rest, 42.0 / np.maximum(np.abs(m), 20.0))
 
@@ -213,7 +213,7 @@ def _rest(integrand: Callable[[Array], Array], start: Array, stop: Array) -> Arr
 
 
 def growth_beyond_cap(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
-    """The same where the slope is continuous at b; `slope` takes t and sqrt(t**2 - b**2) and returns g'(t).
+    """The integral from max(r, b) on for a slope continuous at b; `slope` takes t and sqrt(t**2 - b**2), returns g'(t).
 
     There g' carries a power (t**2 - b**2)**((1 + k)/2), which a cube in the variable makes smooth.
     """

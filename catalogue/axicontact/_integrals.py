@@ -29,6 +29,8 @@ Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bern
 poles of the integrands near that distance cost a factor of up to 1e3.
 Beyond the last length there are panels of it.
 """
+WAVES = ((0.25, 8), (1.97, 16), (4.7, 24), (7.96, 32), (23.3, 64))
+"""The same for exp(2 pi i u) and what grows no faster off the real axis: 1e-18 by the best ellipse."""
 
 
 def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Array:
@@ -43,7 +45,7 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
 
 
 def integral_by_panels(integrand: Callable[[Array], Array], stop: Array, width: Array, count: int) -> Array:
-    """The same in equal panels no wider than about `width`; their number follows the largest `stop` of the block."""
+    """Integral from 0 to `stop` in equal panels no wider than about `width`, as many as the largest `stop` needs."""
     largest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=1.0))
     panels = int(np.ceil(min(largest, PANELS)))
     if panels == 1:
@@ -62,10 +64,15 @@ def _shifted(integrand: Callable[[Array], Array], start: Array, x: Array) -> Arr
     return integrand(start + x)
 
 
-def integral_in_strip(integrand: Callable[[Array], Array], stop: Array, width: Array | float = 1.0) -> Array:
-    """The same for an integrand without singularities closer than width*pi/2 to the real axis; see STRIPS."""
+def integral_in_strip(
+    integrand: Callable[[Array], Array],
+    stop: Array,
+    width: Array | float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> Array:
+    """Integral from 0 to `stop`, without singularities closer than width*pi/2 to the real axis; see STRIPS."""
     longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
-    for length, count in STRIPS:
+    for length, count in lengths:
         if longest <= length:
             return integral(integrand, stop, count)
     return integral_by_panels(integrand, stop, np.ones_like(stop) * (length * width), count)
@@ -118,14 +125,14 @@ def pressure_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
     return integral(integrand, difference_root(a, r), count)
 
 
-def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
-    """The same where g' oscillates with a wavelength."""
+def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, where g' oscillates with a wavelength."""
 
     def integrand(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
         return slope(t) / t
 
-    return integral_by_panels(integrand, difference_root(a, r), wavelength, count)
+    return integral_in_strip(integrand, difference_root(a, r), wavelength, WAVES)
 
 
 def falling(stop: Array, even: Array | float = 0.0) -> Callable[[Array], Array]:
@@ -146,7 +153,7 @@ def falling(stop: Array, even: Array | float = 0.0) -> Callable[[Array], Array]:
 
 @in_groups
 def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same where g' has a singularity at t**2 = -b**2."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, where g' has a singularity at t**2 = -b**2."""
     scale, reach = np.sqrt(r * r + b * b), difference_root(a, r)
     stop = np.arcsinh(reach / scale)
     fallen = falling(stop)
@@ -161,7 +168,7 @@ def pressure_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
 
 @in_groups
 def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
-    """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
     ratio = difference_root(a, r) / difference_root(R, a)
     stop = np.arcsinh(ratio)
@@ -179,7 +186,7 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
 
 @in_groups
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same from max(r, b) to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of g'(t)/sqrt(t**2 - r**2) from max(r, b) to a > b; `slope` takes t and sqrt(t**2 - b**2)."""
     # on the outer side of the break, where the part below it adds nothing
     r = np.where(r == b, np.nextafter(b, np.inf), r)
     within = r < b
@@ -204,18 +211,20 @@ def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array
     return r * integral(integrand, np.arctan2(a, difference_root(r, a)), count)
 
 
-def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array, count: int) -> Array:
-    """The same where g' oscillates with a wavelength."""
+def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' oscillates with a wavelength."""
 
     def integrand(angle: Array) -> Array:
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
 
-    return r * integral_by_panels(integrand, np.arctan2(a, difference_root(r, a)), wavelength / r, count)
+    # the angle itself counts half a wave per radian
+    width = wavelength / (r + wavelength / 2.0)
+    return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
 
 
 @in_groups
 def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same where g' has a singularity at t**2 = -b**2."""
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' has a singularity at t**2 = -b**2."""
     scale, end = b / np.sqrt(r * r + b * b), a / difference_root(r, a)
     stop = np.arcsinh(end / scale)
     fallen = falling(stop)
@@ -230,7 +239,7 @@ def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> St
 
 @in_groups
 def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
-    """The same where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    """Integral of g'(t) arcsin(t/r) from 0 to a < r, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = np.minimum(r, R)
     end = a / difference_root(scale, a)
     stop = np.arcsinh(end)
@@ -249,7 +258,7 @@ def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> St
 
 @in_groups
 def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
-    """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of g'(t) arcsin(t/r) from b to a < r; `slope` takes t and sqrt(t**2 - b**2)."""
     reach, ratio = difference_root(r, b), b / r
     end = difference_root(a, b) / difference_root(r, a)
     stop = np.arcsinh(end / ratio)
@@ -273,7 +282,7 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
 
 @in_groups
 def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
-    """The same from b to a, with a break of the profile at b; `slope` takes t and sqrt(t**2 - b**2)."""
+    """Integral of t g'(t) from b to a; `slope` takes t and sqrt(t**2 - b**2)."""
     reach = difference_root(a, b)
     stop = np.arcsinh(reach / b)
     fallen = falling(stop)

@@ -21,7 +21,7 @@ NEEDS_ARRAYS = frozenset(
         "pressure_integral",
         "gauss_legendre",
         "ring_of_zero_pressure",
-        "A_j",
+        "enumerate",
     )
 )
 """Names that a body may not refer to: rules with nodes along an axis, and sums over coefficients."""
@@ -59,7 +59,8 @@ def scalar(function: Callable[..., Any]) -> Callable[..., float] | None:
 def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
     seen.add(function)
     names = _names(function.__code__)
-    if names & NEEDS_ARRAYS or any(hasattr(np, n) and not hasattr(MATH, n) for n in names - set(function.__globals__)):
+    attributes = names - set(function.__globals__)
+    if names & NEEDS_ARRAYS or any(hasattr(np, n) and not hasattr(MATH, n) for n in attributes):
         return True
     spaces = [function.__globals__, *(vars(m) for n in names if _own(m := function.__globals__.get(n), ModuleType))]
     called: list[Any] = [space.get(name) for space in spaces for name in names]
@@ -68,7 +69,7 @@ def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
 
 def _names(code: CodeType) -> set[str]:
     inner = (_names(constant) for constant in code.co_consts if isinstance(constant, CodeType))
-    return {*code.co_names, *code.co_varnames}.union(*inner)
+    return set(code.co_names).union(*inner)
 
 
 def _own(value: Any, kind: type) -> bool:

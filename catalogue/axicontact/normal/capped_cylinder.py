@@ -13,11 +13,13 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside, difference_of_products
 from .._kernels import OUTSIDE_2
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -62,6 +64,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     return elementwise(_profile, r, a=a, R=R)
 
 
+@with_math
 def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -108,6 +111,7 @@ def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Res
     return elementwise(_force, d, a=a, R=R, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -157,6 +161,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: 
     return elementwise(_pressure, r, d, a=a, R=R, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -204,6 +209,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> R
     return elementwise(_displacement, r, d, a=a, R=R)
 
 
+@with_math
 def stiffness(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -250,6 +256,7 @@ def stiffness(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) ->
     return elementwise(_stiffness, d, a=a, R=R, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

@@ -13,7 +13,7 @@ from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import inverse
+from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
@@ -639,7 +639,7 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
         value = _depth(a, R1, R2, b)
         return value, a * _slope_at(a, R1, R2, b) / value
 
-    return inverse(curve, d, np.full_like(d, b), (2.0, np.inf))
+    return inverse_across(curve, d, b, (2.0, np.inf))
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -647,7 +647,7 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
         value = _force(a, R1, R2, b, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
 
-    return inverse(curve, F, np.full_like(F, b), (3.0, np.inf))
+    return inverse_across(curve, F, b, (3.0, np.inf))
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

@@ -11,12 +11,14 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
+from .._numbers import with_math
 from .._powers import power_punches
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -61,6 +63,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     return elementwise(_profile, r, a=a, h=h)
 
 
+@with_math
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -107,6 +110,7 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Res
     return elementwise(_force, d, a=a, h=h, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -156,6 +160,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: 
     return elementwise(_pressure, r, d, a=a, h=h, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -202,6 +207,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> R
     return elementwise(_displacement, r, d, a=a, h=h)
 
 
+@with_math
 def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -246,6 +252,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_stiffness, a=a, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -292,6 +299,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, a=a, h=h, E_star=E_star)
 
 
+@with_math
 def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     """Radius of the ring where the pressure first vanishes on unloading.
 
@@ -334,6 +342,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     return elementwise(_zero_radius, a=a)
 
 
+@with_math
 def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     """Least indentation depth of complete contact.
 
@@ -376,6 +385,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     return elementwise(_minimum_depth, h=h)
 
 
+@with_math
 def minimum_force(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Least normal force of complete contact.
 

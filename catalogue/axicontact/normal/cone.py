@@ -13,11 +13,13 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
 from .._kernels import OUTSIDE_1
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -60,6 +62,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     return elementwise(_profile, r, theta=theta)
 
 
+@with_math
 def depth(a: ArrayLike, *, theta: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -102,6 +105,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike) -> Result:
     return elementwise(_depth, a, theta=theta)
 
 
+@with_math
 def force(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -146,6 +150,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_force, a, theta=theta, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -192,6 +197,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike)
     return elementwise(_pressure, r, a, theta=theta, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -235,6 +241,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     return elementwise(_displacement, r, a, theta=theta)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -278,6 +285,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -322,6 +330,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Resul
     return elementwise(_mean_pressure, a, theta=theta, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -364,6 +373,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, theta=theta)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -408,6 +418,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> R
     return elementwise(_radius_from_force, F, theta=theta, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -452,6 +463,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Re
     return elementwise(_force_from_depth, d, theta=theta, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

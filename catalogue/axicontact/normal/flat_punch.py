@@ -11,11 +11,13 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, a: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -58,6 +60,7 @@ def profile(r: ArrayLike, *, a: ArrayLike) -> Result:
     return elementwise(_profile, r, a=a)
 
 
+@with_math
 def force(d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -102,6 +105,7 @@ def force(d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_force, d, a=a, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -148,6 +152,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> 
     return elementwise(_pressure, r, d, a=a, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -191,6 +196,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike) -> Result:
     return elementwise(_displacement, r, d, a=a)
 
 
+@with_math
 def stiffness(*, a: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -232,6 +238,7 @@ def stiffness(*, a: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_stiffness, a=a, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

@@ -14,11 +14,13 @@ from .._elementwise import Array, Result, elementwise
 from .._functions import dawson
 from .._integrals import displacement_integral, force_integral, pressure_integral
 from .._inverse import inverse
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -63,6 +65,7 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     return elementwise(_profile, r, h=h, s=s)
 
 
+@with_math
 def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -108,6 +111,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     return elementwise(_depth, a, h=h, s=s)
 
 
+@with_math
 def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -155,6 +159,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     return elementwise(_force, a, h=h, s=s, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -205,6 +210,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     return elementwise(_pressure, r, a, h=h, s=s, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -252,6 +258,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> R
     return elementwise(_displacement, r, a, h=h, s=s)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -297,6 +304,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
     return elementwise(_stiffness, a, s=s, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -343,6 +351,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike
     return elementwise(_mean_pressure, a, h=h, s=s, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -387,6 +396,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, h=h, s=s)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -433,6 +443,7 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     return elementwise(_radius_from_force, F, h=h, s=s, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -479,6 +490,7 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     return elementwise(_force_from_depth, d, h=h, s=s, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

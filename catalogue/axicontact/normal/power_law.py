@@ -12,12 +12,14 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio, lower_power, nth_root, without_root
+from .._numbers import with_math
 from .._powers import power_displacement, power_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -62,6 +64,7 @@ def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     return elementwise(_profile, r, A=A, n=n)
 
 
+@with_math
 def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -106,6 +109,7 @@ def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     return elementwise(_depth, a, A=A, n=n)
 
 
+@with_math
 def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -152,6 +156,7 @@ def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Res
     return elementwise(_force, a, A=A, n=n, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -202,6 +207,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
     return elementwise(_pressure, r, a, A=A, n=n, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -249,6 +255,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> R
     return elementwise(_displacement, r, a, A=A, n=n)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -294,6 +301,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -339,6 +347,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
     return elementwise(_mean_pressure, a, A=A, n=n, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -382,6 +391,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, A=A, n=n)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -427,6 +437,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
     return elementwise(_radius_from_force, F, A=A, n=n, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -473,6 +484,7 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayL
     return elementwise(_force_from_depth, d, A=A, n=n, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

@@ -13,11 +13,13 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside, nth_root, without_root
 from .._kernels import OUTSIDE_6
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -60,6 +62,7 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     return elementwise(_profile, r, A=A)
 
 
+@with_math
 def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -101,6 +104,7 @@ def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
     return elementwise(_depth, a, A=A)
 
 
+@with_math
 def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -144,6 +148,7 @@ def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_force, a, A=A, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -189,6 +194,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
     return elementwise(_pressure, r, a, A=A, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -232,6 +238,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     return elementwise(_displacement, r, a, A=A)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -275,6 +282,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -318,6 +326,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_mean_pressure, a, A=A, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -359,6 +368,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, A=A)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -402,6 +412,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Resul
     return elementwise(_radius_from_force, F, A=A, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -445,6 +456,7 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_force_from_depth, d, A=A, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

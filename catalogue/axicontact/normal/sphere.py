@@ -10,15 +10,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._domain import require
+from .._arcs import arc_strips
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
-from .._integrals import displacement_integral_tanh, pressure_integral_tanh
+from .._integrals import displacement_integral_tanh
 from .._inverse import inverse
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -61,6 +64,7 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     return elementwise(_profile, r, R=R)
 
 
+@with_math
 def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -103,6 +107,7 @@ def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     return elementwise(_depth, a, R=R)
 
 
+@with_math
 def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -147,6 +152,7 @@ def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_force, a, R=R, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -177,7 +183,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
-    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: sphere.p.
+    Handbook: sphere.p.
 
     References
     ----------
@@ -194,6 +200,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
     return elementwise(_pressure, r, a, R=R, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -241,6 +248,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     return elementwise(_displacement, r, a, R=R)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -285,6 +293,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -329,6 +338,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_mean_pressure, a, R=R, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -371,6 +381,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, R=R)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -415,6 +426,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Resul
     return elementwise(_radius_from_force, F, R=R, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -459,6 +471,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_force_from_depth, d, R=R, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -535,8 +548,11 @@ def _force(a: Array, R: Array, E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
-    within = pressure_integral_tanh(_slope, (R,), r, a, R)
-    inside = np.where(r < a, E_star / np.pi * within, 0.0)
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root = np.sqrt((R - a) * (a + R))
+    root_ar = np.sqrt((a - r) * (a + r))
+    pressed = E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R)) / np.pi
+    inside = np.where(r < a, pressed, 0.0)
     return np.where(a <= R, inside, np.nan)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._domain import require
+from .._arcs import arc_strips
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
 from .._integrals import (
@@ -17,14 +18,15 @@ from .._integrals import (
     displacement_integral_tanh,
     force_integral_beyond,
     pressure_integral_beyond,
-    pressure_integral_tanh,
 )
 from .._inverse import inverse
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -67,6 +69,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     return elementwise(_profile, r, R=R, theta=theta)
 
 
+@with_math
 def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -113,6 +116,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     return elementwise(_depth, a, R=R, theta=theta)
 
 
+@with_math
 def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -163,6 +167,7 @@ def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) ->
     return elementwise(_force, a, R=R, theta=theta, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -211,6 +216,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_st
     return elementwise(_pressure, r, a, R=R, theta=theta, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -257,6 +263,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) 
     return elementwise(_displacement, r, a, R=R, theta=theta)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -303,6 +310,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -349,6 +357,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Array
     return elementwise(_mean_pressure, a, R=R, theta=theta, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -396,6 +405,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result
     return elementwise(_radius_from_depth, d, R=R, theta=theta)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -447,6 +457,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: A
     return elementwise(_radius_from_force, F, R=R, theta=theta, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -494,6 +505,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
     return elementwise(_force_from_depth, d, R=R, theta=theta, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -589,8 +601,10 @@ def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
 def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    within = pressure_integral_tanh(_slope, (R,), r, inner, R)
-    tip = np.where(r < inner, E_star / np.pi * within, 0.0)
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root = np.sqrt((R - inner) * (inner + R))
+    root_ar = np.sqrt((inner - r) * (inner + r))
+    tip = np.where(r < inner, E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R)) / np.pi, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 

@@ -13,11 +13,13 @@ from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse
+from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+@with_math
 def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -63,6 +65,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     return elementwise(_profile, r, R=R, b=b)
 
 
+@with_math
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -108,6 +111,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     return elementwise(_depth, a, R=R, b=b)
 
 
+@with_math
 def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -155,6 +159,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     return elementwise(_force, a, R=R, b=b, E_star=E_star)
 
 
+@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -209,6 +214,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
 
 
+@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half space, inside and outside the contact.
 
@@ -257,6 +263,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     return elementwise(_displacement, r, a, R=R, b=b)
 
 
+@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -304,6 +311,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     return elementwise(_stiffness, a, E_star=E_star)
 
 
+@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -351,6 +359,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
 
 
+@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -394,6 +403,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     return elementwise(_radius_from_depth, d, R=R, b=b)
 
 
+@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -440,6 +450,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     return elementwise(_radius_from_force, F, R=R, b=b, E_star=E_star)
 
 
+@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -487,6 +498,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     return elementwise(_force_from_depth, d, R=R, b=b, E_star=E_star)
 
 
+@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 

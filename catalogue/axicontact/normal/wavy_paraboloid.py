@@ -594,12 +594,12 @@ def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Ar
 
 
 def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
-    within = pressure_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength, 32)
+    within = pressure_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
     return np.where(r < a, E_star / np.pi * within, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array) -> Array:
-    tip = displacement_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength, 32)
+    tip = displacement_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
     outside = 2 / np.pi * tip
     inside = _depth(a, R, h, wavelength) - _profile(r, R, h, wavelength)
     return np.where(r > a, outside, inside)
