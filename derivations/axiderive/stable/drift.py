@@ -38,7 +38,8 @@ def drift(kept: Mapping[str, Record], found: Mapping[str, Record]) -> list[tuple
 
 
 def _row(kept: Record, found: Record) -> list[str]:
-    lines = [f"{name} was {kept.get(name)}, is {found[name]}" for name in STATED if kept.get(name) != found[name]]
+    stated = [(name, kept.get(name), found.get(name)) for name in STATED]
+    lines = [f"{name} was {before}, is {now}" for name, before, now in stated if before != now]
     for domain, new in found.items():
         if domain not in STATED:
             lines += [f"{domain}: {line}" for line in _errors(kept.get(domain, {}), new)]

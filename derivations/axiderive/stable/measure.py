@@ -19,9 +19,6 @@ from ..entry import Entry
 from .reference import CURVES, UnknownError, enclosed, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
-GEOMETRY = {"d", "w", "ad", "dmin", "rz"}
-"""Quantities that do not ask for the modulus."""
-
 
 @dataclass(frozen=True)
 class Sample:
@@ -50,7 +47,7 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
     """Calls whose exact value is a normal number."""
     entry = entries[suffix]
     like = CURVES[suffix][0] if _inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
-    for values in floats(entries[like], domain, count, seed):
+    for values in floats(entries[like], domain, count, seed, entry.parameters):
         try:
             _complete(entries, values)
             arguments, exact = reference(dict(entries), suffix, values)
@@ -89,9 +86,7 @@ def _inverse(entry: Entry) -> bool:
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
     fields = _fields(entry)
-    keywords = {str(getattr(s, "label", s)): values[s] for s in entry.profile.parameters if s not in fields}
-    if entry.suffix not in GEOMETRY:
-        keywords["E_star"] = next(value for symbol, value in values.items() if str(symbol) == "E_star")
+    keywords = {str(getattr(s, "label", s)): values[s] for s in entry.parameters if s not in fields}
     return tuple(values[symbol] for symbol in fields), keywords
 
 

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
+import sympy as sp
+
 from ..contact.systems import problem
 from ..entry import Entry
 from .emitted import form, loaded
@@ -15,8 +17,10 @@ from .reference import UnknownError, condition
 from .samples import DOMAINS
 
 COUNT, SEED = 30, 17
-SYSTEMS = ("normal",)
+SYSTEMS = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
 """Systems whose functions are measured."""
+DIRECT = ("d", "F", "p", "w", "k", "pm", "Dl", "tau", "u", "us")
+"""Quantities of the compact contacts beyond the first system whose printed formulas are enclosed as they stand."""
 TOLERANCE = 5.0
 CHECKED = 4
 """Points above the tolerance whose condition is found."""
@@ -32,7 +36,7 @@ def record(
     count: int = COUNT,
     seed: int = SEED,
 ) -> dict[str, Record]:
-    """Errors of every function of a problem of normal contact, by suffix.
+    """Errors of the functions of a problem, by suffix: of all in normal contact, elsewhere of the closed formulas.
 
     Parameters
     ----------
@@ -50,29 +54,38 @@ def record(
     Returns
     -------
     dict
-        `form` and `nodes` as `emitted.form` tells, for `bench` and `extreme` the worst error in units of the last
-        place, the share above five and the number of lost values, and where the printed formula can be evaluated
-        by NumPy the same of it under `naive`.  Where errors exceed five units, `over_condition` is the largest of
-        them over 1 + the sum of |d ln value/d ln argument|, which rounding one argument would cost anyway.
+        `form` and `nodes` as `emitted.form` tells where a module holds its own bodies (normal contact), for
+        `bench` and `extreme` the worst error in units of the last place, the share above five and the number of
+        lost values, and where the printed formula can be evaluated by NumPy the same of it under `naive`.
+        Where errors exceed five units, `over_condition` is the largest of them over 1 + the sum of
+        |d ln value/d ln argument|, which rounding one argument would cost anyway.
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
     """
     found = problem(key)
+    normal = found.system.name == "normal"
     with loaded(sources, found.module) as module:
         return {
-            suffix: _entry(
-                entries, suffix, getattr(module, entry.quantity.function), sources[found.module], count, seed
-            )
+            suffix: (_form(sources[found.module], entry) if normal else {})
+            | _errors(entries, suffix, getattr(module, entry.quantity.function), count, seed)
             for suffix, entry in entries.items()
-            if suffixes is None or suffix in suffixes
+            if (suffixes is None or suffix in suffixes) and (normal or _direct(entry))
         }
 
 
-def _entry(
-    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], source: str, count: int, seed: int
-) -> Record:
-    entry = entries[suffix]
+def _direct(entry: Entry) -> bool:
+    """Whether the exact value is an enclosure of the printed formula, without an integral in it."""
+    closed = entry.status == "closed" and not any(case.expr.has(sp.Integral) for case in entry.cases)
+    return closed and entry.suffix in DIRECT and entry.profile.contact == "compact"
+
+
+def _form(source: str, entry: Entry) -> Record:
     kind, nodes = form(source, entry.quantity.function)
-    row: Record = {"form": kind, "nodes": nodes, "sample": {"seed": seed, "count": max(1, count_for(entry, count))}}
+    return {"form": kind, "nodes": nodes}
+
+
+def _errors(entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], count: int, seed: int) -> Record:
+    entry = entries[suffix]
+    row: Record = {"sample": {"seed": seed, "count": max(1, count_for(entry, count))}}
     printed = naive(entry)
     for domain in DOMAINS:
         points = list(samples(entries, suffix, domain, row["sample"]["count"], seed))

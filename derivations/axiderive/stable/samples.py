@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,6 +19,7 @@ Floats = dict[Any, Any]
 """Doubles by symbol; the coefficients of a polynomial as a tuple."""
 TERMS, ATTEMPTS = 3, 400
 SMALLEST, LARGEST = 2.3e-308, 1.7e308
+MODULI = (nt.E_star, nt.F, nt.H, nt.G_star, nt.H_x)
 
 
 @dataclass(frozen=True)
@@ -38,14 +39,17 @@ EXTREME = Domain("extreme", (-300, 300), -300, -15.3, (-3, 3), -300)
 DOMAINS = (BENCH, EXTREME)
 
 
-def floats(entry: Entry, domain: Domain, count: int, seed: int = 17) -> Iterator[Floats]:
-    """Points of all regions of an entry in turn; those that break a rule of the profile are drawn again."""
+def floats(
+    entry: Entry, domain: Domain, count: int, seed: int = 17, more: Sequence[sp.Symbol] = ()
+) -> Iterator[Floats]:
+    """Points of all regions of an entry in turn, with `more` symbols; those that break a rule are drawn again."""
     rng = random.Random(f"{seed} {domain.name} {entry.key}")
     for case in itertools.islice(itertools.cycle(entry.cases), count):
         for _ in range(ATTEMPTS):
             draw = Draw(entry.profile, domain, rng)
             draw.chain(case.chain)
-            for symbol in (*entry.quantity.arguments, *((nt.d,) if entry.profile.contact == "complete" else ())):
+            depth = (nt.d,) if entry.profile.contact == "complete" else ()
+            for symbol in (*entry.quantity.arguments, *depth, *entry.parameters, *more):
                 draw[symbol]
             if draw.allowed():
                 yield draw.values
@@ -114,8 +118,17 @@ class Draw:
             return 1.5 * 10 ** rng.uniform(domain.slopes if rng.random() < 0.5 else -2, 0)
         if symbol == nt.n:
             return 10 ** rng.uniform(*domain.exponents)
-        if symbol in (nt.E_star, nt.F) and symbol not in profile.parameters:
+        if symbol in MODULI and symbol not in profile.parameters:
             return 10 ** rng.uniform(-3, 12)
+        if symbol == nt.dgamma:
+            # an energy that pulls the surface by a visible part of the contact radius, or by none
+            return self[nt.a] * 10 ** rng.uniform(-12, 12)
+        if symbol == nt.mu:
+            return 10 ** rng.uniform(-3, 0)
+        if symbol == nt.k:
+            return self._grading()
+        if symbol == nt.c:
+            return self[nt.a] * self.ratio()
         if symbol == nt.coefficients:
             return tuple(self._amplitude(j) for j in range(1, TERMS + 1))
         if symbol == nt.A:
@@ -132,6 +145,13 @@ class Draw:
             return self.number(rule.right) / self.number(rule.left / nt.h) * rng.random()
         return self.length()
 
+    def _grading(self) -> float:
+        """Of the elastic modulus; half of the extreme ones next to -1, 0 and 1."""
+        if self.domain.close == BENCH.close or self.rng.random() < 0.5:
+            return self.rng.uniform(-0.9, 0.9)
+        near = 10 ** self.rng.uniform(self.domain.close, -1)
+        return self.rng.choice((-1.0 + near, -near, near, 1.0 - near))
+
     def _amplitude(self, n: float) -> float:
         """A of A r**n such that the height at r = a is a length."""
         if not SMALLEST < self[nt.a] < LARGEST:
@@ -140,7 +160,8 @@ class Draw:
         return 10**decades if abs(decades) < 308 else 0.0
 
     def allowed(self) -> bool:
-        numbers = [x for value in self.values.values() for x in (value if isinstance(value, tuple) else (value,))]
+        sizes = [value for symbol, value in self.values.items() if symbol != nt.k]
+        numbers = [x for value in sizes for x in (value if isinstance(value, tuple) else (value,))]
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles
         if not all(SMALLEST < x < LARGEST for x in numbers):
             return False
