@@ -7,6 +7,7 @@ The bounds are the worst errors found on those, rounded up; no value is lost on 
 from __future__ import annotations
 
 import inspect
+import json
 import math
 from collections.abc import Callable
 from importlib import import_module
@@ -29,6 +30,7 @@ from axiderive.stable.naive import naive
 from axiderive.stable.records import record
 from axiderive.stable.reference import condition
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
+from axiderive.work import read_entries
 
 ROOT = Path(axicontact.__file__).parents[1]
 POINTS, MANY = 8, 120
@@ -143,6 +145,21 @@ def test_an_error_of_two_units_is_seen() -> None:
     assert ulps(math.nan, point.exact) == math.inf
 
 
+@pytest.mark.parametrize(
+    ("key", "suffixes"), [("cone.adh", "Dl d F p w"), ("cone.tan", "F tau u us"), ("cone.fgm", "d F p w k pm")]
+)
+def test_other_contacts_have_their_records(key: str, suffixes: str) -> None:
+    """Closed formulas with the parameters of adhesion, slip and grading; roots and integrals are left out."""
+    sources = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").rglob("*.py")}
+    stored = json.loads((ROOT / "evidence" / f"{key}.json").read_bytes())["entries"]
+    found = record(key, sources, read_entries(problem(key), stored), count=6)
+    assert set(found) == set(suffixes.split())
+    for suffix, errors in found.items():
+        assert errors["bench"]["points"] >= 5, suffix
+        assert errors["bench"]["lost"] == 0, suffix
+        assert errors["bench"]["worst_ulp"] < 100, suffix
+
+
 def test_check_measures_again() -> None:
     entries = derive(load("cone"))
     sources = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").rglob("*.py")}
@@ -170,5 +187,7 @@ def test_drift_is_what_no_library_explains() -> None:
         assert suffix == "F"
         assert settled(kept, other) == other
     assert drift({}, kept)
+    assert drift(row(2e4), row(2e7)) == []
+    assert drift(row(2e2), row(2e7))
     # the digits of a formula that has lost all of them are noise
     assert drift(row(2.0, naive=7e15), row(2.0, naive=1e21)) == []

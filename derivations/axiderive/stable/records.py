@@ -88,12 +88,22 @@ def _errors(entries: Mapping[str, Entry], suffix: str, function: Callable[..., f
     row: Record = {"sample": {"seed": seed, "count": max(1, count_for(entry, count))}}
     printed = naive(entry)
     for domain in DOMAINS:
-        points = list(samples(entries, suffix, domain, row["sample"]["count"], seed))
+        drawn = samples(entries, suffix, domain, row["sample"]["count"], seed)
+        points = [point for point in drawn if _accepted(function, point)]
         errors = [ulps(value(function, point), point.exact) for point in points]
         row[domain.name] = _summary(errors) | _conditioned(entries, suffix, points, errors)
         if printed is not None:
             row[domain.name]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in points])
     return row
+
+
+def _accepted(function: Callable[..., float], point: Sample) -> bool:
+    """Whether the point keeps the rules of the function: the waves of a graded contact have one with k."""
+    try:
+        value(function, point)
+    except ValueError:
+        return False
+    return True
 
 
 def _summary(errors: list[float]) -> Record:
