@@ -70,27 +70,29 @@ class Inverses:
             return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
         if self.compact.rooted:
             contact = self.functions.functions.get(f"contact_from_{TARGET[inner][0]}") or self._contact(inner)
-            target = self.functions.functions[f"{outer}_at"]
-            lines = [f"a, root = {contact.call()}", f"return {target.call('a', 'root')}"]
-            return self.functions.add(name, (field,), lines, {*contact.needs, *target.needs})
+            target, curve = (self.functions.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
+            lines = [f"a, root = {contact.call()}", *self._changed(field, target, curve, "a", "root")]
+            return self.functions.add(name, (field,), lines, {*contact.needs, *target.needs, *curve.needs, "E_star"})
         radius = self.functions.functions[self.compact.entries[inner].quantity.function]
         target = self.functions.functions[outer]
-        if self.compact.b is None and self.profile.largest is None:
+        if not any("inverse" in line for line in radius.lines):
             lines = [f"return {target.call(radius.call())}"]
             return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs})
         return self._corrected(name, field, target, radius, self.functions.functions[TARGET[inner][0]])
 
     def _corrected(self, name: str, field: str, target: Private, radius: Private, curve: Private) -> Private:
-        """Next to a break or the largest contact the radius says too little; dF/dd = 2 E* a makes good what it lost."""
-        stiffness = python(HOMOGENEOUS.stiffness())
-        missed = f"{field} - {curve.call('a')}"
-        change = f"{stiffness} * ({missed})" if field == "d" else f"({missed}) / ({stiffness})"
-        lines = [
-            f"a = {radius.call()}",
-            f"change = np.where((a > 0.0) & (a < np.inf), {change}, 0.0)",
-            f"return {target.call('a')} + change",
-        ]
+        """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
+        lines = [f"a = {radius.call()}", *self._changed(field, target, curve, "a")]
         return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs, *curve.needs, "E_star"})
+
+    def _changed(self, field: str, target: Private, curve: Private, *given: str) -> list[str]:
+        stiffness = python(HOMOGENEOUS.stiffness())
+        missed = f"{field} - {curve.call(*given)}"
+        change = f"{stiffness} * ({missed})" if field == "d" else f"({missed}) / ({stiffness})"
+        return [
+            f"change = np.where((a > 0.0) & (a < np.inf), {change}, 0.0)",
+            f"return {target.call(*given)} + change",
+        ]
 
     def _contact(self, suffix: str) -> Private:
         """Contact radius and its root together: near the end of the domain the radius alone says too little."""
