@@ -247,6 +247,15 @@ def test_the_inverses_of_a_contact_that_is_compact_up_to_a_radius_end_there():
     assert math.isnan(space["radius_from_depth"](1.01 * space["depth"](reach)))
 
 
+READ_BACK = b"read back from this source"
+
+
+@pytest.mark.parametrize("profile", ["cone", "c*r**4", "r**2/sqrt(r**2 + q**2)", OUTSIDE])
+def test_only_pages_of_the_catalogue_say_that_they_were_read_back(profile):
+    preamble = composed_from(f'profile = "{profile}"\n' + NO_PDF).files["preamble.tex"]
+    assert (READ_BACK in preamble) == (profile == "cone")
+
+
 def test_a_page_is_written_outside_the_normal_form():
     source = f'profile = "{OUTSIDE}"\n' + NO_PDF
     page = composed_from(source).files["profiles/own_profile.tex"].decode()
@@ -405,7 +414,9 @@ LINES = (
     'profile = "cone"', 'profile = "r**2/(2*R)"', "[profile]", 'kind = "sphere"', 'kind = "kone"', 'R = "2 mm"',
     'theta = "8 deg"', "theta = 8", 'R = "2 kg"', "[medium]", 'E = "2 GPa"', "nu = 0.3", "nu = 3", 'kind = "power_law"',
     "k = 2", "H = 1e6", "[physics]", "normal = true", 'adhesive = { dgamma = "50 mJ/m^2" }', "adhesive = 3",
-    "adhesive = { x = [1, 2] }", "tangential = { mu = -1 }", "plane = true", "[want]", 'quantities = ["depth"]',
+    "adhesive = { x = [1, 2] }", "tangential = { mu = -1 }", "plane = true", "[want]",
+    'viscoelastic = { model = "maxwell" }', "viscoelastic = true", "viscoelastic = { model = [], tau = {} }",
+    'viscoelastic = { model = "power_creep", alpha = 2, t_0 = "1 h" }', 'quantities = ["depth"]',
     "quantities = 3", "quantities = [[1]]", "[output]", 'folder = "../../x"', 'module = "a/b.py"', 'formats = ["exe"]',
     "[[profile]]", 'title = "\\\\x"', "name = 1979-05-27", "[parameters]", "E_star = nan", "[a.b.c]", "x.y = 1",
     'expression = "Max(0, r - b)"', "formats = {}", "folder = 3", "kind = []", "R = {}", 'name = "\u0000"',

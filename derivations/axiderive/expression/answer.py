@@ -201,11 +201,21 @@ def _module(
 ) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
     if closed and validity.exact and not profile.breaks and _plain(profile):
-        return python.module_source(entries)
+        return python.module_source({suffix: _with_numbers(entry) for suffix, entry in entries.items()})
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
     reach = validity.compact_to if frozen else None
     floor = numeric.breaks[0] if profile.truncated else 0.0
     return library_source(profile, COUNT, numeric.exponents(validity.compact_to), reach, floor)
+
+
+def _with_numbers(entry: Entry) -> Entry:
+    """Gamma functions of broken powers as the numbers they are."""
+
+    def numbers(expr: sp.Expr) -> sp.Expr:
+        return expr.replace(lambda e: isinstance(e, sp.gamma) and e.is_number, lambda e: sp.Float(e.evalf(25), 17))
+
+    cases = tuple(replace(case, expr=numbers(case.expr)) for case in entry.cases)
+    return replace(entry, cases=cases) if entry.status != "root" else entry
 
 
 def _plain(profile: Profile) -> bool:

@@ -15,11 +15,11 @@ SECTIONS = {
 ALWAYS = ("Derivation", "Evidence", "Sources")
 GROUPS = {"adhesive": "adh.", "tangential": "tan.", "graded": "fgm.", "viscoelastic": "vis."}
 HEADING = re.compile(r"^\\sect(?:\[.*\])?\{([^{}]*)\}$", re.MULTILINE)
-TABLE = re.compile(r"\\vspace\{1mm\}\{\\fontsize\{7\.6\}.*?\\end\{tabular\*\}\\par\}\n", re.DOTALL)
-CELL = re.compile(r"\\own\{([\w.]+)\} & [^&\n]* & [^&\n]* & \\textcolor\{note\}\{[^{}]*\{?[^{}]*\}?[^{}]*\}")
-REASON = re.compile(r"^\\vspace\{\.8mm\}.*no certificate.*\n", re.MULTILINE)
-MARK = re.compile(r"\\own\{([\w.]+)\}\\enspace")
-COLUMNS = 4
+TABLE = re.compile(r"\\vspace\{1mm\}\{[^\n]*certificate, and the fewest.*?\\end\{tabular\*\}\\par\}\n", re.DOTALL)
+CELL = re.compile(r"\\own\{([\w.]+)\} & [^&\n]* & [^&\n]* & \\textcolor\{note\}\{[^{}]*\}")
+REASONS = re.compile(r"^\\vspace\{\.8mm\}.*No certificate:.*\n", re.MULTILINE)
+REASON = re.compile(r"((?:\\own\{[\w.]+\} )+)(\\textcolor\{note\}\{[^{}]*\} ?)")
+MARK = re.compile(r"\\own\{([\w.]+)\} ")
 
 
 def sections_for(page: str, physics: str) -> str:
@@ -42,12 +42,17 @@ def _evidence(text: str, group: str) -> str:
 
     def table(match: re.Match[str]) -> str:
         cells = [cell[0] for cell in CELL.finditer(match[0]) if belongs(cell)]
-        rows = [" & ".join(cells[i : i + COLUMNS]) + "\\\\\n" for i in range(0, len(cells), COLUMNS)]
+        columns = max(line.count("\\own") for line in match[0].splitlines())
+        rows = [" & ".join(cells[i : i + columns]) + "\\\\\n" for i in range(0, len(cells), columns)]
         first, last = match[0].index("\\own"), match[0].index("\\end{tabular*}")
         return match[0][:first] + "".join(rows) + match[0][last:] if rows else ""
 
     def reason(match: re.Match[str]) -> str:
-        line = MARK.sub(lambda mark: mark[0] if belongs(mark) else "", match[0])
+        marks = "".join(mark[0] for mark in MARK.finditer(match[1]) if belongs(mark))
+        return marks + match[2] if marks else ""
+
+    def reasons(match: re.Match[str]) -> str:
+        line = REASON.sub(reason, match[0])
         return line if MARK.search(line) else ""
 
-    return REASON.sub(reason, TABLE.sub(table, text))
+    return REASONS.sub(reasons, TABLE.sub(table, text))
