@@ -94,18 +94,13 @@ def _emit(
 
 def _page_models(published: Published, jobs: int) -> dict[str, Record]:
     """What the page of every profile shows, in the order of the handbook; made side by side."""
-    from .emit import handbook, spread
+    from .emit import handbook
 
     own: dict[str, dict[str, tuple[Record, Record]]] = {}
     for problem, outcome in published:
         own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
     numbers = handbook.numbered(list(own))
-    every = {problem.key: (outcome.entries, outcome.evidence) for problem, outcome in published}
-    tasks = [
-        (name, found | {key: every[key] for key in sorted(spread.needed(name) & set(every))}, numbers[name])
-        for name, found in own.items()
-    ]
-    made = dict(pool.run(_page_model, tasks, jobs))
+    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
     return {name: made[name] for name in own}
 
 

@@ -118,7 +118,7 @@ def _further(
     """Rows that follow from those of the problem: limits as checked, one curve for all adhesive power laws."""
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
-        return limit_rows(problem.profile, entries, derived, evidence)
+        return limit_rows(problem.profile, entries, evidence)
     if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
         graded = system.startswith("graded")
         base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from .. import notation as nt
-from ..contact.systems import BY_NAME, Problem
+from ..contact.normal import derive
 from ..entry import Entry
 from ..notation import r
 from ..profiles import load
@@ -20,27 +20,22 @@ from .width import width
 
 SHOWN = {"d": "g(a)", "F": LEFT["F"], "p": LEFT["p"]}
 """The quantities whose limits are printed, with what stands before the arrow."""
-WHOLE, HALF = LINE - 90.0, 126.0
+GAP = r",\enspace "
+WHOLE, HALF = LINE - 90.0, 139.0
 """Points for the formulas of a row with the name of the simpler profile behind it, and of half a row."""
 
-Derived = Mapping[str, Mapping[str, Entry]]
 
-
-def limit_rows(
-    profile: Profile, entries: Mapping[str, Entry], derived: Derived, evidence: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+def limit_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
     """A row for each limit, half a line where there are several; `evidence` is that of the normal contact."""
     found = []
     for limit in profile.limits:
-        simpler = derived.get(Problem(BY_NAME["normal"], limit.target).key)
-        if simpler is None:
-            continue
+        simpler = derive(load(limit.target))  # the simple ones take less than a tenth of a second
         shown: dict[str, str] = {}
         for suffix in SHOWN:
             if not _passed(evidence, suffix, limit, simpler[suffix].key):
                 continue
             part = rf"{SHOWN[suffix]}\to {limit_tex(profile, limit, entries[suffix], simpler[suffix])}"
-            if width(r",\quad ".join([*shown.values(), part])) <= (HALF if len(profile.limits) > 1 else WHOLE):
+            if width(GAP.join([*shown.values(), part])) <= (HALF if len(profile.limits) > 1 else WHOLE):
                 shown[suffix] = part
         if shown:
             found.append(_row(profile, limit, shown))
@@ -55,7 +50,7 @@ def _row(profile: Profile, limit: Limit, shown: Mapping[str, str]) -> dict[str, 
         "comment": " ".join(["limit", *(f"{profile.name}.{suffix}" for suffix in shown)]),
         "label": link if several else "Limit",
         "small": rf"${Printer()(limit.symbol)}\to {Printer()(sp.sympify(limit.value))}$",
-        "tex": r",\quad ".join(shown.values()),
+        "tex": GAP.join(shown.values()),
         "remark": "" if several else link,
     }
 

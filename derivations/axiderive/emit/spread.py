@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from ..contact.systems import BY_NAME, POOLS, SYSTEMS, Pool, Problem
+from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
-from ..profiles import NAMES
 from ..profiles.profile import Profile
 from . import blocks, front, matrix, page, references
 from .curves import curves
@@ -38,14 +37,8 @@ def problems_of(profile_id: str) -> list[Problem]:
     return [Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile)]
 
 
-def needed(profile_id: str) -> set[str]:
-    """Keys of the problems of other profiles that the page of this one cites: those it tends to."""
-    profile = pool_of(profile_id).load(profile_id.rpartition(".")[2])
-    return {Problem(BY_NAME["normal"], limit.target).key for limit in profile.limits} if profile_id in NAMES else set()
-
-
 def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str, Any], number: str) -> dict[str, Any]:
-    """What the template prints for one profile, whose problems and those it cites are given by key."""
+    """What the template prints for one profile, whose problems are given by key."""
     pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
     profile = pool.load(name)
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
