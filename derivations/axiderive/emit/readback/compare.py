@@ -24,7 +24,7 @@ Values = dict[Any, Any]
 Entries = Mapping[str, Entry]
 WORKING = 60
 DIGITS = 30
-INTEGRATING = 34
+INTEGRATING = 38
 """Working digits of a row that is an integral, or refers to one."""
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import sympy as sp
 
 from ... import notation as nt
 from ...entry import Case, Entry
-from ...proof.evaluate import decades, holds
+from ...proof.evaluate import decades, evaluate, holds
 from ...proof.sampling import points
+from ..rows import PULLED_OFF
 
 Values = dict[Any, Any]
 SEPARATE = {nt.k, nt.e, nt.E_star, nt.n}
@@ -30,15 +32,27 @@ def points_of(
     source = entry
     if kind in ("root", "composition"):
         source = entries[{"ad": "d", "Fd": "d", "aP": "P"}.get(entry.suffix, "F")]
-    drawn = [(case, _drawn(entry, source, case, count, seed)) for case in source.cases]
-    return [(case, _completed(entry, case, values)) for case, found in drawn for values in found]
+    return [(case, values) for case in source.cases for values in _drawn(entries, entry, source, case, count, seed)]
 
 
-def _drawn(entry: Entry, source: Entry, case: Case, count: int, seed: int) -> list[Values]:
+def _drawn(
+    entries: Mapping[str, Entry], entry: Entry, source: Entry, case: Case, count: int, seed: int
+) -> list[Values]:
     """The first point has lengths of one size: where one of two terms vanishes, a misprint of it is not seen."""
     chain, fields = _lengths(case), _fields(entry, source, case)
-    first = [points(entry.profile, chain, 1, seed + i, fields)[0].values for i in range(DRAWS)]
-    return [min(first, key=decades), *(point.values for point in points(entry.profile, chain, count, seed, fields)[1:])]
+    alike = sorted((points(entry.profile, chain, 1, seed + i, fields)[0].values for i in range(DRAWS)), key=decades)
+    others = [point.values for point in points(entry.profile, chain, count, seed, fields)[1:]]
+    first = next(filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in alike)))
+    return [first, *(_completed(entry, case, values) for values in others)]
+
+
+def _pulls(entries: Mapping[str, Entry], entry: Entry, case: Case, values: Values) -> bool:
+    """Whether the depth grows with the radius, which a pull-off needs; that of a bump falls far out."""
+    if entry.suffix not in PULLED_OFF or f"a{entry.suffix[-1]}" not in entries:
+        return True
+    slope = [own.expr for own in entries[f"a{entry.suffix[-1]}"].cases if own.chain == case.chain]
+    equations = [expr for expr in slope if isinstance(expr, sp.Equality)]
+    return all(evaluate(expr.lhs, values, 5) > 0 for expr in equations)
 
 
 def _lengths(case: Case) -> tuple[sp.Expr, ...]:
