@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
 from .._arcs import arc_strips
+from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
 from .._integrals import displacement_integral_tanh
