@@ -257,7 +257,7 @@ class Compact:
             value = f"{scale} * within"
             more |= {*slope.needs} | ({str(length)} if length is not None else set())
         if self.b is not None:
-            lines.append(f"tip = np.where(r < inner, {value}, 0.0)")
+            lines += [f"tip = {value}", "tip = np.where(r < inner, tip, 0.0)"]
             return "tip", more
         return value, more
 
