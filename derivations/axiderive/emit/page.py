@@ -245,8 +245,9 @@ FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss r
 
 def _evaluation(measured: Mapping[str, Any]) -> list[str]:
     """The way of evaluation and the worst errors in ulps: usual lengths, extreme ones, the printed formula."""
-    nodes = ", ".join(str(count) for count in measured["nodes"])
-    form = FORMS[measured["form"]] + (f", {nodes} nodes" if nodes else "")
+    # bodies that rest on another module have no form of their own
+    nodes = ", ".join(str(count) for count in measured.get("nodes", ()))
+    form = FORMS.get(measured.get("form", ""), "--") + (f", {nodes} nodes" if nodes else "")
     usual, extreme = measured["bench"], measured["extreme"]
     return [form, *(_ulps(found) for found in (usual, extreme, usual.get("naive", {})))]
 
