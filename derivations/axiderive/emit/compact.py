@@ -257,6 +257,9 @@ class Compact:
             value = f"{scale} * within"
             more |= {*slope.needs} | ({str(length)} if length is not None else set())
         if self.b is not None:
+            if len(value) > 80:
+                lines.append(f"within = {value}")
+                value = "within"
             lines.append(f"tip = np.where(r < inner, {value}, 0.0)")
             return "tip", more
         return value, more
