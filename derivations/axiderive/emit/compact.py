@@ -257,7 +257,10 @@ class Compact:
             value = f"{scale} * within"
             more |= {*slope.needs} | ({str(length)} if length is not None else set())
         if self.b is not None:
-            lines += [f"tip = {value}", "tip = np.where(r < inner, tip, 0.0)"]
+            if len(value) > 80:
+                lines.append(f"within = {value}")
+                value = "within"
+            lines.append(f"tip = np.where(r < inner, {value}, 0.0)")
             return "tip", more
         return value, more
 

@@ -66,11 +66,11 @@ def imports(module: ModuleText) -> list[str]:
     if "np." in text:
         blocks.append("import numpy as np")
     blocks.append("")
+    if "arc_strips(" in text:
+        blocks.append("from .._arcs import arc_strips")
     domain = [
         name for name in ("require", "require_coefficients", "require_order", "require_reach") if f"{name}(" in text
     ]
-    if "arc_strips(" in text:
-        blocks.append("from .._arcs import arc_strips")
     blocks.append(f"from .._domain import {', '.join(domain)}")
     blocks.append("from .._elementwise import Array, Result, elementwise")
     helpers = [name for name in HELPERS if f"{name}(" in text]
