@@ -140,7 +140,7 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
 
 def _balance(entry: Entry, case: Case, values: Values) -> None:
     """The unknown takes its closed value, or the load the value that goes with the unknown."""
-    unknown = {"c": nt.c}.get(entry.suffix, nt.a_c)
+    unknown = {"c": nt.c, "ad": nt.a, "aF": nt.a}.get(entry.suffix, nt.a_c)
     if not isinstance(case.expr, sp.Equality):
         values[unknown] = evaluate(case.expr, values, DIGITS + 15)
         return
