@@ -622,9 +622,11 @@ def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
 
 def _force_from_depth(d: Array, h: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, h, b)
-    return _force_at(a, root, h, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, h, b)), 0.0)
+    return _force_at(a, root, h, b, E_star) + change
 
 
 def _depth_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, h, b, E_star)
-    return _depth_at(a, root, h, b)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, h, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth_at(a, root, h, b) + change

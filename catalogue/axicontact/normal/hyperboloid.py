@@ -590,8 +590,12 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, theta, b), theta, b, E_star)
+    a = _radius_from_depth(d, theta, b)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, theta, b)), 0.0)
+    return _force(a, theta, b, E_star) + change
 
 
 def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, theta, b, E_star), theta, b)
+    a = _radius_from_force(F, theta, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, theta, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, theta, b) + change

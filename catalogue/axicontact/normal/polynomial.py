@@ -563,8 +563,12 @@ def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
 
 
 def _force_from_depth(d: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, A), A, E_star)
+    a = _radius_from_depth(d, A)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, A)), 0.0)
+    return _force(a, A, E_star) + change
 
 
 def _depth_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, A, E_star), A)
+    a = _radius_from_force(F, A, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, A, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, A) + change

@@ -604,7 +604,8 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Arra
     root_Rr = np.sqrt((R - r) * (r + R))
     root = np.sqrt((R - inner) * (inner + R))
     root_ar = np.sqrt((inner - r) * (inner + r))
-    tip = np.where(r < inner, E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R)) / np.pi, 0.0)
+    within = E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R)) / np.pi
+    tip = np.where(r < inner, within, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 

@@ -630,8 +630,12 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: 
 
 
 def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
-    return _force(_radius_from_depth(d, R, h, wavelength), R, h, wavelength, E_star)
+    a = _radius_from_depth(d, R, h, wavelength)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, h, wavelength)), 0.0)
+    return _force(a, R, h, wavelength, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
-    return _depth(_radius_from_force(F, R, h, wavelength, E_star), R, h, wavelength)
+    a = _radius_from_force(F, R, h, wavelength, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, h, wavelength, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R, h, wavelength) + change
