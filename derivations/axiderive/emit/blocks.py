@@ -9,9 +9,10 @@ from typing import Any
 from ..contact.systems import BY_NAME, SYSTEMS, Problem, System
 from ..entry import Entry
 from . import laws
+from .arrangement import lines, ordered
 from .limits import limit_rows
 from .prose import prose
-from .rows import Row, lines, ordered
+from .rows import Row
 from .universal import universal_rows
 
 TITLES = {

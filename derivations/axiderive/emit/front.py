@@ -14,9 +14,9 @@ from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..contact.systems import BY_NAME, ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
 from . import blocks, matrix, rules
+from .naming import LEFT, label_of
 from .printer import MASTER_NAMES, Printer
 from .prose import domain, prose
-from .rows import LEFT, label_of
 from .shorthand import with_kappa
 from .width import width
 

@@ -6,9 +6,10 @@ import sympy as sp
 
 from ..entry import Entry
 from .handbook import handbook_sources
+from .naming import left_of
 from .printer import Printer
 from .ranges import condition, regions
-from .rows import left_of, names_of
+from .rows import names_of
 
 __all__ = ["entry_latex", "handbook_sources", "latex"]
 

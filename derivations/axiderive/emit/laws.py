@@ -11,8 +11,9 @@ import sympy as sp
 from ..contact import viscoelastic
 from ..entry import Entry
 from ..notation import E_star, d, time, v
+from .naming import LEFT
 from .printer import Printer
-from .rows import LEFT, Region, Row
+from .rows import Region, Row
 from .shorthand import with_kappa
 
 EXPONENT = sp.Symbol("m", positive=True)

@@ -13,8 +13,8 @@ from ..entry import Entry
 from ..notation import r
 from ..profiles import load
 from ..profiles.profile import Limit, Profile
+from .naming import LEFT
 from .printer import Printer
-from .rows import LEFT
 from .shorthand import LINE, with_kappa
 from .width import width
 

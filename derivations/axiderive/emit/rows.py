@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
 import sympy as sp
 
-from .. import notation as nt
-from ..contact.systems import BODIES, ROUND, SYSTEMS
+from ..contact.systems import BODIES
 from ..entry import Entry
 from ..notation import a_c
+from .naming import LEFT, label_of, left_of, system_of
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
@@ -20,28 +19,9 @@ from .shorthand import LINE, Short, shortened, with_kappa
 from .width import width
 
 Kind = Literal["formula", "root", "composition", "rule"]
-LEFT = {
-    "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
-    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
-    "rz": "r_{0}",
-    "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
-}  # fmt: skip
-ADHESIVE = {
-    "Dl": r"\Delta\ell", "d": r"d_{\mathrm{adh}}(a)", "F": r"F_{\mathrm{adh}}(a)",
-    "p": r"p_{\mathrm{adh}}(r)", "w": r"w_{\mathrm{adh}}(r)", "ad": "a", "aF": "a",
-    **{f"{x}{m}": rf"{x}_{{\mathrm {m}}}" for x in "aFd" for m in "cm"},
-}  # fmt: skip
-TANGENTIAL = {"F": "F_x", "tau": r"\tau(r)", "u": "u", "c": "c", "us": r"u_{\mathrm s}"}
-PLANE = {
-    "P": "P", "p": "p(x)", "s": r"\frac{\mathrm{d}w}{\mathrm{d}x}", "d": "d", "aP": "a", "xz": "x_{0}",
-    "Pmin": r"P_{\mathrm{min}}", "phi": r"\varphi", "cw": r"\ell",
-}  # fmt: skip
-LEFTS = {"adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE}
 INDENT = r"\enspace\enspace "
 EXPLICIT = 250.0
 """Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
-GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
-PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
 
 
 @dataclass(frozen=True)
@@ -95,44 +75,6 @@ class Row:
     def narrow(self) -> bool:
         """Whether the row takes half a line only."""
         return len(self.regions) == 1 and len(self.regions[0].lines) == 1 and not self.regions[0].condition
-
-
-LABELS = {
-    "ac": "Pull-off: at fixed force", "am": "Pull-off: at fixed depth", "us": "Full slip: displacement",
-    "Fc": "Pull-off force", "dc": "Depth: at fixed force", "Fm": "Force: at fixed depth", "dm": "Least depth",
-    "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
-    "rz": "Ring: of first zero pressure", "aP": "Half-width: from load",
-    "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
-}  # fmt: skip
-"""Labels that say it shorter than those of the quantities."""
-
-
-def label_of(suffix: str, text: str) -> tuple[str, str]:
-    """Label of a quantity and the grey words under it."""
-    text = LABELS.get(suffix.partition("_")[0], text).removesuffix(", stable branch")
-    for word in (" from ", ": ", " relative to ", " of the "):
-        if word in text:
-            first, _, second = text.partition(word)
-            return _short(first), f"{word.strip(' :')} {second}".strip()
-    return _short(text), ""
-
-
-def _short(label: str) -> str:
-    return "Displacement" if label in ("Displacement outside", "Surface displacement") else label
-
-
-def system_of(entry: Entry) -> str:
-    """Name of the system whose entry this is, read off its key."""
-    first, *groups, _ = entry.key.split(".")
-    if first in BODIES.names:
-        return first
-    return PREFIXES.get(first) or GROUPS.get(".".join(groups), "normal")
-
-
-def left_of(entry: Entry) -> str:
-    """The left side of the row."""
-    table = LEFTS.get(system_of(entry).rpartition(".")[2], LEFT)
-    return table.get(entry.suffix) or nt.describe(entry.quantity.symbol).latex
 
 
 @lru_cache(maxsize=4096)
@@ -295,45 +237,3 @@ def kappa_row(entries: tuple[Entry, ...]) -> str:
                 ((symbol, definition),) = short.definitions.items()
                 return f"{short.names[symbol]}={Printer()(definition)}"
     return ""
-
-
-def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
-    """Rows in printing order: depth and force first, fields last, two narrow ones on one line."""
-    narrow = [one for one in rows if one.narrow and _half(one)]
-    if not {"d", "F"} <= {one.suffix for one in narrow}:
-        narrow = [one for one in narrow if one.suffix not in ("d", "F")]
-    wide = [one for one in rows if one not in narrow]
-    out = [tuple(narrow[i : i + 2]) for i in range(0, len(narrow), 2)] + [(one,) for one in wide]
-    return sorted(out, key=lambda line: min(_place(one, line in out[-len(wide) :]) for one in line))
-
-
-def _place(one: Row, wide: bool) -> float:
-    """The force follows the depth at once where they have lines of their own."""
-    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
-
-
-HALF = 122.0
-"""Points for the formula of half a row, beside a key of two letters."""
-LETTER = 3.3
-"""Points of a letter of the key."""
-
-
-def _half(one: Row) -> bool:
-    parts = one.remark.split("$")
-    remark = sum(0.84 * width(part) if i % 2 else 3.7 * len(part) for i, part in enumerate(parts))
-    behind = 12 + remark + (12 if one.uses else 0) if one.remark else 0
-    first, *ends = one.key.split(".")
-    key = ".".join(ends[1:] if first in PREFIXES else ends)
-    return one.regions[0].width + behind + LETTER * max(0, len(key) - 2) <= HALF
-
-
-ORDER = (
-    "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "tau", "s", "w",
-    "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
-    "E_star", "G_star", "H", "h_N",
-)  # fmt: skip
-
-
-def ordered(entries: Mapping[str, Entry]) -> list[Row]:
-    """The rows of a problem, the short ones first, fields last."""
-    return [row(entries[suffix]) for suffix in ORDER if suffix in entries]

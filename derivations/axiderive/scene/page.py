@@ -9,12 +9,12 @@ from .. import __version__
 from .. import notation as nt
 from ..contact import general
 from ..emit import front
+from ..emit.arrangement import ordered
 from ..emit.handbook import templates
 from ..emit.page import symbols
 from ..emit.panel import shape_tex
 from ..emit.printer import Printer
 from ..emit.ranges import chain_of, condition, regions
-from ..emit.rows import ordered
 from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile

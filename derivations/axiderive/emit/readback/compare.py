@@ -13,7 +13,8 @@ from ...entry import Case, Entry
 from ...proof.evaluate import case_at, decades, evaluate
 from ...proof.shape import number
 from .. import laws
-from ..rows import Row, row, system_of
+from ..naming import system_of
+from ..rows import Row, row
 from ..values import evaluated
 from .grammar import read
 from .nodes import environment
