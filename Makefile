@@ -1,6 +1,7 @@
 # make build   derive, prove, check and write the catalogue (and the PDF where LaTeX is found)
 # make test    the test suite
 # make lint    ruff and mypy
+# make picture the page of the README, docs/page.png, from the PDF (needs pdftoppm)
 # Each creates .venv by itself; ARGS="--only cone --no-pdf" is handed on to the command.
 
 SHELL  := /bin/bash
@@ -13,7 +14,7 @@ PYTHON ?= $(firstword $(foreach p,python3.11 python3 python3.12 python3.13,$(she
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PIP_NO_INPUT := 1
 
-.PHONY: build test lint clean help
+.PHONY: build test lint picture clean help
 .DELETE_ON_ERROR:
 
 build: $(VENV)/.derive
@@ -26,6 +27,10 @@ lint: $(VENV)/.lint
 	$(PY) -m ruff check . </dev/null
 	$(PY) -m ruff format --check . </dev/null
 	$(PY) -m mypy </dev/null
+
+PAGE := 10
+picture:
+	pdftoppm -r 92 -png -singlefile -f $(PAGE) -l $(PAGE) catalogue/handbook/handbook.pdf docs/page
 
 clean:
 	rm -rf .cache .mypy_cache .ruff_cache .pytest_cache .hypothesis
