@@ -166,23 +166,32 @@ def _pressure(numbers: Numbers) -> Rows:
 def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
     """The label sits where it has most room above or below its curve, away from other curves and labels."""
     own, others = family[index], [rows for i, rows in enumerate(family) if i != index]
-    half = 0.02 + 0.012 * len(label)
+    half = 0.01 + 0.009 * len(label)
     best = (-9.0, 0.5, 0.0, True)
-    for step in range(3, 47):
+    for step in range(3, 48):
         x = step / 50
-        near = [x + half * shift / 2 for shift in (-2, -1, 0, 1, 2)]
+        near = [x + half * shift / 4 for shift in range(-4, 5)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
         crowded = any(abs(x - x1) < half + 0.1 and abs(top - y1) < 0.45 for x1, y1 in taken)
-        if x - half < 0.01 or top > HIGHEST - 0.3 or crowded:
+        if x - half < 0.01 or x + half > 1.0 or top > HIGHEST - 0.3 or crowded:
             continue
-        heights = [_height(rows, t) for rows in others for t in near]
+        spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
         apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))
-        above = min([y - top for y in heights if y > top - 0.02] + [HIGHEST - top])
-        below = min([bottom - y for y in heights if y < bottom + 0.02] + [bottom])
+        above = min([_clear(span, top, top + TALL) for span in spans] + [HIGHEST - top - TALL])
+        below = min([_clear(span, bottom - TALL, bottom) for span in spans] + [bottom - TALL])
         base = apart - (top - bottom)
-        best = max(best, (min(above, 0.4) + base, x, top, True), (min(below, 0.4) + base - 0.05, x, bottom, False))
+        best = max(best, (min(above, 0.2) + base, x, top, True), (min(below, 0.2) + base - 0.05, x, bottom, False))
     _, x, y, up = best
     return Curve(coordinates(own), label, x, round(y, 3), up)
+
+
+TALL = 0.24
+"""Height of a label in units of the vertical axis."""
+
+
+def _clear(span: tuple[float, float], low: float, high: float) -> float:
+    """Distance between the heights of a curve beside a label and those of the label; negative where they overlap."""
+    return max(span[0] - high, low - span[1])
 
 
 def _height(rows: Rows, x: float) -> float:
