@@ -161,11 +161,13 @@ class _Normal:
         own, passed = self.family, f"({', '.join(needs)})"
         rate = "rate" if quantity == "depth" else "force_rate"
         if own.power is not None:
-            order = sp.sstr(own.power.lengths[0])
-            order = f"{order}.0" if order.isdigit() else order
-            exponent = order if quantity == "depth" else f"({order} + 1.0 + k)"
-            unit = f"_{quantity}({', '.join([f'np.ones_like({field})', *needs])})"
-            return [f"return ({field} / {unit}) ** (1.0 / {exponent})"]
+            order = own.power.lengths[0]
+            unit = f"{field} / _{quantity}({', '.join([f'np.ones_like({field})', *needs])})"
+            exponent = str(float(order)) if order.is_number else sp.sstr(order)
+            if quantity == "force":
+                exponent = f"({float(order) + 1.0} + k)" if order.is_number else f"({order} + (1.0 + k))"
+            root = {"1.0": unit, "2.0": f"np.sqrt({unit})"}
+            return [f"return {root.get(exponent, f'({unit}) ** (1.0 / {exponent})')}"]
         if self.rooted:
             kind, length = (
                 ("below", self.profile.chain[-1]) if own.has("sphere") else ("beyond", self.profile.breaks[0])
