@@ -40,6 +40,15 @@ INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}
         (sp.gamma((nt.n + 1) / 2), (), r"\Gamma\bigl(\tfrac{n+1}{2}\bigr)"),
         ((nt.k + 1) * (a + r * nt.k), (), r"(k+1) \, (a+r k)"),
         (sp.cos(sp.pi * nt.k / 2), (), r"\cos \tfrac{\pi k}{2}"),
+        (a ** ((1 - nt.k) / 2), (), "a^{(1-k)/2}"),
+        (sp.sinh(F / b) ** 2, (), r"\sinh^{2} \frac{F_{\mathrm N}}{b}"),
+        (1 / sp.sinh(theta), (), r"\frac{1}{\sinh \theta}"),
+        (
+            sp.sinh(sp.asinh(F * (sp.log((a + b) * r + R) + 1) / b) / 3) ** 2,
+            (),
+            r"\sinh^{2}\Bigl[\tfrac{1}{3} \, \operatorname{arsinh}\Bigl(\frac{F_{\mathrm N}}{b} \, "
+            r"\bigl\{\ln\bigl[r \, (a+b)+R\bigr]+1\bigr\}\Bigr)\Bigr]",
+        ),
     ],
 )
 def test_print(expr: sp.Expr, chain: tuple[sp.Symbol, ...], wanted: str) -> None:

@@ -13,7 +13,7 @@ import pytest
 
 from axiderive import notation as nt
 from axiderive.emit import front, matrix
-from axiderive.emit.prose import domain
+from axiderive.emit.prose import domain, prose
 from axiderive.emit.study import error, extremes, figures, maps
 from axiderive.pdf import problems
 
@@ -118,6 +118,19 @@ def test_domains_are_printed_with_printed_symbols(record: nt.Notation) -> None:
     )
     assert not words, text
     assert bool(text) == bool(record.domain)
+
+
+@pytest.mark.parametrize(
+    ("text", "printed"),
+    [
+        ("15.6 at k = -0.5 and", "15.6 at $k=-0.5$ and"),
+        ("k = 0.3, -1/2, 1.8", "$k=0.3, -1/2, 1.8$"),
+        ("for -1 < k < 1", "for $-1<k<1$"),
+        ("a - b, points 3-4", "$a-b$, points 3-4"),
+    ],
+)
+def test_signs_of_numbers_belong_to_the_mathematics(text: str, printed: str) -> None:
+    assert prose(text) == printed
 
 
 def test_an_overfull_line_of_the_main_file_is_not_blamed_on_the_last_profile() -> None:

@@ -17,11 +17,14 @@ import sympy as sp
 from axiderive import notation as nt
 from axiderive.contact.systems import problem
 from axiderive.emit.blocks import blocks
+from axiderive.emit.code import python
+from axiderive.emit.evaluated import evaluation_rows, form_of
 from axiderive.emit.given import axes_of
 from axiderive.emit.limits import GAP, limit_rows
 from axiderive.emit.page import evidence_rows
 from axiderive.emit.readback.grammar import read
-from axiderive.emit.readback.printed import named
+from axiderive.emit.readback.points import points_of
+from axiderive.emit.readback.printed import holds, named
 from axiderive.emit.universal import power_of_depth, universal_rows
 from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
@@ -29,7 +32,8 @@ from axiderive.proof.evaluate import case_at, evaluate
 from axiderive.proof.unevaluated import evaluate_case
 from axiderive.work import read_entries
 
-EVIDENCE = Path(__file__).parents[1] / "catalogue" / "evidence"
+CATALOGUE = Path(__file__).parents[1] / "catalogue"
+EVIDENCE = CATALOGUE / "evidence"
 READ_BACK = mp.mpf(10) ** -20
 DIGITS = 40
 NEAR = sp.Rational(1, 10**60)
@@ -90,6 +94,69 @@ def test_a_limit_that_was_not_checked_is_not_printed() -> None:
     assert r"g(a)\to" in one["tex"]
     assert r"F_{\mathrm N}\to" not in one["tex"]
     assert _rows("rounded_punch", {"entries": {}}) == []
+
+
+EVALUATED = ("cone.p", "sphere.d", "ellipsoid.d", "truncated_cone.d", "truncated_cone.F", "rounded_cone.d",
+             "rounded_cone.F", "sphere_tipped_cone.d", "flat_punch.w")  # fmt: skip
+"""Entries with an evaluation form in print."""
+
+
+@cache
+def _evaluation(name: str) -> list[dict[str, Any]]:
+    return evaluation_rows(load(name), *stored(name))
+
+
+def _where(one: dict[str, Any]) -> str:
+    return str(one["small"].strip("$"))
+
+
+def _farthest(key: str, one: dict[str, Any], tex: str) -> Any:
+    """Largest relative difference between a printed evaluation form and its entry where it is said to hold."""
+    name, _, suffix = key.rpartition(".")
+    entries, found = stored(name)[0], []
+    with mp.workdps(2 * DIGITS):
+        for case, values in points_of(entries[suffix], "formula", entries, 2, 7):
+            env = named(values)
+            if holds(_where(one), env):
+                own = evaluate(case.expr, values, DIGITS)
+                found.append(abs(read(tex)[0].members[-1](env) - own) / abs(own))
+    return max(found)
+
+
+def test_evaluation_forms_are_printed_where_they_differ_and_are_closed() -> None:
+    rows = [one["comment"] for name in NAMES for one in _evaluation(name)]
+    assert rows == [f"evaluation {key}" for key in sorted(EVALUATED, key=lambda k: NAMES.index(k.partition(".")[0]))]
+    assert evaluation_rows(load("cone"), stored("cone")[0], {}) == []
+
+
+@pytest.mark.parametrize("key", EVALUATED)
+def test_a_printed_evaluation_form_is_the_entry(key: str) -> None:
+    (one,) = [row for row in _evaluation(key.partition(".")[0]) if row["comment"] == f"evaluation {key}"]
+    assert _farthest(key, one, one["tex"]) < READ_BACK
+    mutants = 0
+    for match in re.finditer(r"\\\\\[1.5mm\]|(\d)|(?<![=&(])([+-])", one["tex"]):
+        if match[1] or match[2]:
+            other = str(int(match[1]) % 9 + 1) if match[1] else "-" if match[2] == "+" else "+"
+            changed = one["tex"][: match.start()] + other + one["tex"][match.end() :]
+            assert _farthest(key, one, changed) > READ_BACK, changed
+            mutants += 1
+    assert mutants >= 2
+
+
+@pytest.mark.parametrize("key", EVALUATED)
+def test_the_catalogue_evaluates_what_is_printed(key: str) -> None:
+    """The value and the roots of the form stand in the generated module."""
+    name, _, suffix = key.partition(".")
+    text = (CATALOGUE / "axicontact" / "normal" / f"{name}.py").read_text()
+    (one,) = [row for row in _evaluation(name) if row["comment"] == f"evaluation {key}"]
+    for case, values in points_of(stored(name)[0][suffix], "formula", stored(name)[0], 1, 7):
+        if holds(_where(one), named(values)):
+            form = form_of(load(name), case.expr, case.chain)
+            assert python(form.value) in text
+            assert all(python(expr) in text for _, expr in form.steps)
+            break
+    else:
+        pytest.fail(f"{key} is printed for no case")
 
 
 POWER_LAWS = ("cone", "paraboloid", "quartic", "sextic", "power_law")

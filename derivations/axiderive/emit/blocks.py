@@ -10,6 +10,7 @@ from ..contact.systems import BY_NAME, SYSTEMS, Problem, System
 from ..entry import Entry
 from . import laws
 from .arrangement import lines, ordered
+from .evaluated import evaluation_rows
 from .limits import limit_rows
 from .prose import prose
 from .rows import Row
@@ -54,7 +55,7 @@ class Block:
     words: str = ""
     """In place of rows: why there are none."""
     further: list[list[dict[str, Any]]] = field(default_factory=list)
-    """Lines of rows without a key: limits, the universal curve."""
+    """Lines of rows without a key: evaluation forms, limits, the universal curve."""
 
 
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
@@ -116,10 +117,13 @@ def blocks(
 def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
-    """Rows that follow from those of the problem: limits as checked, one curve for all adhesive power laws."""
+    """Rows that follow from those of the problem: evaluation forms, limits as checked, one adhesive power-law curve."""
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
-        return limit_rows(problem.profile, entries, evidence)
+        return [
+            *evaluation_rows(problem.profile, entries, evidence),
+            *limit_rows(problem.profile, entries, evidence),
+        ]
     if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
         graded = system.startswith("graded")
         base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)
@@ -128,9 +132,19 @@ def _further(
 
 
 def _halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
-    """Lines of one row, or of two that take half a line each."""
-    size = 2 if all(one["half"] for one in rows) else 1
-    return [rows[i : i + size] for i in range(0, len(rows), size)]
+    """Lines of one row, or of two of a kind that take half a line each."""
+    lines: list[list[dict[str, Any]]] = []
+    for one in rows:
+        last = lines[-1] if lines else []
+        if len(last) == 1 and one["half"] and last[0]["half"] and _kind(one) == _kind(last[0]):
+            last.append(one)
+        else:
+            lines.append([one])
+    return lines
+
+
+def _kind(one: Mapping[str, Any]) -> str:
+    return str(one["comment"].partition(" ")[0])
 
 
 def _reason(message: str) -> str:

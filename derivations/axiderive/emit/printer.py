@@ -17,6 +17,7 @@ from .. import notation as nt
 from ..abel import masters
 from .factors import Factor, Product, Root, taken_apart
 from .order import (
+    RAISED,
     TRIGONOMETRIC,
     bracket,
     factor_key,
@@ -100,7 +101,7 @@ class Printer:
         below: list[Factor] = []
         behind: list[Factor] = []
         for base, exponent in parts.factors:
-            if exponent.could_extract_minus_sign():
+            if exponent.could_extract_minus_sign() and not self._grows(exponent):
                 below.append((base, -exponent))
             elif is_scale(base):
                 above.append((base, exponent))
@@ -146,6 +147,10 @@ class Printer:
             out.append(r"\,")
         return " ".join(out + tail) or "1"
 
+    def _grows(self, exponent: sp.Expr) -> bool:
+        """Whether an exponent of the grading is positive as it stands: (1 - k)/2, in which SymPy sees a minus."""
+        return exponent.free_symbols == {nt.k} and self.positive(exponent)
+
     def _plain(self, base: sp.Expr, exponent: sp.Expr) -> bool:
         """Whether a bracket may become the numerator: a short sum without functions."""
         return (
@@ -180,7 +185,7 @@ class Printer:
         if exponent == 1:
             return self._atom(base)
         power = self._exponent(exponent)
-        if isinstance(base, TRIGONOMETRIC):
+        if isinstance(base, RAISED) and exponent.is_Integer and exponent > 0:
             return self._call(base, f"^{{{power}}}")
         if base.is_Symbol or base is sp.pi:
             text = self._atom(base)
@@ -257,7 +262,7 @@ class Printer:
             return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
         if kind in (masters.StruveH, masters.StruveL):
             letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
-            return f"{letter}_{{{self.sum(e.args[0])}}}" + bracket(self.sum(e.args[1]))
+            return f"{letter}_{{{self._exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
         if kind in (masters.Hypergeometric, masters.Kummer):
             *upper, lower, z = e.args
             inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])

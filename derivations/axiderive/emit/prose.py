@@ -13,10 +13,11 @@ from .. import notation as nt
 _FUNCTION = r"(?:tan|sin|cos|ln|exp|abs)\([^()]*\)"
 _SUBSCRIPTED = r"(?:[A-Za-z]_(?:\d|[A-Za-z]+))"
 _WORDS = ("theta", "wavelength")
-_ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|R[12]|[a-zA-Z]'?(?![a-zA-Z])|\d+(?:\.\d+)?)"
+_NUMBER = r"(?:(?<![^\s(])-)?\d+(?:\.\d+)?"
+_ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|R[12]|[a-zA-Z]'?(?![a-zA-Z])|{_NUMBER})"
 _POWER = r"(?:\^(?:\([^()]*\)|\d+|[a-z]))?"
 _FACTOR = rf"{_ATOM}{_POWER}"
-_LINK = r"(?: ?/ ?| ?[-+*] | ?<< | ?>> | ?<= | ?>= | ?[<>=~] |, (?=\d)| \.\.\. | (?=[0-9a-zA-Z(]))"
+_LINK = r"(?: ?/ ?| ?[-+*] | ?<< | ?>> | ?<= | ?>= | ?[<>=~] |, (?=-?\d)| \.\.\. | (?=[0-9a-zA-Z(]))"
 _RUN = re.compile(rf"(?<![\w'])({_FACTOR}(?:{_LINK}{_FACTOR})*(?: <<| >>)?)(?![\w'])")
 _SYMBOL = re.compile(r"[a-zA-Z]\w*")
 _RELATIONS = {"<<": r"\ll ", ">>": r"\gg ", "<=": r"\le ", ">=": r"\ge ", "~": r"\sim ", "...": r"\dots ", "*": r"\,"}

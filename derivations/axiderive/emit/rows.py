@@ -12,6 +12,7 @@ from ..contact.systems import BODIES
 from ..entry import Entry
 from ..notation import a_c
 from .naming import LEFT, label_of, left_of, system_of
+from .order import brackets_around
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
@@ -177,7 +178,7 @@ def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     left += "="
     short = shortened(expr, chain, width(left))
     printer = Printer(chain, short.names | own)
-    lines = _broken(left, short.expr, printer)
+    lines = broken(left, short.expr, printer)
     return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer)))
 
 
@@ -186,7 +187,7 @@ def _is_inverse_power(expr: sp.Expr) -> bool:
     return bool(expr.is_Pow and expr.base.is_Mul and expr.exp.free_symbols and expr.exp.could_extract_minus_sign())
 
 
-def _broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
+def broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
     """The formula in lines that fit, broken between terms."""
     whole = left + printer(expr)
     parts = printer.scaled_sum(expr)
@@ -194,9 +195,8 @@ def _broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
         return [whole]
     sign, scale, terms = parts
     start = left + ("-" if sign < 0 else "") + (scale + r"\," if scale else "")
-    opening, closing = (r"\Bigl[", r"\Bigr]") if scale or sign < 0 else ("", "")
-    if any("[" in text.replace(r"\sqrt[", "") for _, text in terms) and opening:
-        opening, closing = r"\Bigl\{", r"\Bigr\}"
+    left_one, right_one = brackets_around("()".join(text for _, text in terms))  # square ones at least
+    opening, closing = (rf"\Bigl{left_one}", rf"\Bigr{right_one}") if scale or sign < 0 else ("", "")
     lines, current = [], start + opening
     for i, (sign_of, text) in enumerate(terms):
         piece = ("-" if sign_of < 0 else "+" if i else "") + text
