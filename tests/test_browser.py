@@ -17,7 +17,9 @@ from web_page import Page
 
 SITE = HANDBOOK / "html"
 PAGES = {path.name: Page(path.read_text(encoding="utf-8")) for path in sorted(SITE.glob("*.html"))}
-SAMPLE = ("index.html", "reading.html", "cone.html", "rounded_punch.html", "plane.wedge.html", "materials.html")
+SAMPLE = (
+    "index.html", "reading.html", "study.html", "cone.html", "rounded_punch.html", "plane.wedge.html", "materials.html",
+)  # fmt: skip
 LARGEST = 1_000_000
 """Bytes of a page."""
 PHONES = (360, 390)
@@ -85,13 +87,14 @@ def site() -> dict[str, str]:
 def _expected(page: str) -> list[list[str]]:
     """What the buttons of a page should copy, read off its HTML."""
     found = []
-    for row in re.findall(r'<article class="row" id="[^"]+">.*?</article>', page, re.DOTALL):
-        name = re.match(r'<article class="row" id="([^"]+)"', row)
+    for row in re.findall(r'<article class="row(?: further)?" id="[^"]+">.*?</article>', page, re.DOTALL):
+        name = re.match(r'<article class="row(?: further)?" id="([^"]+)"', row)
         assert name
         lines = re.findall(r'<div class="line"><span class="tex"[^>]*>(.*?)</span></div>', row)
         calls = re.findall(r"<pre>(.*?)</pre>", row, re.DOTALL)
         found.append([name[1], "latex", unescape("\n".join(lines))])
-        found.append([name[1], "python", unescape("\n\n".join(calls))])
+        if calls:  # limits and universal curves have no function
+            found.append([name[1], "python", unescape("\n\n".join(calls))])
     return found
 
 

@@ -80,7 +80,7 @@ def _emit(
     models = _page_models(published, jobs)
     book = handbook.handbook_sources(derived, evidence, chapter, models, studies)
     texts |= {f"handbook/{path}": text for path, text in book.items()}
-    site = html.html_sources(derived, evidence, chapter, models, texts)
+    site = html.html_sources(derived, evidence, chapter, models, texts, studies)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()

@@ -30,7 +30,7 @@ LABELS = {
     "ac": "Pull-off: at fixed force", "am": "Pull-off: at fixed depth", "us": "Full slip: displacement",
     "Fc": "Pull-off force", "dc": "Depth: at fixed force", "Fm": "Force: at fixed depth", "dm": "Least depth",
     "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
-    "rz": "Ring: of first zero pressure", "aP": "Half-width: from load",
+    "rz": "Ring: of first zero pressure", "aP": "Half-width from load",
     "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
 }  # fmt: skip
 """Labels that say it shorter than those of the quantities."""

@@ -223,7 +223,8 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         radii = [low + (high - low) * (mp.mpf(i) / 40) ** 2 for i in range(41)]
         members = [numbers.at(a=radius) for radius in radii]
         rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
-        reference = r"$d_1=d(a_1)$, $F_1=F_{\mathrm N}(a_1)$" + _reference(profile, numbers)
+        unit = "P_1=P(a_1)" if numbers.place("p") == nt.x else r"F_1=F_{\mathrm N}(a_1)"
+        reference = f"$d_1=d(a_1)$, ${unit}$" + _reference(profile, numbers)
     x, y = rows[int(len(rows) * 0.7)]
     return Curve(coordinates(rows), "", round(x, 3), round(y, 3)), reference
 

@@ -57,6 +57,8 @@ class Figure:
     shapes: list[Shape] = field(default_factory=list)
     curves: list[Shape] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
+    anchor: str = ""
+    """Id of the figure on its page."""
 
     def add(self, element: str, kind: str, **attributes: Any) -> None:
         self.shapes.append((element, kind, {name.rstrip("_"): f"{value}" for name, value in attributes.items()}))

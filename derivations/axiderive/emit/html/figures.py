@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from .drawing import Figure, Scale, pairs
@@ -43,6 +43,20 @@ def _curve(figure: Figure, scale: Scale, kind: str, coordinates: str) -> None:
     figure.curve(kind, scale.points(pairs(coordinates)))
 
 
+def _reference(figure: Figure, scale: Scale, curve: Any) -> None:
+    _curve(figure, scale, "reference", curve.coordinates)
+    figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), "note", plain=True)
+
+
+def _family(figure: Figure, scale: Scale, curves: Sequence[Any]) -> None:
+    """The curves of one quantity, lighter to darker."""
+    for i, curve in enumerate(curves):
+        tone = f"curve tone{i if len(curves) > 1 else 3}"
+        _curve(figure, scale, tone, curve.coordinates)
+        if curve.label:
+            figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), tone.replace("curve", "accent"))
+
+
 def _side(above: bool) -> str:
     return "above" if above else "below"
 
@@ -52,13 +66,8 @@ def pressure(plots: Any) -> Figure:
     figure, scale = _axes(("Pressure", plots.pressure_caption), (0, 1), (0, 3.2), (f"{plots.abscissa}/a", r"p/\bar p"))
     _ticks(figure, scale, (0, 0.25, 0.5, 0.75), (0, 1, 2, 3), (0, 0))
     for curve in plots.references:
-        _curve(figure, scale, "reference", curve.coordinates)
-        figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), "note", plain=True)
-    for i, curve in enumerate(plots.pressure):
-        tone = f"curve tone{i if len(plots.pressure) > 1 else 3}"
-        _curve(figure, scale, tone, curve.coordinates)
-        if curve.label:
-            figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), tone.replace("curve", "accent"))
+        _reference(figure, scale, curve)
+    _family(figure, scale, plots.pressure)
     return figure
 
 
@@ -68,11 +77,8 @@ def force(plots: Any) -> Figure:
     unit = "P_1" if plane else "F_1"
     figure, scale = _axes(("Force and depth", plots.force_caption), (0, 2), (0, 3.2), ("d/d_1", f"{plots.load}/{unit}"))
     _ticks(figure, scale, (0, 0.5, 1, 1.5), (0, 1, 2, 3), (0, 0))
-    if not plane:
-        figure.curve("reference", scale.points([(0, 0), (2, 2)]))
-        figure.curve("reference", scale.points((i / 25, (i / 25) ** 1.5) for i in range(51)))
-        figure.label("flat punch", scale.at(1.55, 1.52), "below-left", "note", plain=True)
-        figure.label("sphere", scale.at(1.6, 2.02), "above-right", "note", plain=True)
+    for curve in plots.force_references:
+        _reference(figure, scale, curve)
     _curve(figure, scale, "load", plots.force.coordinates)
     return figure
 
@@ -105,10 +111,18 @@ def slip(curves: Any) -> Figure:
         (r"u/u_{\mathrm s}", r"F_x/(\mu F_{\mathrm N})"),
     )  # fmt: skip
     _ticks(figure, scale, (0, 0.5, 1), (0, 0.5, 1), (0, 0))
-    figure.curve("reference", scale.points((i / 60, 1 - (1 - i / 60) ** 1.5) for i in range(61)))
-    figure.label("sphere", scale.at(0.62, 0.72), "below-left", "note", plain=True)
+    _reference(figure, scale, curves.sphere)
     _curve(figure, scale, "curve tone3", curves.slip)
     _curve(figure, scale, "curve tone3", "(1,1) (1.25,1)")
+    return figure
+
+
+def given(axes: Any) -> Figure:
+    """A frame of a prescribed pressure or of the eccentric punch."""
+    names = (axes.names[0].strip("$"), axes.names[1].strip("$"))
+    figure, scale = _axes((axes.title, axes.words), axes.x, axes.y, names)
+    _ticks(figure, scale, axes.ticks[0][:-1], axes.ticks[1], (axes.x[0], axes.y[0]))
+    _family(figure, scale, axes.curves)
     return figure
 
 
@@ -119,4 +133,7 @@ def figures(model: Mapping[str, Any]) -> list[Figure]:
         found += [pressure(model["plots"]), force(model["plots"])]
     if model.get("curves"):
         found += [adhesion(model["curves"]), slip(model["curves"])]
+    found += [given(axes) for axes in model["axes"]]
+    for figure in found:
+        figure.anchor = "plot." + figure.caption[0].lower().replace(" ", "-")
     return found

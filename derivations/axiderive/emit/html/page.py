@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,6 +31,8 @@ class Formula:
     short: str
     evidence: list[str]
     python: str
+    measured: str = ""
+    """How the function evaluates the formula, and the errors that were measured."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,17 @@ class WebRow:
 
 
 @dataclass(frozen=True)
+class Further:
+    """A row without a key of its own: a limit, a universal curve."""
+
+    anchor: str
+    label: str
+    small: str
+    tex: Any
+    remark: str
+
+
+@dataclass(frozen=True)
 class Section:
     """The rows of one problem, or the words in place of them."""
 
@@ -55,6 +69,7 @@ class Section:
     note: str
     rows: list[WebRow]
     words: str = ""
+    further: Sequence[Further] = ()
 
 
 @dataclass(frozen=True)
@@ -76,7 +91,8 @@ class Known:
         short, agreed = "certified" if certified else "no exact certificate", self.agreed[suffix]
         if agreed["digits"] != "--":
             short += f"; {agreed['digits']} digits at {agreed['count']} points"
-        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python)
+        measured = _measured(agreed["evaluation"])
+        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
 
     def row(self, one: Row) -> WebRow:
         label, small = one.label
@@ -89,6 +105,36 @@ class Known:
             prose(one.entry.note),
             [self.formula(entry) for entry in (one.entry, *one.also)],
         )
+
+
+def _measured(evaluation: Sequence[str]) -> str:
+    """The cells of the evidence table of the book as words; none where nothing was measured."""
+    if not evaluation:
+        return ""
+    form, *errors = evaluation
+    places = ("error ", "at extreme lengths ", "of the formula as printed ")
+    shown = [where + _in_ulp(error) for where, error in zip(places, errors, strict=True) if error != "--"]
+    return ("" if form == "--" else f"evaluation by {form}; ") + (", ".join(shown) or "error not measured")
+
+
+def _in_ulp(cell: str) -> str:
+    """1.4 / 30 (2 lost) with the words the head of the table has."""
+    worst, of, points = cell.partition(r"\,/\,")
+    if not of:
+        return cell
+    count, _, lost = points.partition(" ")
+    return f"{worst} ulp at {count} points {lost}".rstrip()
+
+
+TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
+
+
+def _further(one: Mapping[str, Any], profile_id: str) -> Further:
+    """Its address is limit.cone of what it tends to, or universal.adh.F of the first formula it gives."""
+    target = TARGET.search(one["label"] + one["remark"])
+    kind, key = one["comment"].split()[:2]
+    anchor = f"{kind}.{target[1] if target else key.removeprefix(profile_id + '.')}"
+    return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
 
 
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
@@ -105,7 +151,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         records = evidence.get(problem.key, {}).get("entries", {})
         known = Known(problem, records, agreed, signatures(modules[problem.module]))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
-        sections.append(Section(anchor, title, note, [known.row(one) for one in rows]))
+        further = [_further(one, model["name"]) for line in block["further"] for one in line]
+        sections.append(Section(anchor, title, note, [known.row(one) for one in rows], further=further))
     picture = model["picture"]
     return {
         **model,

@@ -1,4 +1,4 @@
-"""The whole web edition: a page per profile, an index with search, the front of the book, the chapter."""
+"""The whole web edition: a page per profile, an index with search, the front of the book, the studies, the chapter."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from markupsafe import Markup
 from ...contact.systems import ROUND, SYSTEMS
 from ...entry import Entry
 from .. import book, spread
-from ..handbook import Model, page_models, summary
+from ..handbook import Model, page_models, ruled, summary
 from ..matrix import LEFT_OUT, LEGEND
 from ..modules import package_sources
+from . import study
 from .assets import assets
 from .page import Derived, page
 from .words import formula, words
@@ -28,6 +29,7 @@ def html_sources(
     chapter11: Mapping[str, Any] | None = None,
     models: Mapping[str, Model] | None = None,
     modules: Mapping[str, str] | None = None,
+    studies: Mapping[str, Any] | None = None,
 ) -> dict[str, str]:
     """All files of the web edition.
 
@@ -43,6 +45,8 @@ def html_sources(
         What `handbook.page_models` gives, where it is at hand.
     modules : mapping, optional
         Generated modules by path, from which the calls are read, where they are at hand.
+    studies : mapping, optional
+        Records of `axicontact study` by name: error, maps, extremes.
 
     Returns
     -------
@@ -53,16 +57,23 @@ def html_sources(
     models = page_models(derived, evidence) if models is None else models
     modules = package_sources(derived) if modules is None else modules
     ids = list(models)
-    site = Site(frozenset(ids), frozenset(e.key for entries in derived.values() for e in entries.values()))
-    front = book.model([summary(model) for model in models.values()], chapter11)
-    files = {f"{i}.html": site.render("page", page(models[i], derived, evidence, modules), i) for i in ids}
+    keys = frozenset(e.key for entries in derived.values() for e in entries.values())
+    site = Site(frozenset(ids), keys, bool(studies))
+    front = book.model([summary(model) for model in models.values()], chapter11, studies)
+    measured = (studies or {}).get("error")
+    files = {}
+    for i in ids:
+        timing = study.timing(measured, ruled(models[i])) if measured else None
+        files[f"{i}.html"] = site.render("page", page(models[i], derived, evidence, modules) | {"timing": timing}, i)
     files["index.html"] = site.render(
         "index", front | {"columns": COLUMNS, "rows": _matrix(ids, models), "legend": LEGEND}
     )
     files["reading.html"] = site.render("reading", front)
+    if studies:
+        files["study.html"] = site.render("study", study.model(front["studies"]))
     if chapter11 is not None:
         files["chapter11.html"] = site.render("chapter11", front)
-    files["assets/keys.js"] = keys(ids, models, derived)
+    files["assets/keys.js"] = search_index(ids, models, derived)
     return files | assets()
 
 
@@ -81,7 +92,7 @@ def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, A
     return rows
 
 
-def keys(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
+def search_index(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
     """The index behind the search, as a script, because a page opened from a folder may load nothing else."""
     profiles = {i: [_plain(models[i]["title"]), _synonyms(i)] for i in ids}
     numbers = {system.name: number for number, system in enumerate(SYSTEMS)}
@@ -114,6 +125,7 @@ class Site:
 
     profiles: frozenset[str]
     keys: frozenset[str]
+    studied: bool = False
 
     def render(self, name: str, model: Model, profile_id: str = "") -> str:
         environment = _environment()
@@ -121,6 +133,7 @@ class Site:
         def link(label: str, text: str) -> Markup:
             return self.link(label, words(text, link), profile_id)
 
+        environment.globals["studied"] = self.studied
         environment.filters.update(words=partial(words, link=link), tex=formula)
         return environment.get_template(f"{name}.html.j2").render(model)
 

@@ -1,0 +1,191 @@
+"""What the web edition shows beside formulas with a key: limits, universal curves, measured errors, the studies."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import re
+from functools import cache
+from html import unescape
+from typing import Any
+
+import pytest
+from stored_book import CATALOGUE, KEYS, stored
+from web_page import Page
+
+from axiderive.emit import study as studies_of_book
+from axiderive.emit.handbook import page_models
+from axiderive.emit.html import html_sources, study
+from axiderive.emit.html.drawing import Figure
+
+SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
+LARGEST = 1_000_000
+"""Bytes of a page."""
+NEAR = 0.01
+"""Decades by which rounding to a tenth of an SVG unit may move a point; a decade is 8 units or more."""
+
+
+@cache
+def record(name: str) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((CATALOGUE / "evidence" / f"{name}.json").read_bytes())
+    return found
+
+
+STUDIES = {name: record(f"study/{name}") for name in ("error", "maps", "extremes")}
+
+
+@pytest.fixture(scope="module")
+def derived() -> dict[str, Any]:
+    own = [key for key in KEYS if any(key == name or key.startswith(f"{name}.") for name in SAMPLE)]
+    return {key: stored(key) for key in own}
+
+
+@pytest.fixture(scope="module")
+def evidence(derived: dict[str, Any]) -> dict[str, Any]:
+    return {key: record(key)["evidence"] for key in derived}
+
+
+@pytest.fixture(scope="module")
+def models(derived: dict[str, Any], evidence: dict[str, Any]) -> Any:
+    return page_models(derived, evidence)
+
+
+@pytest.fixture(scope="module")
+def site(derived: dict[str, Any], evidence: dict[str, Any], models: Any) -> dict[str, str]:
+    modules = {
+        str(path.relative_to(CATALOGUE)): path.read_text(encoding="utf-8")
+        for path in (CATALOGUE / "axicontact").rglob("*.py")
+    }
+    return html_sources(derived, evidence, None, models, modules, STUDIES)
+
+
+def _row(page: str, anchor: str) -> str:
+    start = page.index(f'id="{anchor}"')
+    return page[start : page.index("</article>", start)]
+
+
+def test_limits_and_universal_curves_have_an_address_on_the_page(site: dict[str, str], models: Any) -> None:
+    count = 0
+    for name in SAMPLE:
+        shown = [one for block in models[name]["blocks"].values() for line in block["further"] for one in line]
+        addresses = re.findall(r'<article class="row further" id="([^"]+)"', site[f"{name}.html"])
+        assert len(addresses) == len(shown) == len(set(addresses))
+        for anchor, one in zip(addresses, shown, strict=True):
+            row = _row(site[f"{name}.html"], anchor)
+            assert one["tex"] in Page(row).formulas
+            assert f"#{anchor}" in Page(row).addresses
+        count += len(shown)
+    assert count == 8
+    assert 'href="cone.html"' not in site["power_law.html"]  # no page in this edition: plain words
+    assert 'id="limit.cone"' in site["power_law.html"]
+    assert 'id="universal.fgm.adh.d"' in site["power_law.html"]
+
+
+def test_measured_errors_stand_with_the_evidence_of_their_formula(site: dict[str, str]) -> None:
+    """Read off the record, not off the model of the page."""
+    measured = record("rounded_punch")["evidence"]["evaluation"]
+    for suffix, found in measured.items():
+        row = unescape(re.sub(r"<span[^>]*>|</span>", "", _row(site["rounded_punch.html"], suffix)))
+        for where, part in (("error ", found["bench"]), ("at extreme lengths ", found["extreme"])):
+            if "worst_ulp" not in part or part["worst_ulp"] > 1e4:
+                continue
+            mantissa, _, power = f"{part['worst_ulp']:.2g}".partition("e")
+            worst = mantissa + (rf"\times10^{{{int(power)}}}" if power else "")
+            assert f"{where}{worst} ulp at {part['points']} points" in row, suffix
+    assert "evaluation by Gauss rule" in _row(site["rounded_punch.html"], "p")
+
+
+def _shown() -> dict[str, Any]:
+    return study.model(studies_of_book.figures(STUDIES, frozenset({"cone.p"})))
+
+
+def _decade(figure: Figure, upwards: bool) -> tuple[float, float]:
+    """Place of 10^0 and length of a decade in SVG units, from the labels of an axis."""
+    ticks = {}
+    for label in figure.labels:
+        power = re.fullmatch(r"10\^\{(-?\d+)\}", label.text)
+        if power and (label.side == "right") == upwards:
+            place = (label.top * figure.height if upwards else label.left * figure.width) / 100
+            ticks[int(power[1])] = place
+    (first, start), (last, end) = min(ticks.items()), max(ticks.items())
+    unit = (end - start) / (last - first)
+    return start - first * unit, unit
+
+
+def test_the_points_of_a_panel_are_what_was_measured() -> None:
+    """Against the labels of its axes: every method of every formula, in the order of the record."""
+    panels = {figure.anchor: figure for figure in _shown()["error"]["panels"]}
+    assert list(panels) == [f"error.{key}" for key in STUDIES["error"]["plots"]]
+    for key, methods in STUDIES["error"]["plots"].items():
+        figure = panels[f"error.{key}"]
+        lines = [values["points"] for element, _, values in figure.shapes if element == "polyline"]
+        (x0, decade_x), (y0, decade_y) = _decade(figure, upwards=False), _decade(figure, upwards=True)
+        for text, points in zip(lines, methods.values(), strict=True):
+            for pair, (ratio, worst) in zip(text.split(), points, strict=True):
+                x, y = map(float, pair.split(","))
+                assert abs((x - x0) / decade_x - math.log10(ratio)) < NEAR, key
+                assert abs((y - y0) / decade_y - max(math.log10(max(worst, 1e-16)), -16)) < NEAR, key
+
+
+@pytest.mark.parametrize("side", ["naive", "emitted"])
+def test_the_cells_of_a_map_have_the_level_of_their_error(side: str) -> None:
+    for figure, one in zip(_shown()["maps"]["figures"], _maps_in_order(), strict=True):
+        frames = [values for element, _, values in figure.shapes if element == "rect"]
+        left, top, width, height = (float(frames[side == "emitted"][name]) for name in ("x", "y", "width", "height"))
+        squares = [
+            (level, tuple(map(float, numbers)))
+            for element, level, values in figure.shapes
+            if element == "path"
+            for numbers in re.findall(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H[\d.]+z", values["d"])
+        ]
+        cells = one[side]["worst"]
+        for i, row in enumerate(cells):
+            for j, worst in enumerate(row):
+                x, y = left + width * (j + 0.5) / len(row), top + height * (1 - (i + 0.5) / len(cells))
+                here = [level for level, (x1, y1, x2, y2) in squares if x1 < x < x2 and y2 < y < y1]
+                assert here == ([] if worst is None else [_level(worst)]), (one["key"], i, j)
+
+
+def _maps_in_order() -> list[dict[str, Any]]:
+    """Those of two ratios come first."""
+    return sorted(STUDIES["maps"]["maps"], key=lambda one: -len(one["axes"]))
+
+
+def _level(ulps: float) -> str:
+    return "level6" if ulps < 0 else f"level{sum(ulps > bound for bound in (5, 1e3, 1e6, 1e9, 1e12))}"
+
+
+def test_the_study_page_is_closed_in_itself(site: dict[str, str]) -> None:
+    pages = {path: Page(text) for path, text in site.items() if path.endswith(".html")}
+    page = pages["study.html"]
+    assert len(site["study.html"].encode()) < LARGEST
+    assert len(set(page.ids)) == len(page.ids)
+    for address in page.addresses:
+        target, _, fragment = address.partition("#")
+        if address != "data:,":
+            assert (target or "study.html") in site, address
+            assert not fragment or fragment in pages[target or "study.html"].ids, address
+    assert {"error", "maps", "extremes", "error.cone.p", "map.rounded_punch.w"} <= set(page.ids)
+    assert "rounded_punch.html#p" in page.addresses
+    assert "cone.html#p" not in page.addresses
+    assert "\\" not in re.sub(r'<span class="tex"[^>]*>[^<]*</span>', "", site["study.html"])
+    assert 'href="study.html"' in site["index.html"]
+
+
+def test_a_ruled_formula_shows_its_error_against_time(site: dict[str, str]) -> None:
+    assert {"about.timing", "error.rounded_punch.p"} <= set(Page(site["rounded_punch.html"]).ids)
+    assert "about.timing" not in site["loads.power.html"]
+
+
+def test_frames_without_a_body_are_drawn(site: dict[str, str]) -> None:
+    assert {"plot.pressure", "plot.displacement"} <= set(Page(site["loads.power.html"]).ids)
+    assert {"plot.pressure", "plot.inclination"} <= set(Page(site["plane.eccentric_punch.html"]).ids)
+
+
+def test_a_study_that_was_not_made_leaves_its_part_out() -> None:
+    one = copy.deepcopy(STUDIES)
+    del one["maps"]
+    shown = study.model(studies_of_book.figures(one, frozenset()))
+    assert shown["maps"] is None
+    assert len(shown["extremes"]) == len({(r["limit"], r["key"].rpartition(".")[0]) for r in one["extremes"]["rows"]})
