@@ -7,7 +7,7 @@ import random
 from pathlib import Path
 
 import pytest
-from test_scene import NEEDLE, random_scene
+from scenes import NEEDLE, random_scene
 
 from axiderive.cli import main
 

@@ -13,9 +13,9 @@ from .. import notation as nt
 from ..emit import example
 from ..entry import Entry
 from ..profiles.profile import Profile
-from ..proof.half_space import HalfSpace
 from . import interface
 from .contact import DIGITS, Contact, short
+from .grading import graded
 from .relaxing import relaxing
 
 if TYPE_CHECKING:
@@ -56,9 +56,9 @@ def check_values(
     for name in request.quantities:
         if name == interface.PULL_OFF:
             continue
-        if request.physics == "graded":
-            rows = _graded(contact, name)
-        elif request.physics.startswith("viscoelastic."):
+        if request.physics.startswith("graded"):
+            rows = graded(contact, name)
+        elif interface.law_of(request.physics):
             rows = relaxing(contact, interface.functions(request.physics)[name])
         else:
             rows = _compact(contact, request.physics, name) if contact.compact else _complete(contact, name)
@@ -140,26 +140,6 @@ def _slipping(contact: Contact, name: str, a: float) -> Rows:
         case "full_slip_displacement":
             return [((a,), ratio * contact.depth(a))]
     return []
-
-
-def _graded(contact: Contact, name: str) -> Rows:
-    """The graded half space by quadrature of its definition."""
-    function = interface.functions("normal")[name]
-    known = {nt.H: mp.mpf(contact.all["H"]), nt.k: mp.mpf(contact.all["k"]), **contact.given()}
-    rows: Rows = []
-    for a in contact.radii():
-        r = short(a * (1.6 if name == "displacement" else 0.45))
-        half_space = HalfSpace(contact.profile, {**known, nt.r: mp.mpf(r)}, DIGITS, graded=True)
-        with mp.workdps(DIGITS + 10):
-            place = {"a": a, "r": r, "d": 0.0, "F": 0.0}
-            suffix = function.quantity.suffix
-            target = {"ad": "a", "aF": "a", "Fd": "F", "dF": "d"}.get(suffix, suffix)
-            place |= {s: float(half_space.normal(s, mp.mpf(a))) for s in ("d", "F") if s in function.fields}
-            wanted = contact.height(r) if name == "profile" else mp.mpf(a)
-            if name != "profile" and target != "a":
-                wanted = half_space.normal(target, mp.mpf(a))
-            rows.append((tuple(float(place[field]) for field in function.fields), wanted))
-    return rows
 
 
 def _complete(contact: Contact, name: str) -> Rows:

@@ -26,7 +26,11 @@ from .page import page_sources
 from .request import Request
 from .written import test_text
 
-OF_RUNTIME = {"retraction": ("_adhesion", "hess_retraction")}
+OF_RUNTIME = {
+    "adhesive": {"retraction": ("_adhesion", "hess_retraction")},
+    "graded.adhesive": {"retraction": ("_graded_punch", "graded_retraction")},
+}
+"""What is the same for all profiles."""
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
 
 
@@ -121,7 +125,7 @@ class _Composition:
         modules = sources.library(self.profile, self.entries, self.normal, physics)
         own, plain = (
             interface.functions(physics, self.profile.contact),
-            interface.functions("normal", self.profile.contact),
+            interface.functions(interface.BELOW.get(physics, "normal"), self.profile.contact),
         )
         for quantity in request.quantities:
             if quantity == interface.PULL_OFF:
@@ -130,8 +134,8 @@ class _Composition:
             function = own.get(quantity) or plain[quantity]
             key = (f"{function.module}.{name}", f"_{function.quantity.function}")
             if key[1] not in modules[key[0]].definitions:
-                # what is the same for all profiles is a function of the runtime, the shape that of any medium
-                key = OF_RUNTIME.get(quantity, (f"normal.{name}", f"_{quantity}"))
+                # the shape is that of any medium
+                key = OF_RUNTIME.get(physics, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
             module = modules[key[0]]
             fields = interface.arguments(function, self.entries)
             needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
@@ -149,30 +153,30 @@ class _Composition:
         return {name: values[name] for name in order if name in values}
 
     def _pull_off(self, modules: Mapping[str, Any]) -> PullOff:
-        key = f"adhesive.{self.profile.name}"
+        physics = self.request.physics
+        key = f"{physics}.{self.profile.name}"
         defined = modules[key].definitions
         force, depth = (
             f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
         )
-        parameters = (*self.parameters, "E_star", "dgamma")
+        parameters = (*self.parameters, *interface.MATERIAL[physics])
         radius = (key, "_pull_off_radius")
         return PullOff(radius, (key, force), (key, depth), PULL_OFF_DOC, parameters, self._keywords(parameters))
 
     def _head(self) -> str:
-        own = MATERIAL.get(self.request.physics.partition(".")[2], "")
+        physics = self.request.physics
+        own = MATERIAL.get(interface.law_of(physics), "")
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
-                "graded": "on a half space whose modulus grows as a power of depth",
-                "viscoelastic": f"on {own}, while it grows"}  # fmt: skip
+                "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
+        if physics.startswith("graded"):
+            kind += " on a half space whose modulus grows as a power of depth"
         title = _plain(self.request.title)
         what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
             self.profile.subtitle)  # fmt: skip
         lines = [
             f"{title}.",
             "",
-            *_wrapped(
-                f"{what}. Contact {kind[self.request.physics.partition('.')[0]]}, SI units, angles in radians. "
-                f"Written by axicontact {__version__}."
-            ),
+            *_wrapped(f"{what}. Contact {kind}, SI units, angles in radians. Written by axicontact {__version__}."),
         ]
         if self.answer is not None:
             lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")

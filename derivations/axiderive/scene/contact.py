@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 DIGITS = 20
 UNITS = {"a": "m", "d": "m", "F": "N"}
-MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25,
+MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free."""
 
@@ -106,12 +106,16 @@ class Contact:
         lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
         scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
         top = scale * self.profile.sketch.a if lengths else 1e-3
-        if self.profile.largest is not None:
-            top = min(top, 0.9 * float(self.profile.largest.xreplace(self.given())))
-        if self.profile.chain and self.profile.chain[-1] in known:
-            top = min(top, 0.8 * known[self.profile.chain[-1]])
-        top = min(top, 0.9 * self.reach)
+        top = min(top, 0.8 * self.end())
         return [0.4 * top, top]
+
+    def end(self) -> float:
+        """The radius at which the profile, or its contact, ends; infinite for most."""
+        known, own = self.given(), self.profile
+        ends = [self.reach, *([float(own.largest.xreplace(known))] if own.largest is not None else [])]
+        if own.chain and own.chain[-1] in known:
+            ends.append(float(known[own.chain[-1]]))
+        return min(ends)
 
     def between(self, a: float) -> list[float]:
         """A place in the last piece below the contact radius, where there is more than one."""

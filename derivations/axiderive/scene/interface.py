@@ -22,14 +22,22 @@ MATERIAL = {
     "adhesive": ("E_star", "dgamma"),
     "tangential": ("E_star", "G_star", "mu"),
     "graded": ("H", "k"),
+    "graded.adhesive": ("H", "k", "dgamma"),
+    "graded.tangential": ("H", "k", "H_x", "mu"),
     **{f"viscoelastic.{name}": tuple(map(name_of, law.parameters)) for name, law in LAWS.items()},
 }
-GROUP = {"normal": "", "adhesive": "adh.", "tangential": "tan.", "graded": "fgm.", "viscoelastic": "vis."}
+GROUP = {
+    "normal": "", "adhesive": "adh.", "tangential": "tan.", "viscoelastic": "vis.",
+    "graded.normal": "fgm.", "graded.adhesive": "fgm.adh.", "graded.tangential": "fgm.tan.",
+}  # fmt: skip
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
 """What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
 INVERSES = frozenset(["radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"])
-SIGNED = {("adhesive", "radius_from_depth"), ("adhesive", "radius_from_force")}
+BELOW = {"tangential": "normal", "graded.tangential": "graded"}
+"""The contact whose functions come with those of another."""
+SIGNED = frozenset(["radius_from_depth", "radius_from_force"])
+"""Fields that are negative where adhesion pulls."""
 
 
 @dataclass(frozen=True)
@@ -43,15 +51,16 @@ class Function:
     @property
     def law(self) -> str:
         """The material law in its name in the catalogue."""
-        return self.physics.partition(".")[2]
+        return law_of(self.physics)
 
     @property
     def name(self) -> str:
-        return self.quantity.function.removesuffix(f"_{self.law}")
+        return self.quantity.function.removesuffix(f"_{self.law}") if self.law else self.quantity.function
 
     @property
     def module(self) -> str:
-        return self.physics.partition(".")[0]
+        """The package it is in, below that of the catalogue."""
+        return "viscoelastic" if self.law else {"graded": "graded.normal"}.get(self.physics, self.physics)
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -61,7 +70,7 @@ class Function:
 
     @property
     def signed(self) -> bool:
-        return (self.physics, self.name) in SIGNED
+        return kind_of(self.physics) == "adhesive" and self.name in SIGNED
 
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
@@ -69,13 +78,25 @@ class Function:
         return f"{self.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.module]}{self.quantity.suffix}."
 
 
+def law_of(physics: str) -> str:
+    """The material law of a viscoelastic contact, empty for any other."""
+    group, _, law = physics.partition(".")
+    return law if group == "viscoelastic" else ""
+
+
+def kind_of(physics: str) -> str:
+    """The kind of contact on whatever medium: normal, adhesive, tangential or viscoelastic."""
+    group, _, kind = physics.partition(".")
+    return (kind or "normal") if group == "graded" else group
+
+
 def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
     """All functions of a physics by name, `pull_off` left out."""
     table: Mapping[str, Quantity]
     if physics.startswith("viscoelastic."):
         return _viscoelastic(physics)
-    if physics == "graded":
-        return {name: replace(own, physics=physics) for name, own in functions("normal").items()}
+    if physics.startswith("graded"):
+        return {name: replace(own, physics=physics) for name, own in functions(kind_of(physics)).items()}
     if physics == "adhesive":
         table, text = adhesive.QUANTITIES, adhesive_text.SUMMARY
     elif physics == "tangential":

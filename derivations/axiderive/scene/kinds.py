@@ -31,12 +31,17 @@ def physics(text: SceneText, scene: Scene) -> None:
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
     graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
-    if graded and chosen:
-        message = f"{chosen[0]} on a graded half space cannot be emitted for a scene yet; the nearest is normal = true"
-        text.problem("physics", chosen[0], message)
     profile = scene.profile
-    scene.physics = "graded" if graded else chosen[0] if chosen else "normal"
-    if scene.physics == "viscoelastic":
+    scene.physics = chosen[0] if chosen else "normal"
+    if graded and scene.physics == "viscoelastic":
+        message = (
+            "viscoelastic on a graded half space is not derived; the nearest is tangential = true or normal = true"
+        )
+        text.problem("physics", "viscoelastic", message)
+        scene.physics = "graded"
+    elif graded:
+        scene.physics = ".".join(["graded", *chosen[:1]])
+    elif scene.physics == "viscoelastic":
         scene.physics = _viscoelastic(text, scene, table["viscoelastic"], profile)
     if graded and profile is not None and profile.contact != "compact":
         what = f"{profile.name}, a complete contact, on a graded half space"
@@ -56,7 +61,8 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
         if not scene.physics.startswith(name):
             return
         raw = {key: value for key, value in raw.items() if key != "model"}
-    names = [n for n in interface.MATERIAL[scene.physics if name == "viscoelastic" else name] if n != "E_star"]
+    own = interface.kind_of(scene.physics) == name
+    names = [n for n in interface.MATERIAL[scene.physics if own else name] if n not in ("E_star", "H", "k")]
     if raw is True:
         return
     if not isinstance(raw, dict):

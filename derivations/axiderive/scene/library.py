@@ -94,8 +94,8 @@ class Module:
                     if isinstance(element, ast.Name):
                         single = ast.copy_location(ast.Assign(targets=[element], value=value), node)
                         self.definitions[element.id] = Definition(self, element.id, single)
-            case ast.ImportFrom(module="normal", level=2 | 3, names=[ast.alias(name=name, asname="normal")]):
-                self.aliases["normal"] = f"normal.{name}"
+            case ast.ImportFrom(module="normal", level=level, names=[ast.alias(name=name, asname="normal")]):
+                self.aliases["normal"] = ".".join([*self.name.split(".")[:-level], "normal", name])
             case ast.ImportFrom(module=source, level=level, names=names) if level and source:
                 for alias in names:
                     self.imported[alias.asname or alias.name] = (source, alias.name)

@@ -120,12 +120,12 @@ class Linker:
     def _name(self) -> None:
         public = {w.key: w.name for w in self.wanted if self.merged(w)}
         public |= {key: key[1] for key in self.roots if key[0] == OWN}
-        taken = {w.name for w in self.wanted} | self.frozen
+        taken = {w.name for w in self.wanted} | self.frozen | WRITTEN
         for key in self.reached:
             name = public.get(key)
             if name is None:
                 stem = key[1].lstrip("_")
-                group = key[0].split(".")[0].lstrip("_")
+                group = key[0].rpartition(".")[0].replace(".", "_") or key[0].lstrip("_")
                 name = stem if stem[0].isupper() and stem not in taken else f"_{stem}"
                 if name in taken:
                     name = f"_{group}_{stem}"
@@ -147,3 +147,4 @@ SHARED: dict[Key, str] = {
     ("_elementwise", "Array"): "", ("_elementwise", "Result"): "", ("_branches", "Load"): "",
 }  # fmt: skip
 """Names of what is written anew for a scene, in fewer lines; empty for what is read by the type checker only."""
+WRITTEN = frozenset(name for name in SHARED.values() if name) | {"_elementwise", "_require", "_DOMAINS"}

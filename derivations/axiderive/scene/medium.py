@@ -9,7 +9,7 @@ from .text import SceneText, near
 from .units import UnitError, value_of
 
 KINDS = ("homogeneous", "power_law")
-KEYS = ("kind", "E_star", "E", "nu", "G_star", "H", "k")
+KEYS = ("kind", "E_star", "E", "nu", "G_star", "H", "k", "H_x")
 
 
 def medium_values(text: SceneText) -> dict[str, float]:
@@ -21,7 +21,7 @@ def medium_values(text: SceneText) -> dict[str, float]:
     if kind != "homogeneous":
         text.problem("medium", "kind", f"unknown medium {str(kind)[:40]!r}{near(str(kind), KINDS)}")
         return {}
-    for key in ("k", "H"):
+    for key in ("k", "H", "H_x"):
         if key in table:
             text.problem(
                 "medium", key, f'{key} belongs to a graded half space; add kind = "power_law", or leave it out'
@@ -43,20 +43,20 @@ def medium_values(text: SceneText) -> dict[str, float]:
 
 
 def _graded(text: SceneText, table: dict[str, Any]) -> dict[str, float]:
-    """H and k of a half space with the foundation modulus H |x|^k."""
+    """H, k and H_x of a half space with the foundation moduli H |x|^k and H_x |x|^k."""
     values: dict[str, float] = {}
     for key in ("E_star", "E", "nu", "G_star"):
         if key in table:
             text.problem("medium", key, f"{key} belongs to a homogeneous half space; a graded one has H and k")
-    for key in ("H", "k"):
+    for key in ("H", "k", "H_x"):
         if key not in table:
             continue
         try:
             value = value_of(table[key], "number")
         except UnitError as error:
-            text.problem("medium", key, f"{key} {error}; H is in Pa m^(-k), without a unit")
+            text.problem("medium", key, f"{key} {error}; H and H_x are in Pa m^(-k), without a unit")
             continue
-        low, high, rule = (-1.0, 1.0, "-1 < k < 1") if key == "k" else (0.0, math.inf, "H > 0")
+        low, high, rule = (-1.0, 1.0, "-1 < k < 1") if key == "k" else (0.0, math.inf, f"{key} > 0")
         if low < value < high:
             values[key] = value
         else:

@@ -60,7 +60,7 @@ def page_sources(
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     path = f"profiles/{profile.name}.tex"
-    texts = None if request.own else _stored(path, request.physics.partition(".")[0])
+    texts = None if request.own else _stored(path, request.physics)
     if texts is None:
         closed = entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]

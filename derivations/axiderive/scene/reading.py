@@ -9,10 +9,12 @@ import sympy as sp
 
 from .. import notation as nt
 from .. import profiles
+from ..contact.adhesive import pull_off_rule
+from ..contact.medium import GRADED, HOMOGENEOUS
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
-from ..profiles.profile import Profile
-from . import wishes
+from ..profiles.profile import Profile, Rule
+from . import interface, wishes
 from .freezing import frozen
 from .kinds import physics
 from .medium import medium_values
@@ -131,11 +133,22 @@ def _parameters(text: SceneText, scene: Scene) -> None:
                 frozen(text, scene.values, section, key, raw)
 
 
+def _rules_of(scene: Scene) -> list[Rule]:
+    """The rules of the profile, and that of its pull-off where a function needs one."""
+    assert scene.profile is not None
+    found = list(scene.profile.rules)
+    needs = {interface.PULL_OFF, *interface.SIGNED} & set(scene.quantities)
+    if needs and interface.kind_of(scene.physics) == "adhesive":
+        medium = GRADED if scene.physics.startswith("graded") else HOMOGENEOUS
+        found += [rule for rule in [pull_off_rule(scene.profile, medium)] if rule]
+    return found
+
+
 def _rules(text: SceneText, scene: Scene) -> None:
     if scene.profile is None:
         return
     known = {sp.Symbol(name, positive=True): sp.Float(value, 17) for name, value in scene.values.items()}
-    for rule in scene.profile.rules:
+    for rule in _rules_of(scene):
         relation = rule.relation().xreplace(known)
         if relation == sp.false:
             key = next((s.name for s in sorted(rule.right.free_symbols, key=str)), "")

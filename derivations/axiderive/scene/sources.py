@@ -17,7 +17,9 @@ from ..contact import tangential as slipping
 from ..contact import viscoelastic as creeping
 from ..contact.medium import GRADED
 from ..emit import physics, python
+from ..emit.graded import adhesive as graded_adhesive
 from ..emit.graded import normal as graded_normal
+from ..emit.graded import tangential as graded_tangential
 from ..emit.graded.families import family
 from ..emit.graded.module import RUNTIME as GRADED_RUNTIME
 from ..emit.imports import RUNTIME
@@ -131,6 +133,22 @@ def graded_refusal(profile: Profile) -> str:
     return ""
 
 
+def _graded(profile: Profile, wanted: str) -> dict[str, str]:
+    """The modules of a contact on the graded half space, those of the catalogue where they are stored."""
+    kind = wanted.partition(".")[2]
+    keys = [f"graded.{group}.{profile.name}" for group in ("normal", kind) if group]
+    found = {key: text for key in keys if (text := stored(f"{key.replace('.', '/')}.py"))}
+    if len(found) == len(keys):
+        return found
+    pressed = plain.derive(profile, GRADED)
+    found = {keys[0]: graded_normal.module_source(pressed)}
+    if kind == "adhesive":
+        found[keys[1]] = graded_adhesive.module_source(stuck.derive(profile, GRADED, pressed), pressed)
+    elif kind == "tangential":
+        found[keys[1]] = graded_tangential.module_source(slipping.derive(profile, GRADED, pressed), pressed)
+    return found
+
+
 def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> dict[str, Module]:
     """All modules that the functions of one physics on one profile can reach.
 
@@ -146,9 +164,8 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     modules = {**runtime(), f"normal.{profile.name}": _module(f"normal.{profile.name}", normal)}
     if wanted == "normal":
         return modules
-    if wanted == "graded":
-        key = f"graded.{profile.name}"
-        return {**modules, key: _module(key, graded_normal.module_source(plain.derive(profile, GRADED)))}
+    if wanted.startswith("graded"):
+        return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}
     if wanted.startswith("viscoelastic."):
         key = f"viscoelastic.{profile.name}"
         return {**modules, key: _module(key, _viscoelastic(profile.name))}

@@ -17,10 +17,9 @@ if TYPE_CHECKING:
 FORMATS = ("python", "tex", "pdf", "json")
 DEFAULT = {
     "normal": ["depth", "force", "pressure", "displacement"],
-    "graded": ["depth", "force", "pressure", "displacement"],
     "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
     "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
-    **{f"viscoelastic.{law}": ["ramp_force", "step_force", "step_load_radius"] for law in interface.LAWS},
+    "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
@@ -31,7 +30,7 @@ def want(text: SceneText, scene: Scene) -> None:
     known = available(scene.physics, contact)
     if scene.physics.startswith("viscoelastic") and not scene.own and not ramps(scene.profile):
         known.remove("ramp_force")
-    default = [name for name in DEFAULT[scene.physics] if name in known]
+    default = [name for name in DEFAULT[interface.kind_of(scene.physics)] if name in known]
     raw = table.get("quantities", default)
     if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
         text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
@@ -75,9 +74,9 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
 def available(physics: str, contact: str) -> list[str]:
     """Names of the functions of a physics; those of the normal contact come with tangential ones."""
     own = list(interface.functions(physics, contact))
-    if physics == "tangential":
-        own += list(interface.functions("normal", contact))
-    return [*own, interface.PULL_OFF] if physics == "adhesive" else own
+    if physics in interface.BELOW:
+        own += list(interface.functions(interface.BELOW[physics], contact))
+    return [*own, interface.PULL_OFF] if interface.kind_of(physics) == "adhesive" else own
 
 
 def output(text: SceneText, scene: Scene) -> None:

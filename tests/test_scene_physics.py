@@ -1,0 +1,127 @@
+"""Scenes of every kind of contact on a homogeneous half space, of profiles of one's own, and worked examples."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+
+import pytest
+from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, titles
+
+from axiderive.exits import CommandError
+from axiderive.scene import sources
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'profile = "q*r**2 + c*r**4"\n[parameters]\nq = 3\nc = "2 mm^-3"\n[physics]\nadhesive = { dgamma = 0.1 }\n',
+        'profile = "q*r**2 + Max(0, r - b)*tan(theta)"\n[parameters]\nb = 0.002\n[physics]\nadhesive = true\n',
+        'profile = "rounded_punch"\n[parameters]\nR = "2 mm"\nb = "5 mm"\n[physics]\ntangential = { mu = 0.2 }\n',
+        'profile = "concave_paraboloid"\n[medium]\nE_star = "2 GPa"\n',
+        'profile = "cone"\n[parameters]\ntheta = "10 deg"\n[medium]\nkind = "power_law"\nH = 1e6\nk = 0.3\n',
+        f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\nadhesive = {{ dgamma = 0.1 }}\n',
+        f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\ntangential = true\n',
+        'profile = "r**2/(2*R) + c*r**4"\n[medium]\nkind = "power_law"\nk = 0.3\n',
+    ],
+    ids=[
+        "expression with adhesion",
+        "break and free parameters",
+        "tangential",
+        "complete",
+        "graded",
+        "adhesive outside the normal form",
+        "tangential outside the normal form",
+        "graded expression",
+    ],  # fmt: skip
+)
+def test_other_combinations(source):
+    result = composed_from(source + NO_PDF)
+    assert "values agree with the definition" in result.lines[-1]
+    compile(result.files["test_scene.py"], "test_scene.py", "exec")
+
+
+LAWS = {
+    "maxwell": 'E = "2 MPa", tau = "3 s"',
+    "kelvin_voigt": 'E = "2 MPa", eta = "4 MPa s"',
+    "standard_solid": 'E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s"',
+    "power_creep": 'E = "2 MPa", alpha = 0.25, t_0 = "1 min"',
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("profile", ["cone", "truncated_cone"])
+def test_viscoelastic_scenes_agree_with_the_convolution(profile, law):
+    """The values are convolutions of the elastic quadrature; measured 8e-16 at worst."""
+    material = f'viscoelastic = {{ model = "{law}", {LAWS[law]} }}'
+    result = composed_from(f'profile = "{profile}"\n[physics]\n{material}' + NO_PDF)
+    evidence = json.loads(result.files["evidence.json"])
+    errors = {name: float(error) for name, error in evidence["module against 20-digit quadrature"].items()}
+    assert set(errors) == {"step_force", "step_load_radius"} | ({"ramp_force"} if profile == "cone" else set())
+    assert max(errors.values()) < 1e-14
+    module = result.files["scene.py"].decode()
+    assert "def step_force(t, d" in module
+    assert not [other for other in LAWS if f"_{other}(" in module and other != law]
+    shown = titles(result.files[f"profiles/{profile}.tex"])
+    assert "Viscoelastic half-space" in shown
+    assert "Adhesive contact" not in shown
+
+
+def test_a_wrong_relaxation_does_not_pass(monkeypatch):
+    module = sources.stored("viscoelastic/cone.py")
+    assert module is not None
+    monkeypatch.setattr(
+        sources, "_viscoelastic", lambda name: module.replace("ramp_maxwell(t, 2.0", "ramp_maxwell(t, 1.0")
+    )
+    with pytest.raises(ArithmeticError, match="ramp_force"):
+        composed_from('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell" }' + NO_PDF)
+
+
+def test_the_worked_example_is_at_the_force_that_was_asked_for():
+    """The state stands in the docstring; every function is tested there; the force found again is the one given."""
+    files = composed_from(NEEDLE + NO_PDF).files
+    docstring = ast.get_docstring(ast.parse(files["needle_on_gel.py"].decode()))
+    assert "at F = 0.05 N it is a = 0.0003205988 m" in docstring
+    space: dict[str, object] = {}
+    exec(files["needle_on_gel.py"].decode(), space)
+    assert space["force"](0.000320598788133061) == pytest.approx(0.05, rel=1e-12)
+    assert files["test_needle_on_gel.py"].decode().count("0.000320598788133061") == 6
+
+
+@pytest.mark.parametrize("load", ['{ d = "0.1 um" }', '{ F = "-1 N" }'])
+def test_a_worked_example_without_a_contact_is_refused(load):
+    source = NEEDLE.replace('{ F = "50 mN" }', load).replace('"50 mJ/m^2"', '"5 mJ/m^2"')
+    if "F" in load:
+        with pytest.raises(CommandError, match="no contact radius carries F = -1; change want.at"):
+            composed_from(source + NO_PDF)
+    else:
+        assert composed_from(source + NO_PDF).files
+
+
+def test_the_inverses_of_a_contact_that_is_compact_up_to_a_radius_end_there():
+    """g(a) = a**2/R - 8/3 c a**4 has its largest value at a**2 = 3/(16 c R); beyond that depth there is no contact."""
+    source = 'profile = "r**2/(2*R) - c*r**4"\n[want]\nquantities = ["depth", "radius_from_depth"]\n'
+    with pytest.raises(CommandError, match="how far the contact is compact depends on R, c"):
+        composed_from(source + NO_PDF)
+    space: dict[str, object] = {}
+    exec(composed_from(source + "[parameters]\nR = 1.0\nc = 1.0\n" + NO_PDF).files["scene.py"].decode(), space)
+    reach = (3 / 16) ** 0.5
+    assert space["radius_from_depth"](space["depth"](0.9 * reach)) == pytest.approx(0.9 * reach, rel=1e-12)
+    assert math.isnan(space["radius_from_depth"](1.01 * space["depth"](reach)))
+
+
+READ_BACK = b"read back from this source"
+
+
+@pytest.mark.parametrize("profile", ["cone", "c*r**4", "r**2/sqrt(r**2 + q**2)", OUTSIDE])
+def test_only_pages_of_the_catalogue_say_that_they_were_read_back(profile):
+    preamble = composed_from(f'profile = "{profile}"\n' + NO_PDF).files["preamble.tex"]
+    assert (READ_BACK in preamble) == (profile == "cone")
+
+
+def test_a_page_is_written_outside_the_normal_form():
+    source = f'profile = "{OUTSIDE}"\n' + NO_PDF
+    page = composed_from(source).files["profiles/own_profile.tex"].decode()
+    assert r"\int_{0}^{\sqrt{a^{2}-r^{2}}}\frac{g'(t)}{t}" in page
+    assert page.count(r"\int") == 5

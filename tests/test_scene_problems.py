@@ -1,0 +1,143 @@
+"""Scenes with mistakes: all problems at once, with what to do; random ones are read or refused."""
+
+from __future__ import annotations
+
+import random
+import re
+from pathlib import Path
+
+import pytest
+from scenes import BAD, EXAMPLES, NEEDLE, OUTSIDE, problems, random_scene
+
+from axiderive.cli import main
+from axiderive.scene import reading, text
+from axiderive.scene.text import SceneError
+
+GOLDEN = """\
+scene.toml:2: unknown key 'colour'; there are name, title, profile, parameters, medium, physics, want, output
+     2 | colour = "red"
+scene.toml:4: unknown section 'profil'; did you mean 'profile'?
+     4 | [profil]
+scene.toml:9: theta = 8 is outside 0 < theta < pi/2; degrees need a unit: theta = "8 deg"
+     9 | theta = 8
+scene.toml:10: unknown parameter of cone 'tehta'; did you mean 'theta'?
+    10 | tehta = 1
+scene.toml:13: E must be a pressure, but '2 mm' is a length; write '5 MPa'
+    13 | E  = "2 mm"
+scene.toml:14: nu = 0.7 is outside -1 < nu <= 0.5; 0.5 is an incompressible half space
+    14 | nu = 0.7
+scene.toml:17: dgamma: unit 'mJ' in '50 mJ' is unknown; did you mean 'mJ/m^2'?
+    17 | adhesive   = { dgamma = "50 mJ" }
+scene.toml:18: adhesive and tangential together are not derived; emit two scenes, one with each
+    18 | tangential = { mu = 0.3 }
+scene.toml:19: plane is not emitted for scenes yet; the nearest is adhesive = { dgamma = "50 mJ/m^2" } or normal = true
+    19 | plane      = true
+scene.toml:22: unknown quantity 'depht' of adhesive; did you mean 'depth'?
+    22 | quantities = ["depht"]
+scene.toml:25: folder '../elsewhere' leaves the place of the scene; use a name below it, or --out DIR
+    25 | folder = "../elsewhere"
+11 problems in the scene; nothing was written"""
+
+
+def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
+    assert problems(BAD) == GOLDEN
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        ('profile = "kone"', "unknown profile 'kone'; did you mean 'cone'?"),
+        ("[profile]\nkind = 3", "the profile must be a text, not int"),
+        ("", "the scene names no profile"),
+        ('profile = "cone', "is a quote or a bracket missing?"),
+        ('profile = "1 + r"', "f(0) = 1"),
+        ('profile = "sphere_tipped_cone"\n[parameters]\nR = 1.0\ntheta = "120 deg"', "is outside 0 < theta < pi/2"),
+        ('profile = "flat_punch"\n[physics]\nadhesive = true', "the nearest is normal = true"),
+        ('profile = "polynomial"', "write it as an expression"),
+        ('profile = "cone"\n[medium]\nE = 1', "nu is missing"),
+        ('profile = "cone"\n[output]\nmodule = "../x.py"', "module must be the name of a file"),
+        ('profile = "cone"\n[parameters]\ntheta = true', "must be a number or a text with a unit, not bool"),
+        ('profile = "cone"\n[parameters]\ntheta = inf', "no finite number"),
+        ('profile = "cone"\n[parameters]\ntheta = "8 mm"', "theta must be an angle, but '8 mm' is a length"),
+        ('profile = "cone"\nparameters.theta = 8', "degrees need a unit"),
+        ('profile = { kind = "cone", theta = 8 }', "degrees need a unit"),
+        ('profile = "cone"\n[medium]\nkind = "layered"', "unknown medium 'layered'"),
+        ('profile = "cone"\n[medium]\nkind = "power_law"\nk = 1.2', "k = 1.2 is outside -1 < k < 1"),
+        ('profile = "cone"\n[medium]\nc0 = 1', "unknown key in [medium] 'c0'"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "kelvin" }', "did you mean 'kelvin_voigt'?"),
+        ('profile = "cone"\n[physics]\nviscoelastic = true', "viscoelastic needs a model out of maxwell"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", tau = "3 mm" }', "must be a time"),
+        ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", eta = 1 }', "unknown key 'eta'"),
+        ('profile = "cone"\n[medium]\nE_star = 1\n[physics]\nviscoelastic = { model = "maxwell" }', "leave [medium]"),
+        ('profile = "r**2"\n[physics]\nviscoelastic = { model = "maxwell" }', "profiles of the catalogue"),
+        (
+            'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',
+            "unknown quantity 'ramp_force'",
+        ),
+        ('profile = "cone"\n[physics]\nplane = true', "plane is not emitted"),
+        ('profile = "cone"\n[output]\nformats = ["exe"]', "formats must be a list out of python"),
+        ('profile = "cone"\n[want]\nat = { F = "50 mN" }', "freeze theta, E_star too"),
+        ('profile = "cone"\n[want]\nat = { p = 1 }', "at names one field of the contact"),
+        ('profile = "cone"\n[want]\nat = { F = "50 mm" }', "F must be a force, but '50 mm' is a length"),
+        (f'profile = "{OUTSIDE}"\n[medium]\nkind = "power_law"', "the nearest are sums of powers of r"),
+        ('profile = "R - sqrt(R**2 - r**2"', "'(' was never closed"),
+    ],
+)
+def test_a_problem_says_what_to_do(source, message):
+    found = problems(source)
+    assert message in found
+    assert re.match(r"scene\.toml:\d+: ", found) or not source
+
+
+def test_bytes_that_are_no_text_are_refused():
+    with pytest.raises(SceneError, match="is no UTF-8"):
+        text.parse("s", b'profile = "\xff"')
+
+
+def test_a_folder_through_a_link_is_refused(tmp_path, capsys):
+    elsewhere = tmp_path / "elsewhere"
+    (tmp_path / "scenes").mkdir()
+    elsewhere.mkdir()
+    (tmp_path / "scenes" / "out").symlink_to(elsewhere)
+    scene = tmp_path / "scenes" / "scene.toml"
+    scene.write_text('profile = "cone"\n[output]\nfolder = "out"\n')
+    assert main(["emit", str(scene)]) == 2
+    assert "leads out of" in capsys.readouterr().err
+    assert not list(elsewhere.iterdir())
+
+
+def test_a_dry_run_writes_nothing(tmp_path, capsys):
+    scene = tmp_path / "scene.toml"
+    scene.write_text(NEEDLE)
+    assert main(["emit", "--dry-run", str(scene)]) == 0
+    assert "frozen      theta = 0.13962634015954636, E_star = 2666666.6666666665" in capsys.readouterr().out
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.toml"]
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+def test_the_examples_are_scenes(path):
+    scene = reading.read(text.load(path))
+    assert scene.values
+    assert not {p.name for p in scene.profile.parameters} - set(scene.values)
+
+
+def scene_or_problems(seed: int) -> None:
+    try:
+        scene = reading.read(text.parse("scene", random_scene(random.Random(seed))))
+    except SceneError as error:
+        assert str(error)
+        return
+    assert scene.profile is not None
+    assert ".." not in Path(scene.folder).parts
+    assert "/" not in scene.module
+
+
+def test_random_scenes_are_read_or_refused():
+    for seed in range(300):
+        scene_or_problems(seed)
+
+
+@pytest.mark.slow
+def test_many_random_scenes_are_read_or_refused():
+    for seed in range(300, 5000):
+        scene_or_problems(seed)
