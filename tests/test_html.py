@@ -174,6 +174,12 @@ def test_words(text: str, wanted: str) -> None:
     assert words(text, _link) == wanted
 
 
+def test_equations_and_errata_of_the_chapter_have_an_address(pages: dict[str, Page]) -> None:
+    page = pages["chapter11.html"]
+    assert {"eq.11.66", "erratum.11.66", "errata"} <= set(page.ids)
+    assert {"#eq.11.66", "#erratum.11.66"} <= set(page.addresses)
+
+
 def test_a_macro_without_words_is_an_error() -> None:
     with pytest.raises(ValueError, match=r"\\hfill in .* has no words in HTML"):
         words(r"left \hfill right", _link)
