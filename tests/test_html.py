@@ -174,6 +174,12 @@ def test_words(text: str, wanted: str) -> None:
     assert words(text, _link) == wanted
 
 
+def test_equations_and_errata_of_the_chapter_have_an_address(pages: dict[str, Page]) -> None:
+    page = pages["chapter11.html"]
+    assert {"eq.11.66", "erratum.11.66", "errata"} <= set(page.ids)
+    assert {"#eq.11.66", "#erratum.11.66"} <= set(page.addresses)
+
+
 def test_a_macro_without_words_is_an_error() -> None:
     with pytest.raises(ValueError, match=r"\\hfill in .* has no words in HTML"):
         words(r"left \hfill right", _link)
@@ -204,10 +210,13 @@ def test_an_entry_shows_itself_in_a_notebook(derived: dict[str, dict[str, Entry]
 @pytest.mark.slow
 def test_the_web_edition_does_not_depend_on_the_hash_seed() -> None:
     program = (
-        "import hashlib; from axiderive.emit.html import html_sources; from stored_book import KEYS, stored;"
+        "import hashlib, json; from axiderive.emit.html import html_sources;"
+        "from stored_book import CATALOGUE, KEYS, stored;"
+        "found = sorted((CATALOGUE / 'evidence' / 'study').glob('*.json'));"
+        "studies = {path.stem: json.loads(path.read_text()) for path in found};"
         "names = ('truncated_cone', 'plane.concave_power', 'polynomial', 'loads.power');"
         "own = {k: stored(k) for k in KEYS if k.startswith(names)};"
-        "text = repr(sorted(html_sources(own).items())).encode();"
+        "text = repr(sorted(html_sources(own, studies=studies).items())).encode();"
         "print(len(own), hashlib.sha256(text).hexdigest())"
     )
     seen = set()

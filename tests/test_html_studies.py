@@ -121,6 +121,7 @@ def test_the_points_of_a_panel_are_what_was_measured() -> None:
         figure = panels[f"error.{key}"]
         lines = [values["points"] for element, _, values in figure.shapes if element == "polyline"]
         (x0, decade_x), (y0, decade_y) = _decade(figure, upwards=False), _decade(figure, upwards=True)
+        assert decade_y < 0 < decade_x
         for text, points in zip(lines, methods.values(), strict=True):
             for pair, (ratio, worst) in zip(text.split(), points, strict=True):
                 x, y = map(float, pair.split(","))

@@ -20,7 +20,7 @@ from ..modules import package_sources
 from . import study
 from .assets import assets
 from .page import Derived, page
-from .words import formula, words
+from .words import formula, slug, words
 
 
 def html_sources(
@@ -134,7 +134,7 @@ class Site:
             return self.link(label, words(text, link), profile_id)
 
         environment.globals["studied"] = self.studied
-        environment.filters.update(words=partial(words, link=link), tex=formula)
+        environment.filters.update(words=partial(words, link=link), tex=formula, slug=slug)
         return environment.get_template(f"{name}.html.j2").render(model)
 
     def link(self, label: str, text: Markup, profile_id: str) -> Markup:

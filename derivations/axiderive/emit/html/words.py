@@ -47,6 +47,11 @@ def formula(tex: str, display: bool = False) -> Markup:
     return Markup(f'<span class="tex"{mode}>{escape(tex.removeprefix(chr(92) + "displaystyle").strip())}</span>')
 
 
+def slug(text: str) -> str:
+    """Words as the end of an address: (11.29) and (11.61) is 11.29-and-11.61."""
+    return re.sub(r"[^\w.]+", "-", text).strip("-")
+
+
 def words(text: str, link: Link) -> Markup:
     """Running text of the page model as HTML."""
     return Markup("").join(_pieces(text, link))
