@@ -38,11 +38,15 @@ def power_sag(r: Array, a: Array, n: Array, k: Array) -> Array:
     q = difference_root(r, a)
     near = _from_edge(lambda s, z: (s / a) ** n, a, q, q, np.arcsinh(a / q / 2.0), k)
 
+    whole = np.floor(n)
+    weight = n - whole
+
     def smooth(x: Array) -> Array:
-        return np.sinc(x / np.pi) ** n * _kernel(np.cos(x), np.sin(x), a / q, k)
+        # whole powers need no weight; with n in the weight the rule cancels for large n
+        return np.sinc(x / np.pi) ** weight * np.sin(x) ** whole * _kernel(np.cos(x), np.sin(x), a / q, k)
 
     reach = np.pi / 2.0 - SPLIT
-    far = reach**n * reach * weighted(smooth, np.full_like(q, reach), n)
+    far = reach**weight * reach * weighted(smooth, np.full_like(q, reach), weight)
     return _scale(k) * a**n * (near + far)
 
 

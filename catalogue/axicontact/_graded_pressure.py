@@ -96,14 +96,15 @@ def power_growth(r: Array, a: Array, n: Array, k: Array) -> Array:
     length = np.log1p((a - r) / r)
     length = np.where(np.isfinite(length), length, np.log(a) - np.log(r))
     near = np.minimum(np.minimum(length, 1.0), 20.0 / np.maximum(np.abs(m), 1e-300))
-    half = (k - 1.0) / 2.0
+    half, above = (k - 1.0) / 2.0, (k + 1.0) / 2.0
 
     def smooth(x: Array) -> Array:
         shrink = np.where(x > 0.0, -np.expm1(-2.0 * x) / np.where(x > 0.0, x, 1.0), 2.0)
         return shrink**half * np.exp(-m * (near - x))
 
     rest = length - near
-    first = np.where(rest > 0.0, np.exp(-m * rest), 1.0) * near ** (half + 1.0) * weighted(smooth, near, half)
+    first = np.where(rest > 0.0, np.exp(-m * rest), 1.0) * near**above
+    first = first * weighted(smooth, near, half, above=above)
     total = first + np.where(np.abs(m) > 20.0, _steep(rest, near, m, half), _tail(rest, near, m, half))
     return np.where(r > 0.0, total, np.where(m > 0.0, 1.0 / np.where(m > 0.0, m, 1.0), np.inf))
 

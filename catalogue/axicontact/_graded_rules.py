@@ -20,15 +20,19 @@ Smooth = Callable[[Array], Array]
 NODES = 64
 
 
-def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES) -> Array:
-    """Integral of x**power smooth(x) from 0 to `stop`, over stop**(1 + power)."""
+def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES, above: Array | None = None) -> Array:
+    """Integral of x**power smooth(x) from 0 to `stop`, over stop**(1 + power).
+
+    `above` is 1 + power, where a rounded power would lose it: next to -1 the integral is one over it.
+    """
     if np.all(np.asarray(power) >= -0.5):
         return _sum(smooth, stop, product_weights(power, count), count)
     # near -1 nearly all of the weight lies at the lower end, whose value is taken out
+    above = 1.0 + power if above is None else above
     end = smooth(np.zeros((1, *np.shape(stop))))
     nodes, _ = gauss_legendre(count)
-    weights = (product_weights(power + 1.0, count).T / nodes).T
-    return end[0] / (1.0 + power) + _sum(lambda x: smooth(x) - end, stop, weights, count)
+    weights = (product_weights(above, count).T / nodes).T
+    return end[0] / above + _sum(lambda x: smooth(x) - end, stop, weights, count)
 
 
 def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:

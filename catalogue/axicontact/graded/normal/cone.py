@@ -569,11 +569,11 @@ def _displacement(r: Array, a: Array, theta: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, theta: Array, k: Array) -> Array:
-    return (d / _depth(np.ones_like(d), theta, k)) ** (1.0 / 1.0)
+    return d / _depth(np.ones_like(d), theta, k)
 
 
 def _radius_from_force(F: Array, theta: Array, H: Array, k: Array) -> Array:
-    return (F / _force(np.ones_like(F), theta, H, k)) ** (1.0 / (1.0 + 1.0 + k))
+    return (F / _force(np.ones_like(F), theta, H, k)) ** (1.0 / (2.0 + k))
 
 
 def _force_from_depth(d: Array, theta: Array, H: Array, k: Array) -> Array:

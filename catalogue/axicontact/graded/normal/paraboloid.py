@@ -558,11 +558,11 @@ def _displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, R: Array, k: Array) -> Array:
-    return (d / _depth(np.ones_like(d), R, k)) ** (1.0 / 2.0)
+    return np.sqrt(d / _depth(np.ones_like(d), R, k))
 
 
 def _radius_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
-    return (F / _force(np.ones_like(F), R, H, k)) ** (1.0 / (2.0 + 1.0 + k))
+    return (F / _force(np.ones_like(F), R, H, k)) ** (1.0 / (3.0 + k))
 
 
 def _force_from_depth(d: Array, R: Array, H: Array, k: Array) -> Array:

@@ -597,7 +597,7 @@ def _radius_from_depth(d: Array, A: Array, n: Array, k: Array) -> Array:
 
 
 def _radius_from_force(F: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
-    return (F / _force(np.ones_like(F), A, n, H, k)) ** (1.0 / (n + 1.0 + k))
+    return (F / _force(np.ones_like(F), A, n, H, k)) ** (1.0 / (n + (1.0 + k)))
 
 
 def _force_from_depth(d: Array, A: Array, n: Array, H: Array, k: Array) -> Array:

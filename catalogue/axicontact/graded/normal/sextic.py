@@ -565,7 +565,7 @@ def _radius_from_depth(d: Array, A: Array, k: Array) -> Array:
 
 
 def _radius_from_force(F: Array, A: Array, H: Array, k: Array) -> Array:
-    return (F / _force(np.ones_like(F), A, H, k)) ** (1.0 / (6.0 + 1.0 + k))
+    return (F / _force(np.ones_like(F), A, H, k)) ** (1.0 / (7.0 + k))
 
 
 def _force_from_depth(d: Array, A: Array, H: Array, k: Array) -> Array:
