@@ -6,7 +6,9 @@ import json
 import math
 
 import pytest
-from scenes import NO_PDF, composed_from, run_plainly, titles
+from scenes import NO_PDF, composed_from, problems, run_plainly, titles
+
+from axiderive.scene import sources
 
 GRADED = 'profile = "{}"\n[medium]\nkind = "power_law"\n{}\n[physics]\n{} = true\n'
 FAST = ("cone", "truncated_cone")
