@@ -16,6 +16,7 @@ from ..profiles.profile import Profile
 from . import interface
 from .contact import DIGITS, Contact, short
 from .grading import graded
+from .mirrored import plane
 from .relaxing import relaxing
 
 if TYPE_CHECKING:
@@ -58,6 +59,8 @@ def check_values(
             continue
         if request.physics.startswith("graded"):
             rows = graded(contact, name)
+        elif request.physics == "plane":
+            rows = plane(contact, interface.functions("plane", profile.contact)[name])
         elif interface.law_of(request.physics):
             rows = relaxing(contact, interface.functions(request.physics)[name])
         else:

@@ -13,8 +13,15 @@ from .text import SceneText, near
 if TYPE_CHECKING:
     from .reading import Scene
 
-PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic")
-LATER = ("plane", "loads")
+PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic", "plane")
+LATER = ("loads",)
+
+
+def alone(text: SceneText, name: str) -> bool:
+    """Whether a scene names this kind of contact and no other one."""
+    table = text.values.get("physics")
+    asked = [key for key in PHYSICS[1:] if table.get(key) not in (None, False)] if isinstance(table, dict) else []
+    return asked == [name]
 
 
 def physics(text: SceneText, scene: Scene) -> None:
@@ -26,7 +33,7 @@ def physics(text: SceneText, scene: Scene) -> None:
             text.problem("physics", name, f"{name} is not emitted for scenes yet; the nearest is {nearest}")
     chosen = [name for name in asked if name not in ("normal", *LATER)]
     if len(chosen) > 1:
-        count = {2: "two", 3: "three"}[len(chosen)]
+        count = {2: "two", 3: "three", 4: "four"}[len(chosen)]
         message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
@@ -39,6 +46,9 @@ def physics(text: SceneText, scene: Scene) -> None:
         )
         text.problem("physics", "viscoelastic", message)
         scene.physics = "graded"
+    elif graded and scene.physics == "plane":
+        message = 'plane contact is derived for a homogeneous half space; the nearest is kind = "homogeneous"'
+        text.problem("physics", "plane", message)
     elif graded:
         scene.physics = ".".join(["graded", *chosen[:1]])
     elif scene.physics == "viscoelastic":
@@ -48,7 +58,10 @@ def physics(text: SceneText, scene: Scene) -> None:
         text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
     elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
         text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
-    if profile is not None and profile.contact != "compact" and chosen:
+    if scene.physics == "plane" and scene.own:
+        message = "plane is emitted for profiles of the catalogue; the nearest here is normal = true"
+        text.problem("physics", "plane", message)
+    if profile is not None and profile.contact != "compact" and chosen and chosen != ["plane"]:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
         text.problem("physics", chosen[0], message)
     for name in chosen:
@@ -64,6 +77,9 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
     own = interface.kind_of(scene.physics) == name
     names = [n for n in interface.MATERIAL[scene.physics if own else name] if n not in ("E_star", "H", "k")]
     if raw is True:
+        return
+    if name == "plane":
+        text.problem("physics", name, "plane takes no values of its own; write plane = true")
         return
     if not isinstance(raw, dict):
         text.problem("physics", name, f"{name} must be true or a table such as {{ {names[0]} = ... }}")

@@ -59,7 +59,8 @@ def page_sources(
     request: Request, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
-    path = f"profiles/{profile.name}.tex"
+    name = interface.id_of(request.physics, profile.name)
+    path = f"profiles/{name}.tex"
     texts = None if request.own else _stored(path, request.physics)
     if texts is None:
         closed = entries["d"].status == "closed"
@@ -78,7 +79,7 @@ def page_sources(
         "title": escaped(request.title.strip() or "Scene"),
         "version": __version__,
         "rows": "\n".join(rows),
-        "name": profile.name,
+        "name": name,
     }
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
 

@@ -13,10 +13,11 @@ from .. import profiles
 from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
 from ..contact import normal as plain
+from ..contact import plane as strips
 from ..contact import tangential as slipping
 from ..contact import viscoelastic as creeping
 from ..contact.medium import GRADED
-from ..emit import physics, python
+from ..emit import physics, plane, python
 from ..emit.graded import adhesive as graded_adhesive
 from ..emit.graded import normal as graded_normal
 from ..emit.graded import tangential as graded_tangential
@@ -32,6 +33,7 @@ from ..entry import Entry
 from ..index import NoCatalogueError, load
 from ..profiles.profile import Profile
 from ..records import read_entry
+from . import interface
 from .grouping import rules, ungrouped
 from .library import Module
 
@@ -81,12 +83,12 @@ def stored(path: str) -> str | None:
         return None
 
 
-def stored_entries(profile: Profile) -> dict[str, Entry]:
+def stored_entries(profile: Profile, physics: str) -> dict[str, Entry]:
     """The entries of a profile of the catalogue as they were verified, or derived anew where none are stored."""
-    record = evidence(profile.name)
+    record = evidence(interface.id_of(physics, profile.name))
     if record:
         return {suffix: read_entry(entry, profile) for suffix, entry in record["entries"].items()}
-    return plain.derive(profile)
+    return strips.derive(profile) if physics == "plane" else plain.derive(profile)
 
 
 def evidence(name: str) -> dict[str, Any] | None:
@@ -99,8 +101,10 @@ def evidence(name: str) -> dict[str, Any] | None:
     return record
 
 
-def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
-    """The text of the normal module of a profile of the catalogue."""
+def stored_module(name: str, entries: Mapping[str, Entry], physics: str) -> str:
+    """The text of the normal, or plane, module of a profile of the catalogue."""
+    if physics == "plane":
+        return stored(f"plane/{name}.py") or plane.module_source(entries)
     return stored(f"normal/{name}.py") or python.module_source(entries)
 
 
@@ -110,8 +114,8 @@ def _viscoelastic(name: str) -> str:
     text = stored(f"viscoelastic/{name}.py")
     if text is None:
         profile = profiles.load(name)
-        entries = stored_entries(profile)
-        own = NormalModule.read(entries, stored_module(name, entries))
+        entries = stored_entries(profile, "normal")
+        own = NormalModule.read(entries, stored_module(name, entries, "normal"))
         text = viscoelastic.module_source(own, creeping.derive(profile))
     return text
 
@@ -157,12 +161,13 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     profile, entries : Profile, mapping
         The profile and its entries of normal contact.
     normal : str
-        Text of its normal module.
+        Text of its normal, or plane, module.
     wanted : str
         Name of the physics.
     """
-    modules = {**runtime(), f"normal.{profile.name}": _module(f"normal.{profile.name}", normal)}
-    if wanted == "normal":
+    first = f"{'plane' if wanted == 'plane' else 'normal'}.{profile.name}"
+    modules = {**runtime(), first: _module(first, normal)}
+    if wanted in ("normal", "plane"):
         return modules
     if wanted.startswith("graded"):
         return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}
