@@ -74,7 +74,7 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ),
         ('profile = "cone"\n[physics]\nplane = true', "unknown plane profile 'cone'; "),
         ('profile = "eccentric_punch"\n[physics]\nplane = true', "did you mean 'flat_punch'?"),
-        ('profile = "r**2"\n[physics]\nplane = true', "profiles of the catalogue; the nearest here is normal = true"),
+        ('profile = "r**2"\n[physics]\nplane = true', "the catalogue holds; the nearest here is normal = true"),
         ('profile = "wedge"\n[physics]\nplane = { x = 1 }', "write plane = true"),
         ('profile = "wedge"\n[medium]\nkind = "power_law"\n[physics]\nplane = true', 'is kind = "homogeneous"'),
         ('profile = "wedge"\n[physics]\nplane = true\n[want]\nquantities = ["force"]', "there are profile, load"),

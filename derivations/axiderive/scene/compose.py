@@ -178,6 +178,7 @@ class _Composition:
         physics = self.request.physics
         own = MATERIAL.get(interface.law_of(physics), "")
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
+                "loads": "under a prescribed pressure",
                 "plane": "of a strip without adhesion, per length",
                 "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
         if physics.startswith("graded"):

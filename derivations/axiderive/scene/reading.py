@@ -8,21 +8,17 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .. import notation as nt
-from .. import profiles
 from ..contact.adhesive import pull_off_rule
 from ..contact.medium import GRADED, HOMOGENEOUS
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
-from ..profiles import plane as strips
 from ..profiles.profile import Profile, Rule
 from . import interface, wishes
 from .freezing import frozen
-from .kinds import alone, physics
+from .kinds import physics, pool
 from .medium import medium_values
 from .text import SceneText, near
 
-ECCENTRIC = "eccentric_punch"
-"""Its load acts on either side, which no scene can say."""
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
 
 
@@ -108,13 +104,11 @@ def _profile(text: SceneText, scene: Scene) -> None:
 
 
 def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
-    plane = alone(text, "plane")
-    known = [other for other in strips.NAMES if other != ECCENTRIC] if plane else profiles.NAMES
+    what, known, load = pool(text)
     if name not in known:
-        what = "plane profile" if plane else "profile"
         text.problem("profile", "kind", f"unknown {what} {name[:40]!r}{near(name, known)}")
         return
-    profile = strips.load(name) if plane else profiles.load(name)
+    profile = load(name)
     if nt.coefficients in profile.parameters:
         reason = "takes a sequence of coefficients"
         text.problem("profile", "kind", f'{name} {reason}; write it as an expression, profile = "c*r**2 + q*r**4"')

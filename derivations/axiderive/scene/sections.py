@@ -13,6 +13,7 @@ SECTIONS = {
     "graded.tangential": ("Power-law graded half-space", "Tangential contact, graded half-space"),
     "viscoelastic": ("Normal contact", "Viscoelastic half-space"),
     "plane": ("Plane contact",),
+    "loads": ("Displacement",),
 }
 ALWAYS = ("Derivation", "Evidence", "Sources")
 GROUPS = {

@@ -12,6 +12,7 @@ from typing import Any
 from .. import profiles
 from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
+from ..contact import loads as prescribed
 from ..contact import normal as plain
 from ..contact import plane as strips
 from ..contact import tangential as slipping
@@ -27,10 +28,13 @@ from ..emit.imports import RUNTIME
 from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential, viscoelastic
+from ..emit.physics import loads as pressures
 from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
 from ..entry import Entry
-from ..index import NoCatalogueError, load
+from ..index import NoCatalogueError
+from ..index import load as index
+from ..profiles.loads import Load, load
 from ..profiles.profile import Profile
 from ..records import read_entry
 from . import interface
@@ -78,7 +82,7 @@ def _module(name: str, text: str) -> Module:
 def stored(path: str) -> str | None:
     """A file of the package in the catalogue, if there is one."""
     try:
-        return (load().folder / path).read_text()
+        return (index().folder / path).read_text()
     except (NoCatalogueError, OSError):
         return None
 
@@ -88,13 +92,15 @@ def stored_entries(profile: Profile, physics: str) -> dict[str, Entry]:
     record = evidence(interface.id_of(physics, profile.name))
     if record:
         return {suffix: read_entry(entry, profile) for suffix, entry in record["entries"].items()}
+    if isinstance(profile, Load):
+        return prescribed.derive(profile)
     return strips.derive(profile) if physics == "plane" else plain.derive(profile)
 
 
 def evidence(name: str) -> dict[str, Any] | None:
     """The stored record of a profile of the catalogue."""
     try:
-        path = load().folder.parent / "evidence" / f"{name}.json"
+        path = index().folder.parent / "evidence" / f"{name}.json"
         record: dict[str, Any] = json.loads(path.read_bytes())
     except (NoCatalogueError, OSError, ValueError):
         return None
@@ -102,7 +108,9 @@ def evidence(name: str) -> dict[str, Any] | None:
 
 
 def stored_module(name: str, entries: Mapping[str, Entry], physics: str) -> str:
-    """The text of the normal, or plane, module of a profile of the catalogue."""
+    """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
+    if physics == "loads":
+        return stored(f"loads/{name}.py") or pressures.module_source(load(name), entries["w"])
     if physics == "plane":
         return stored(f"plane/{name}.py") or plane.module_source(entries)
     return stored(f"normal/{name}.py") or python.module_source(entries)
@@ -161,13 +169,13 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     profile, entries : Profile, mapping
         The profile and its entries of normal contact.
     normal : str
-        Text of its normal, or plane, module.
+        Text of its normal module, or of that of the plane contact or the prescribed pressure.
     wanted : str
         Name of the physics.
     """
-    first = f"{'plane' if wanted == 'plane' else 'normal'}.{profile.name}"
+    first = f"{wanted if wanted in ('plane', 'loads') else 'normal'}.{profile.name}"
     modules = {**runtime(), first: _module(first, normal)}
-    if wanted in ("normal", "plane"):
+    if wanted in ("normal", "plane", "loads"):
         return modules
     if wanted.startswith("graded"):
         return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}

@@ -20,6 +20,7 @@ DEFAULT = {
     "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
     "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
     "plane": ["load", "pressure", "slope", "depth", "half_width_from_load"],
+    "loads": ["displacement"],
     "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
