@@ -80,7 +80,7 @@ LINES = (
     'profile = "cone"', 'profile = "r**2/(2*R)"', "[profile]", 'kind = "sphere"', 'kind = "kone"', 'R = "2 mm"',
     'theta = "8 deg"', "theta = 8", 'R = "2 kg"', "[medium]", 'E = "2 GPa"', "nu = 0.3", "nu = 3", 'kind = "power_law"',
     "k = 2", "H = 1e6", "[physics]", "normal = true", 'adhesive = { dgamma = "50 mJ/m^2" }', "adhesive = 3",
-    "adhesive = { x = [1, 2] }", "tangential = { mu = -1 }", "plane = true", "[want]",
+    "adhesive = { x = [1, 2] }", "tangential = { mu = -1 }", "plane = true", "loads = true", 'kind = "wedge"', "[want]",
     'viscoelastic = { model = "maxwell" }', "viscoelastic = true", "viscoelastic = { model = [], tau = {} }",
     'viscoelastic = { model = "power_creep", alpha = 2, t_0 = "1 h" }', 'quantities = ["depth"]',
     "quantities = 3", "quantities = [[1]]", "[output]", 'folder = "../../x"', 'module = "a/b.py"', 'formats = ["exe"]',

@@ -6,7 +6,9 @@ import json
 import math
 
 import pytest
-from scenes import NO_PDF, composed_from, run_plainly, titles
+from scenes import NO_PDF, composed_from, problems, run_plainly, titles
+
+from axiderive.scene import sources
 
 GRADED = 'profile = "{}"\n[medium]\nkind = "power_law"\n{}\n[physics]\n{} = true\n'
 FAST = ("cone", "truncated_cone")
@@ -29,6 +31,8 @@ def test_the_module_agrees_with_the_definition_and_its_test_runs(profile, kind, 
     title = f"{kind.capitalize()} contact, graded half-space"
     page = result.files[f"profiles/{profile}.tex"]
     assert titles(page) == ["Power-law graded half-space", title, "Derivation", "Evidence", "Sources"]
+    assert page.count(rb"\begin{minipage}") == page.count(rb"\end{minipage}")
+    assert b"pageref" not in page + result.files["preamble.tex"]
     prefix = {"adhesive": b"fgm.adh", "tangential": b"fgm.tan"}
     assert prefix[kind] in page
     assert not [other for other in prefix if other != kind and prefix[other] in page]

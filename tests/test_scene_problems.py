@@ -28,15 +28,13 @@ scene.toml:14: nu = 0.7 is outside -1 < nu <= 0.5; 0.5 is an incompressible half
     14 | nu = 0.7
 scene.toml:17: dgamma: unit 'mJ' in '50 mJ' is unknown; did you mean 'mJ/m^2'?
     17 | adhesive   = { dgamma = "50 mJ" }
-scene.toml:18: adhesive and tangential together are not derived; emit two scenes, one with each
-    18 | tangential = { mu = 0.3 }
-scene.toml:19: plane is not emitted for scenes yet; the nearest is adhesive = { dgamma = "50 mJ/m^2" } or normal = true
+scene.toml:19: adhesive and tangential and plane together are not derived; emit three scenes, one with each
     19 | plane      = true
 scene.toml:22: unknown quantity 'depht' of adhesive; did you mean 'depth'?
     22 | quantities = ["depht"]
 scene.toml:25: folder '../elsewhere' leaves the place of the scene; use a name below it, or --out DIR
     25 | folder = "../elsewhere"
-11 problems in the scene; nothing was written"""
+10 problems in the scene; nothing was written"""
 
 
 def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
@@ -74,7 +72,12 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
             'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',
             "unknown quantity 'ramp_force'",
         ),
-        ('profile = "cone"\n[physics]\nplane = true', "plane is not emitted"),
+        ('profile = "cone"\n[physics]\nplane = true', "unknown plane profile 'cone'; "),
+        ('profile = "eccentric_punch"\n[physics]\nplane = true', "did you mean 'flat_punch'?"),
+        ('profile = "r**2"\n[physics]\nplane = true', "the catalogue holds; the nearest here is normal = true"),
+        ('profile = "wedge"\n[physics]\nplane = { x = 1 }', "write plane = true"),
+        ('profile = "wedge"\n[medium]\nkind = "power_law"\n[physics]\nplane = true', 'is kind = "homogeneous"'),
+        ('profile = "wedge"\n[physics]\nplane = true\n[want]\nquantities = ["force"]', "there are profile, load"),
         ('profile = "cone"\n[output]\nformats = ["exe"]', "formats must be a list out of python"),
         ('profile = "cone"\n[want]\nat = { F = "50 mN" }', "freeze theta, E_star too"),
         ('profile = "cone"\n[want]\nat = { p = 1 }', "at names one field of the contact"),

@@ -12,10 +12,13 @@ import sympy as sp
 from .. import notation as nt
 from ..emit import example
 from ..entry import Entry
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
+from ..proof.load_quadrature import displacement
 from . import interface
 from .contact import DIGITS, Contact, short
 from .grading import graded
+from .mirrored import plane
 from .relaxing import relaxing
 
 if TYPE_CHECKING:
@@ -58,6 +61,10 @@ def check_values(
             continue
         if request.physics.startswith("graded"):
             rows = graded(contact, name)
+        elif request.physics == "plane":
+            rows = plane(contact, interface.functions("plane", profile.contact)[name])
+        elif isinstance(profile, Load):
+            rows = _sunk(contact, profile)
         elif interface.law_of(request.physics):
             rows = relaxing(contact, interface.functions(request.physics)[name])
         else:
@@ -66,6 +73,16 @@ def check_values(
         free = tuple((k, contact.all[k]) for k in keywords(parameters))
         found += [Value(name, fields, free, float(wanted)) for fields, wanted in rows]
     return found
+
+
+def _sunk(contact: Contact, load: Load) -> Rows:
+    """The displacement under a prescribed pressure, inside and outside its circle."""
+    a = contact.all["a"]
+    known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"])}
+    with mp.workdps(DIGITS + 10):
+        exponent = mp.mpf(load.exponent.p) / load.exponent.q
+        places = [short(0.45 * a), short(0.95 * a), short(1.6 * a)]
+        return [((r,), displacement({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places]
 
 
 def _compact(contact: Contact, physics: str, name: str) -> Rows:

@@ -13,6 +13,7 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..emit.physics.viscoelastic import MATERIAL
+from ..emit.plane import document
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
 from ..expression.answer import Answer, answered
@@ -62,8 +63,8 @@ class _Composition:
         else:
             assert request.profile is not None
             self.profile = request.profile
-            self.entries = sources.stored_entries(self.profile)
-            self.normal = sources.stored_module(self.profile.name, self.entries)
+            self.entries = sources.stored_entries(self.profile, request.physics)
+            self.normal = sources.stored_module(self.profile.name, self.entries, request.physics)
         self.parameters = [p.name for p in self.profile.parameters]
         self._require_reach()
 
@@ -95,7 +96,9 @@ class _Composition:
             files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
-            page = page_sources(self.request, self.profile, self.entries, evidence.stored(self.profile, self.answer))
+            page = page_sources(
+                self.request, self.profile, self.entries, evidence.stored(self.request, self.profile, self.answer)
+            )
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
@@ -115,6 +118,13 @@ class _Composition:
         return {name: known[name] for name in names}
 
     # the module
+
+    def _comment(self, name: str) -> str:
+        record = interface.record(name)
+        meaning = record.meaning
+        if self.request.physics == "plane":
+            meaning = document.meaning(self.profile, record.symbol)
+        return f"{meaning} [{record.unit}]"
 
     def _keywords(self, names: Sequence[str]) -> tuple[str, ...]:
         return tuple(name for name in names if name not in self.request.values)
@@ -139,9 +149,10 @@ class _Composition:
             module = modules[key[0]]
             fields = interface.arguments(function, self.entries)
             needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
-            wanted.append(Wanted(key, quantity, fields, self._keywords(needs), function.doc(name), function.signed))
+            doc = function.doc(interface.id_of(physics, name))
+            wanted.append(Wanted(key, quantity, fields, self._keywords(needs), doc, function.signed, function.parity))
         constants = [
-            Constant(parameter, value, _comment(parameter))
+            Constant(parameter, value, self._comment(parameter))
             for parameter, value in self._ordered(request.values).items()
         ]
         free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
@@ -167,6 +178,8 @@ class _Composition:
         physics = self.request.physics
         own = MATERIAL.get(interface.law_of(physics), "")
         kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
+                "loads": "under a prescribed pressure",
+                "plane": "of a strip without adhesion, per length",
                 "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
         if physics.startswith("graded"):
             kind += " on a half space whose modulus grows as a power of depth"
@@ -201,11 +214,6 @@ def manifest(files: Mapping[str, bytes]) -> bytes:
 
 def _json(record: Any) -> bytes:
     return (json.dumps(record, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-def _comment(name: str) -> str:
-    record = interface.record(name)
-    return f"{record.meaning} [{record.unit}]"
 
 
 def _interval(name: str) -> tuple[str, str]:

@@ -81,7 +81,8 @@ class Contact:
         self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[p.name]) for p in profile.parameters}
         self.compact = profile.contact == "compact"
-        self.definition = Definition(profile, self.given(), DIGITS) if self.compact else None
+        round_contact = self.compact and request.physics != "plane"
+        self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
         self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
 
     def given(self) -> dict[sp.Symbol, sp.Expr]:

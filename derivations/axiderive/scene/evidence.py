@@ -9,15 +9,15 @@ import sympy as sp
 
 from ..expression.answer import DIGITS, Answer
 from ..profiles.profile import Profile
-from . import sources
+from . import interface, sources
 from .check import Value
 from .request import Request
 
 
-def stored(profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
+def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
-        kept = sources.evidence(profile.name)
+        kept = sources.evidence(interface.id_of(request.physics, profile.name))
         return kept["evidence"] if kept else {}
     return {"entries": {suffix: _found(answer, suffix) for suffix in answer.entries}}
 
@@ -67,7 +67,7 @@ def record(
             {"formula": c.suffix, "at": c.at, "residual": f"{c.residual:.1e}"} for c in answer.comparisons
         ]
     else:
-        found["evidence"] = stored(profile, answer)
+        found["evidence"] = stored(request, profile, answer)
     found["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
     found["check values"] = [v.record() for v in values]
     return found

@@ -6,9 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from .. import notation as nt
-from ..contact import adhesive, tangential, viscoelastic
+from ..contact import adhesive, loads, tangential, viscoelastic
+from ..contact.plane_quantities import PLANE, PLANE_COMPLETE
 from ..emit import docstring
+from ..emit import plane as plane_text
 from ..emit.physics import adhesive as adhesive_text
+from ..emit.physics import loads as loads_text
 from ..emit.physics import tangential as tangential_text
 from ..emit.physics import viscoelastic as viscoelastic_text
 from ..emit.physics.text import name_of
@@ -21,13 +24,15 @@ MATERIAL = {
     "normal": ("E_star",),
     "adhesive": ("E_star", "dgamma"),
     "tangential": ("E_star", "G_star", "mu"),
+    "plane": ("E_star",),
+    "loads": ("E_star",),
     "graded": ("H", "k"),
     "graded.adhesive": ("H", "k", "dgamma"),
     "graded.tangential": ("H", "k", "H_x", "mu"),
     **{f"viscoelastic.{name}": tuple(map(name_of, law.parameters)) for name, law in LAWS.items()},
 }
 GROUP = {
-    "normal": "", "adhesive": "adh.", "tangential": "tan.", "viscoelastic": "vis.",
+    "normal": "", "plane": "", "loads": "", "adhesive": "adh.", "tangential": "tan.", "viscoelastic": "vis.",
     "graded.normal": "fgm.", "graded.adhesive": "fgm.adh.", "graded.tangential": "fgm.tan.",
 }  # fmt: skip
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
@@ -72,6 +77,11 @@ class Function:
     def signed(self) -> bool:
         return kind_of(self.physics) == "adhesive" and self.name in SIGNED
 
+    @property
+    def parity(self) -> str:
+        """Whether a field takes places on both sides of the middle, where it is even or odd."""
+        return plane_text.EVALUATED.get(self.quantity.suffix, "") if self.physics == "plane" else ""
+
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
         unit = nt.describe(self.quantity.symbol).unit
@@ -85,9 +95,14 @@ def law_of(physics: str) -> str:
 
 
 def kind_of(physics: str) -> str:
-    """The kind of contact on whatever medium: normal, adhesive, tangential or viscoelastic."""
+    """The kind of contact on whatever medium: normal, adhesive, tangential, viscoelastic, plane or loads."""
     group, _, kind = physics.partition(".")
     return (kind or "normal") if group == "graded" else group
+
+
+def id_of(physics: str, profile: str) -> str:
+    """How the catalogue calls a profile: strips and pressures are told apart from round profiles of the same name."""
+    return f"{physics}.{profile}" if physics in ("plane", "loads") else profile
 
 
 def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
@@ -101,6 +116,13 @@ def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
         table, text = adhesive.QUANTITIES, adhesive_text.SUMMARY
     elif physics == "tangential":
         table, text = tangential.QUANTITIES, tangential_text.SUMMARY
+    elif physics == "loads":
+        table, text = loads.QUANTITIES, loads_text.SUMMARY
+    elif physics == "plane":
+        own = PLANE if contact == "compact" else PLANE_COMPLETE
+        # a result without a field is a number, and no function of a scene
+        fields = {suffix: quantity for suffix, quantity in own.items() if quantity.arguments}
+        table, text = {"f": plane_text.SHAPE, **fields}, plane_text.document.SUMMARY
     else:
         table, text = COMPACT if contact == "compact" else COMPLETE, docstring.SUMMARY
     return {

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from .. import profiles
+from ..profiles import loads as prescribed
+from ..profiles import plane as strips
 from ..profiles.profile import Profile
 from . import interface
 from .freezing import inline
@@ -13,20 +17,38 @@ from .text import SceneText, near
 if TYPE_CHECKING:
     from .reading import Scene
 
-PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic")
-LATER = ("plane", "loads")
+PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
+# the load of the eccentric punch acts on either side of the middle, which no scene can say
+STRIPS = tuple(name for name in strips.NAMES if name != "eccentric_punch")
+# the free exponent shares its letter s with a length of the notation
+PRESSURES = tuple(load.name for load in prescribed.LOADS if load.name != "power")
+Pool = tuple[str, tuple[str, ...], Callable[[str], Profile]]
+"""What its members are called, their names, and how they are loaded."""
+POOLS: dict[str, Pool] = {
+    "plane": ("plane profile", STRIPS, strips.load),
+    "loads": ("prescribed pressure", PRESSURES, prescribed.load),
+}
+"""Kinds of contact with profiles of their own."""
+
+
+def alone(text: SceneText, name: str) -> bool:
+    """Whether a scene names this kind of contact and no other one."""
+    table = text.values.get("physics")
+    asked = [key for key in PHYSICS[1:] if table.get(key) not in (None, False)] if isinstance(table, dict) else []
+    return asked == [name]
+
+
+def pool(text: SceneText) -> Pool:
+    """The profiles that a scene can name."""
+    own = next((pool for name, pool in POOLS.items() if alone(text, name)), None)
+    return own or ("profile", profiles.NAMES, profiles.load)
 
 
 def physics(text: SceneText, scene: Scene) -> None:
-    table = text.table("physics", (*PHYSICS, *LATER))
-    asked = [name for name in (*PHYSICS, *LATER) if table.get(name) not in (None, False)]
-    for name in asked:
-        if name in LATER:
-            nearest = 'adhesive = { dgamma = "50 mJ/m^2" } or normal = true'
-            text.problem("physics", name, f"{name} is not emitted for scenes yet; the nearest is {nearest}")
-    chosen = [name for name in asked if name not in ("normal", *LATER)]
+    table = text.table("physics", PHYSICS)
+    chosen = [name for name in PHYSICS[1:] if table.get(name) not in (None, False)]
     if len(chosen) > 1:
-        count = {2: "two", 3: "three"}[len(chosen)]
+        count = {2: "two", 3: "three", 4: "four", 5: "five"}[len(chosen)]
         message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
@@ -39,16 +61,22 @@ def physics(text: SceneText, scene: Scene) -> None:
         )
         text.problem("physics", "viscoelastic", message)
         scene.physics = "graded"
+    elif graded and scene.physics in POOLS:
+        message = f'{scene.physics} on a graded half space is not derived; the nearest is kind = "homogeneous"'
+        text.problem("physics", scene.physics, message)
     elif graded:
         scene.physics = ".".join(["graded", *chosen[:1]])
     elif scene.physics == "viscoelastic":
         scene.physics = _viscoelastic(text, scene, table["viscoelastic"], profile)
-    if graded and profile is not None and profile.contact != "compact":
+    if graded and profile is not None and profile.contact != "compact" and scene.physics not in POOLS:
         what = f"{profile.name}, a complete contact, on a graded half space"
         text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
     elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
         text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
-    if profile is not None and profile.contact != "compact" and chosen:
+    if scene.physics in POOLS and scene.own:
+        message = f"{scene.physics} is emitted for what the catalogue holds; the nearest here is normal = true"
+        text.problem("physics", scene.physics, message)
+    if profile is not None and profile.contact != "compact" and chosen and chosen[0] not in POOLS:
         message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
         text.problem("physics", chosen[0], message)
     for name in chosen:
@@ -64,6 +92,9 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
     own = interface.kind_of(scene.physics) == name
     names = [n for n in interface.MATERIAL[scene.physics if own else name] if n not in ("E_star", "H", "k")]
     if raw is True:
+        return
+    if name in POOLS:
+        text.problem("physics", name, f"{name} takes no values of its own; write {name} = true")
         return
     if not isinstance(raw, dict):
         text.problem("physics", name, f"{name} must be true or a table such as {{ {names[0]} = ... }}")

@@ -30,6 +30,8 @@ class Wanted:
     doc: str
     signed: bool = False
     """Whether a field may be negative."""
+    parity: str = ""
+    """Whether it is even or odd in its first field."""
 
 
 @dataclass

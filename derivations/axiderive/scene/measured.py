@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -41,7 +42,7 @@ def measured(
     called = []
     for value in values:
         function = space[value.function]
-        code = getattr(function, "__wrapped__", function).__code__
+        code = inspect.unwrap(function).__code__
         names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
         own = replace(value, keywords=tuple((k, v) for k, v in value.keywords if k in names))
         got = function(*own.fields, **dict(own.keywords))

@@ -25,6 +25,22 @@ CORE = '''def _elementwise(function{option}):
         return result if result.ndim else float(result)
 
     return evaluate'''
+EVEN = """def _even(function):
+    \"\"\"The same on both sides of the middle.\"\"\"
+
+    @wraps(function)
+    def evaluate(x, *fields, **parameters):
+        return function(np.abs(x), *fields, **parameters)
+
+    return evaluate"""
+ODD = """def _odd(function):
+    \"\"\"Of the other sign on the other side of the middle.\"\"\"
+
+    @wraps(function)
+    def evaluate(x, *fields, **parameters):
+        return np.copysign(1.0, x) * function(np.abs(x), *fields, **parameters) + 0.0
+
+    return evaluate"""
 REQUIRE = """def _require(**parameters):
     for name, value in parameters.items():
         low, high = _DOMAINS[name]
@@ -119,7 +135,8 @@ def module_text(
             text = linker.text(one.key, one.doc)
         else:
             text = _wrapper(linker, one)
-        public.append(f"{signed}\n{text}")
+        mirrored = f"@_{one.parity}\n" if one.parity else ""
+        public.append(f"{mirrored}{signed}\n{text}")
     if pull_off:
         public.append(_pull_off(linker, pull_off))
     hidden = {*merged, *linker.inlined, *roots}
@@ -136,6 +153,9 @@ def module_text(
         values.append("_DOMAINS = {\n" + rows + "}")
         body = f"{REQUIRE}\n\n\n{body}"
     used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
+    for parity, text in (("odd", ODD), ("even", EVEN)):
+        if any(one.parity == parity for one in wanted):
+            body = f"{text}\n\n\n{body}"
     body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
     shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -42,6 +43,8 @@ CLAIMS = {
     "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
 }
 """What holds for the formulas of a profile of one's own."""
+ELSEWHERE = re.compile(r"\b(?:of|on) page \\pageref\{part:\w+\}")
+"""Another part of the handbook: a page of a scene stands alone."""
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -59,7 +62,8 @@ def page_sources(
     request: Request, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
-    path = f"profiles/{profile.name}.tex"
+    name = interface.id_of(request.physics, profile.name)
+    path = f"profiles/{name}.tex"
     texts = None if request.own else _stored(path, request.physics)
     if texts is None:
         closed = entries["d"].status == "closed"
@@ -78,7 +82,7 @@ def page_sources(
         "title": escaped(request.title.strip() or "Scene"),
         "version": __version__,
         "rows": "\n".join(rows),
-        "name": profile.name,
+        "name": name,
     }
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
 
@@ -123,7 +127,8 @@ def _stored(path: str, physics: str) -> dict[str, str] | None:
     try:
         folder = load().folder.parent / "handbook"
         page, preamble = ((folder / name).read_text() for name in (path, "preamble.tex"))
-        return {path: sections_for(page, physics), "preamble.tex": preamble}
+        own = {path: sections_for(page, physics), "preamble.tex": preamble}
+        return {name: ELSEWHERE.sub("in the handbook", text) for name, text in own.items()}
     except (NoCatalogueError, OSError):
         return None
 

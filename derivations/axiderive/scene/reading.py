@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .. import notation as nt
-from .. import profiles
 from ..contact.adhesive import pull_off_rule
 from ..contact.medium import GRADED, HOMOGENEOUS
 from ..expression import ExpressionError, own_profile
@@ -16,7 +15,7 @@ from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile, Rule
 from . import interface, wishes
 from .freezing import frozen
-from .kinds import physics
+from .kinds import physics, pool
 from .medium import medium_values
 from .text import SceneText, near
 
@@ -105,10 +104,11 @@ def _profile(text: SceneText, scene: Scene) -> None:
 
 
 def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
-    if name not in profiles.NAMES:
-        text.problem("profile", "kind", f"unknown profile {name[:40]!r}{near(name, profiles.NAMES)}")
+    what, known, load = pool(text)
+    if name not in known:
+        text.problem("profile", "kind", f"unknown {what} {name[:40]!r}{near(name, known)}")
         return
-    profile = profiles.load(name)
+    profile = load(name)
     if nt.coefficients in profile.parameters:
         reason = "takes a sequence of coefficients"
         text.problem("profile", "kind", f'{name} {reason}; write it as an expression, profile = "c*r**2 + q*r**4"')

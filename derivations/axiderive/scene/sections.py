@@ -13,6 +13,7 @@ SECTIONS = {
     "graded.tangential": ("Power-law graded half-space", "Tangential contact, graded half-space"),
     "viscoelastic": ("Normal contact", "Viscoelastic half-space"),
     "plane": ("Plane contact",),
+    "loads": ("Displacement",),
 }
 ALWAYS = ("Derivation", "Evidence", "Sources")
 GROUPS = {
@@ -22,6 +23,7 @@ GROUPS = {
 """Prefixes of the keys in the evidence of a kind of contact."""
 HEADING = re.compile(r"^\\sect(?:\[.*\])?\{([^{}]*)\}$", re.MULTILINE)
 TABLE = re.compile(r"\\vspace\{1mm\}\{[^\n]*certificate, and the fewest.*?\\end\{tabular\*\}\\par\}\n", re.DOTALL)
+OPENED = re.compile(r"^\\par\\needspace[^\n]*\\begin\{minipage\}[^\n]*\n\Z", re.MULTILINE)
 PLAIN = re.compile(
     r"^\{\\fontsize\{[\d.]+\}\{[\d.]+\}\\selectfont%\n.*?\\end\{tabular\*\}\\par\}\n", re.MULTILINE | re.DOTALL
 )
@@ -36,11 +38,17 @@ def sections_for(page: str, physics: str) -> str:
     """The page without the sections of other kinds of contact and without examples at other values."""
     physics = physics if physics in SECTIONS else physics.partition(".")[0]
     places = list(HEADING.finditer(page))
-    kept = [page[: places[0].start()]] if places else [page]
+    kept, opened = [page[: places[0].start()]] if places else [page], ""
     for heading, following in zip(places, [*places[1:], None], strict=True):
         text = page[heading.start() : following.start() if following else len(page)]
+        # the box around the derivation opens above a section that may be left out
+        last = OPENED.search(text)
+        text, after = (text[: last.start()], last[0]) if last else (text, "")
         if heading[1] in (*SECTIONS[physics], *ALWAYS):
+            kept.append(opened)
+            opened = ""
             kept.append(_evidence(text, GROUPS.get(physics, ("",))) if heading[1] == "Evidence" else text)
+        opened += after
     return "".join(kept)
 
 

@@ -12,11 +12,13 @@ from typing import Any
 from .. import profiles
 from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
+from ..contact import loads as prescribed
 from ..contact import normal as plain
+from ..contact import plane as strips
 from ..contact import tangential as slipping
 from ..contact import viscoelastic as creeping
 from ..contact.medium import GRADED
-from ..emit import physics, python
+from ..emit import physics, plane, python
 from ..emit.graded import adhesive as graded_adhesive
 from ..emit.graded import normal as graded_normal
 from ..emit.graded import tangential as graded_tangential
@@ -26,12 +28,16 @@ from ..emit.imports import RUNTIME
 from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential, viscoelastic
+from ..emit.physics import loads as pressures
 from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
 from ..entry import Entry
-from ..index import NoCatalogueError, load
+from ..index import NoCatalogueError
+from ..index import load as index
+from ..profiles.loads import Load, load
 from ..profiles.profile import Profile
 from ..records import read_entry
+from . import interface
 from .grouping import rules, ungrouped
 from .library import Module
 
@@ -76,31 +82,37 @@ def _module(name: str, text: str) -> Module:
 def stored(path: str) -> str | None:
     """A file of the package in the catalogue, if there is one."""
     try:
-        return (load().folder / path).read_text()
+        return (index().folder / path).read_text()
     except (NoCatalogueError, OSError):
         return None
 
 
-def stored_entries(profile: Profile) -> dict[str, Entry]:
+def stored_entries(profile: Profile, physics: str) -> dict[str, Entry]:
     """The entries of a profile of the catalogue as they were verified, or derived anew where none are stored."""
-    record = evidence(profile.name)
+    record = evidence(interface.id_of(physics, profile.name))
     if record:
         return {suffix: read_entry(entry, profile) for suffix, entry in record["entries"].items()}
-    return plain.derive(profile)
+    if isinstance(profile, Load):
+        return prescribed.derive(profile)
+    return strips.derive(profile) if physics == "plane" else plain.derive(profile)
 
 
 def evidence(name: str) -> dict[str, Any] | None:
     """The stored record of a profile of the catalogue."""
     try:
-        path = load().folder.parent / "evidence" / f"{name}.json"
+        path = index().folder.parent / "evidence" / f"{name}.json"
         record: dict[str, Any] = json.loads(path.read_bytes())
     except (NoCatalogueError, OSError, ValueError):
         return None
     return record
 
 
-def stored_module(name: str, entries: Mapping[str, Entry]) -> str:
-    """The text of the normal module of a profile of the catalogue."""
+def stored_module(name: str, entries: Mapping[str, Entry], physics: str) -> str:
+    """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
+    if physics == "loads":
+        return stored(f"loads/{name}.py") or pressures.module_source(load(name), entries["w"])
+    if physics == "plane":
+        return stored(f"plane/{name}.py") or plane.module_source(entries)
     return stored(f"normal/{name}.py") or python.module_source(entries)
 
 
@@ -110,8 +122,8 @@ def _viscoelastic(name: str) -> str:
     text = stored(f"viscoelastic/{name}.py")
     if text is None:
         profile = profiles.load(name)
-        entries = stored_entries(profile)
-        own = NormalModule.read(entries, stored_module(name, entries))
+        entries = stored_entries(profile, "normal")
+        own = NormalModule.read(entries, stored_module(name, entries, "normal"))
         text = viscoelastic.module_source(own, creeping.derive(profile))
     return text
 
@@ -157,12 +169,13 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     profile, entries : Profile, mapping
         The profile and its entries of normal contact.
     normal : str
-        Text of its normal module.
+        Text of its normal module, or of that of the plane contact or the prescribed pressure.
     wanted : str
         Name of the physics.
     """
-    modules = {**runtime(), f"normal.{profile.name}": _module(f"normal.{profile.name}", normal)}
-    if wanted == "normal":
+    first = f"{wanted if wanted in ('plane', 'loads') else 'normal'}.{profile.name}"
+    modules = {**runtime(), first: _module(first, normal)}
+    if wanted in ("normal", "plane", "loads"):
         return modules
     if wanted.startswith("graded"):
         return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}

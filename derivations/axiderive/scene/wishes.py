@@ -19,6 +19,8 @@ DEFAULT = {
     "normal": ["depth", "force", "pressure", "displacement"],
     "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
     "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
+    "plane": ["load", "pressure", "slope", "depth", "half_width_from_load"],
+    "loads": ["displacement"],
     "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
@@ -59,7 +61,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
         return
     profile = scene.profile
-    if scene.physics.startswith(("graded", "viscoelastic")) or profile is None or profile.contact != "compact":
+    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile is None or profile.contact != "compact":
         message = "a worked example is given for a compact contact on a homogeneous half space; leave at out"
         text.problem("want", "at", message)
         return

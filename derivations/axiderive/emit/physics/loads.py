@@ -16,6 +16,7 @@ IMPORTS = (
     ".._elementwise: Array, Result, elementwise",
     ".._integrals: difference_root",
 )
+SUMMARY = {"w": "Displacement of the surface into the half space."}
 FORMULAS = {
     sp.S.Zero: ["return p_0 / E_star * uniform(r, a)"],
     -sp.S.Half: [
@@ -31,8 +32,7 @@ def module_source(load: Load, entry: Entry) -> str:
     keywords = [text.name_of(symbol) for symbol in entry.parameters]
     body = [text.required(entry.parameters), f"return {evaluate('_displacement', ['r'], keywords, False)}"]
     document = text.document(entry, ["r"], keywords, "Frictionless half space. Negative or NaN radii give NaN.")
-    summary = "Displacement of the surface into the half space."
     example = Example(load, {"w": entry}, "loads").lines("w")
-    public = Function("displacement", ["r"], keywords, summary, document, body, example=example)
+    public = Function("displacement", ["r"], keywords, SUMMARY["w"], document, body, example=example)
     lines = FORMULAS.get(load.exponent, ["return p_0 / E_star * power(r, a, s)"])
     return text.module(load.title, load.subtitle, IMPORTS, [public], [private("_displacement", ["r"], keywords, lines)])
