@@ -59,3 +59,15 @@ def keywords(function: Any, profile: Profile, known: dict[sp.Symbol, Any]) -> di
 
 SLOW = ("wavy_paraboloid", "sphere_tipped_cone")
 """Struve functions and the moment of a cap take seconds each."""
+
+
+def public(module: ModuleType) -> dict[str, list[str]]:
+    functions = {
+        key: inspect.signature(value)
+        for key, value in vars(module).items()
+        if inspect.isfunction(value) and value.__module__ == module.__name__ and not key.startswith("_")
+    }
+    return {
+        key: [p.name for p in own.parameters.values() if p.kind is p.POSITIONAL_OR_KEYWORD]
+        for key, own in functions.items()
+    }

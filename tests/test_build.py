@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import signal
@@ -15,9 +14,8 @@ import pytest
 import sympy as sp
 
 from axiderive import cache as cache_module
-from axiderive import pool, writing
+from axiderive import pool
 from axiderive.cache import Cache, digest
-from axiderive.comparison import differences, only_profiles
 from axiderive.contact.systems import problem, problems
 from axiderive.notation import a, b, r
 from axiderive.records import entry_record, profile_record, read_entry
@@ -142,129 +140,6 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
     first = cache_module.source_digest.__wrapped__("some_engine")
     (package / "part.py").write_text("x = 2\n")
     assert cache_module.source_digest.__wrapped__("some_engine") != first
-
-
-FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}
-
-
-def _catalogue(root: Path) -> dict[str, bytes]:
-    files = {path.relative_to(root).as_posix(): path.read_bytes() for path in root.rglob("*") if path.is_file()}
-    return dict(sorted(files.items()))
-
-
-@pytest.fixture
-def root(tmp_path):
-    """A catalogue as an earlier build left it, with a stale file and files that are not ours."""
-    root = tmp_path / "catalogue"
-    old = {"axicontact/index.json": "old", "axicontact/normal/cone.py": "old\n", "axicontact/normal/kone.py": "stale"}
-    for path, text in {**old, "axicontact/notes.txt": "mine", "mine/own.py": "mine"}.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text)
-    return root
-
-
-def test_publishing_replaces_adds_and_removes_only_what_is_generated(root):
-    written, removed = writing.publish(FILES, root, prune=True)
-    assert written == sorted(FILES)
-    assert removed == ["axicontact/normal/kone.py"]
-    assert _catalogue(root) == dict(sorted({**FILES, "axicontact/notes.txt": b"mine", "mine/own.py": b"mine"}.items()))
-    assert writing.publish(FILES, root, prune=True) == ([], [])
-
-
-def test_nothing_is_removed_where_no_catalogue_was(tmp_path):
-    (tmp_path / "evidence").mkdir()
-    (tmp_path / "evidence" / "of_something_else.json").write_text("{}")
-    writing.publish(FILES, tmp_path, prune=True)
-    assert (tmp_path / "evidence" / "of_something_else.json").exists()
-
-
-def test_a_failing_disk_leaves_the_old_catalogue(root, monkeypatch):
-    before = _catalogue(root)
-    calls = []
-
-    def fsync(descriptor):
-        calls.append(descriptor)
-        if len(calls) == 3:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    monkeypatch.setattr(os, "fsync", fsync)
-    with pytest.raises(writing.WritingError, match=r"cannot write .*No space left on device.*"):
-        writing.publish(FILES, root, prune=True)
-    assert _catalogue(root) == before
-
-
-def test_a_file_that_may_not_grow_leaves_the_old_catalogue(root):
-    """The same with the kernel's refusal: no file may be longer than 64 bytes."""
-    script = f"""
-import resource
-from pathlib import Path
-from axiderive.writing import WritingError, publish
-resource.setrlimit(resource.RLIMIT_FSIZE, (64, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
-try:
-    publish({{**{FILES!r}, "handbook/long.tex": b"x" * 1000}}, Path({str(root)!r}), prune=True)
-except WritingError as error:
-    print(error)
-"""
-    before = _catalogue(root)
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
-    assert "File too large" in done.stdout
-    assert _catalogue(root) == before
-
-
-def test_a_folder_that_cannot_be_is_refused_before_the_work(tmp_path):
-    (tmp_path / "file").write_text("")
-    with pytest.raises(writing.WritingError, match="cannot write a catalogue to .*--out"):
-        writing.ensure_writable(tmp_path / "file" / "catalogue")
-
-
-def test_leftovers_of_a_killed_build_are_cleared(root):
-    process = subprocess.Popen([sys.executable, "-c", ""])
-    process.wait()
-    dead, alive = root / f".staging-{process.pid}", root / f".staging-{os.getppid()}"
-    dead.mkdir()
-    alive.mkdir()
-    writing.publish(FILES, root, prune=True)
-    assert not dead.exists()
-    assert alive.exists()
-
-
-def test_an_atomic_write_that_fails_leaves_no_trace(tmp_path, monkeypatch):
-    target = tmp_path / "file"
-    writing.write_atomic(target, b"old")
-    monkeypatch.setattr(os, "replace", lambda *paths: (_ for _ in ()).throw(OSError(errno.EIO, "broken")))
-    with pytest.raises(OSError, match="broken"):
-        writing.write_atomic(target, b"new")
-    assert _catalogue(tmp_path) == {"file": b"old"}
-
-
-def test_differences_name_changed_new_and_stale_files(root):
-    lines = differences(FILES, root, ["axicontact/normal/kone.py"])
-    text = "\n".join(lines)
-    assert "-old\n+new" in text
-    assert "--- /dev/null\n+++ built/evidence/cone.json" in text
-    assert "--- committed/axicontact/normal/kone.py" in text
-    writing.publish(FILES, root, prune=True)
-    assert differences(FILES, root) == []
-
-
-def test_a_partial_build_keeps_the_other_profiles(tmp_path):
-    def index(*names):
-        rows = {
-            "units": [],
-            "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
-            "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p"} for n in names],
-        }
-        return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
-
-    shared = {"axicontact/__init__.py": b"all", "handbook/handbook.tex": b"all"}
-    writing.publish({**shared, "axicontact/index.json": index("cone", "sphere", "gone")}, tmp_path, prune=False)
-    part = {"axicontact/__init__.py": b"part", "axicontact/extra.py": b"x", "axicontact/normal/paraboloid.py": b"y"}
-    files = only_profiles({**part, "axicontact/index.json": index("paraboloid")}, ["paraboloid"], tmp_path)
-    assert sorted(files) == ["axicontact/extra.py", "axicontact/index.json", "axicontact/normal/paraboloid.py"]
-    merged = json.loads(files["axicontact/index.json"])
-    assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
-    assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]
-    assert list(merged["matrix"]["profiles"]) == ["cone", "paraboloid", "sphere"]
 
 
 def _hash_seed_and_number(number):
