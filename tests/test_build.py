@@ -163,9 +163,10 @@ def test_a_dead_worker_is_an_error_not_a_hang():
 
 
 INTERRUPTED = """
-import sys, time
+import signal, sys, time
 from axiderive import pool
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background hands on that it is ignored
     print("ready", flush=True)
     try:
         list(pool.run(time.sleep, [(60,), (60,), (60,)], jobs=2))

@@ -69,6 +69,8 @@ def _drift(
     if problem.system.name not in records.SYSTEMS:
         return []
     sources = {path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*.py")}
+    if problem.module not in sources:
+        return [{"key": problem.key, "message": f"there is no {package / problem.module}; run axicontact build"}]
     found = records.record(problem.key, closure(sources, problem.module), entries, suffixes)
     return [
         {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
