@@ -130,7 +130,8 @@ def test_plain_numbers_pass_by_the_array_machinery(monkeypatch: pytest.MonkeyPat
     assert type(value) is float
     assert value == pytest.approx(expected[0], rel=4 * EPS)
     assert cone.stiffness(1.0, theta=0.4, E_star=2.0) == 4.0, "an argument that the formula does not need"
-    for r, a in ((1.5, 1.0), (0.0, 1.0), (1e-200, 1.0), (math.nan, 1.0), (np.float32(0.3), 1.0), (0.3, [1.0])):
+    assert cone.pressure(1.5, 1.0, theta=0.4, E_star=2.0) == 0.0, "outside the contact nothing has underflowed"
+    for r, a in ((0.0, 1.0), (1e-200, 1.0), (math.nan, 1.0), (np.float32(0.3), 1.0), (0.3, [1.0])):
         with pytest.raises(TypeError, match="NoneType"):
             cone.pressure(r, a, theta=0.4, E_star=2.0)
 
