@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -31,8 +30,7 @@ def block(out, {arguments}):
 """
 
 
-@dataclass(frozen=True)
-class Program:
+class Program(NamedTuple):
     """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks)` fills a block with."""
 
     prepare: Callable[..., tuple[Any, ...]]
@@ -81,7 +79,11 @@ class _Writer:
     def program(self) -> Program:
         self._region((), self.result, "out", 1)
         numbers = [x for x in self.nodes if x not in self.arrays and x.name != "number"]
-        lines = [f"    {self.of(x)} = {_of_numbers(x, [self._of_number(o) for o in x.operands])}" for x in numbers if x.operands]
+        lines = [
+            f"    {self.of(x)} = {_of_numbers(x, [self._of_number(o) for o in x.operands])}"
+            for x in numbers
+            if x.operands
+        ]
         reaching = {x for user in self.arrays for x in user.operands} | {self.result}
         results = [self.of(x) for x in numbers if x in reaching]
         passed = ", ".join(results) + ("," if results else "")

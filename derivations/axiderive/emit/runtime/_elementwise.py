@@ -7,21 +7,23 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ._blocks import Program, program
-from ._plain import LARGE, SMALL, plain
-
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+    from ._blocks import Program
 
 Array: TypeAlias = Any
 """A float64 array, or a number that broadcasts with one; NumPy's stubs do not follow the mixture."""
 Result: TypeAlias = Any
 """A float where every argument is a number, an array otherwise."""
 
+SMALL, LARGE = 1e-30, 1e30
+"""Plain numbers between these take the short way."""
 BLOCK = 16384
 """Some arrays of this many numbers stay in the cache of a core."""
 ZERO = np.array(0.0)
 """A call with an array without dimensions costs half of one with a float."""
+_formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
 def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters: ArrayLike) -> Result:
@@ -34,12 +36,12 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
         if type(number) is not float or not SMALL < number < LARGE:
             break
     else:
-        formula = plain(function)
+        formula = _formulas.get(function) or _compiled_formula(function)
         if formula is not None:
             value = formula(*fields, **parameters)
             if value is not None:
                 return value
-    values = [value if type(value) is float else _real(value) for value in (*fields, *parameters.values())]
+    values: list[Array] = [value if type(value) is float else _real(value) for value in (*fields, *parameters.values())]
     several = tuple([type(value) is not float and value.size != 1 for value in values])
     if any(several):
         return _evaluated(function, len(fields), tuple(parameters), values, several)
@@ -50,6 +52,17 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
     return result.reshape((1,) * dimensions) if dimensions else float(result[0])
 
 
+def _compiled_formula(function: Callable[..., Array]) -> Callable[..., float | None] | None:
+    """The function over plain numbers."""
+    # not imported with the package: tracing and compiling come with the first call
+    from ._plain import plain
+
+    formula = plain(function)
+    if formula is not None:
+        _formulas[function] = formula
+    return formula
+
+
 def _evaluated(
     function: Callable[..., Array],
     count: int,
@@ -58,6 +71,8 @@ def _evaluated(
     several: tuple[bool, ...],
 ) -> Array:
     """The values for arrays, of one size when broadcast, and for numbers where it is not `several`."""
+    from ._blocks import program
+
     arrays = [value for value, more in zip(values, several, strict=True) if more]
     # as np.float64: a product of two floats of Python overflows in silence
     numbers = [np.float64(_number(value)) for value, more in zip(values, several, strict=True) if not more]
@@ -68,14 +83,7 @@ def _evaluated(
     with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
         compiled = None if found is None else _compiled(found, numbers, out.size)
         for part, *blocks in _blocks(out, arrays):
-            try:
-                if compiled is not None:
-                    compiled(part, *blocks)
-            except FloatingPointError:
-                failed = True
-            else:
-                failed = compiled is None
-            if failed:
+            if compiled is None or not compiled(part, *blocks):
                 rest, more = iter(numbers), iter(blocks)
                 given = [next(more) if is_array else next(rest) for is_array in several]
                 _by_body(function, count, keywords, given, part)
@@ -110,8 +118,8 @@ def _by_body(
             part[...] = _unbounded(function, fields, parameters)
 
 
-def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., None] | None:
-    """The program with its numbers; None if one of them leaves the range of doubles."""
+def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bool] | None:
+    """The program with its numbers, which says whether a block stayed in the range of doubles; None if they do not."""
     try:
         prepared = [np.asarray(value) for value in found.prepare(*numbers)]
     except FloatingPointError:
@@ -120,9 +128,13 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., No
     size = min(size, BLOCK)
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
 
-    def fill(out: Array, *arrays: Array) -> None:
+    def fill(out: Array, *arrays: Array) -> bool:
         places = work if out.size == size else [place[: out.size] for place in work]
-        found.block(out, *arrays, *prepared, *places)
+        try:
+            found.block(out, *arrays, *prepared, *places)
+        except FloatingPointError:
+            return False
+        return True
 
     return fill
 

@@ -12,7 +12,7 @@ from types import CodeType, FunctionType
 from typing import Any, TypeVar, cast
 
 from ._domain import INSIDE
-from ._plain import LARGE, SMALL, indented, lines
+from ._elementwise import LARGE, SMALL
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -55,6 +55,8 @@ def _first_call(*fields: Any, **keywords: Any) -> Any:
 
 def _text(code: CodeType, private: Callable[..., Any]) -> tuple[str, dict[str, Any]]:
     """The short way before the function, and the names it uses."""
+    from ._plain import indented, lines
+
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     fields, keywords = names[: code.co_argcount], names[code.co_argcount :]
     ranges = dict.fromkeys(fields, (SMALL, LARGE))

@@ -12,11 +12,10 @@ from types import FunctionType
 from typing import Any
 
 from ._bounds import Bound, bounds
+from ._elementwise import LARGE, SMALL
 from ._scalar import scalar
 from ._trace import Node, Path, needed, places, trace
 
-SMALL, LARGE = 1e-30, 1e30
-"""Plain numbers between these take the short way."""
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
 CHECK = "if not (LEAST < value < GREATEST or LEAST < -value < GREATEST): raise ArithmeticError"

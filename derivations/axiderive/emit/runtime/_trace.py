@@ -7,7 +7,6 @@ decides by its data, asks for shapes or uses a rule with nodes along an axis has
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -26,14 +25,13 @@ LONGEST = 2000
 """Operations beyond which a body stays as it is: compiling the text would take longer than it saves."""
 
 
-@dataclass(frozen=True, eq=False)
 class Node:
-    """One operation on earlier ones; an argument has its name and no operands, a number its value."""
+    """One operation on earlier ones; the value of an argument is its name."""
 
-    order: int
-    name: str
-    operands: tuple[Node, ...] = ()
-    value: float | bool | str | None = None
+    __slots__ = ("order", "name", "operands", "value")
+
+    def __init__(self, order: int, name: str, operands: tuple[Node, ...], value: Any) -> None:
+        self.order, self.name, self.operands, self.value = order, name, operands, value
 
     @property
     def logical(self) -> bool:
@@ -46,7 +44,7 @@ Path: TypeAlias = tuple[tuple[Node, bool], ...]
 """The choices under which something is needed, from the outside: (a node `where`, which of its branches)."""
 
 
-class Untraceable(TypeError):
+class UntraceableError(TypeError):
     """The body needs more than operations on its arguments."""
 
 
@@ -68,7 +66,7 @@ class Graph:
 
     def operation(self, name: str, *operands: Node) -> Node:
         if len(self._known) > LONGEST or any(x.logical for x in operands) != (name in CONNECTIVES):
-            raise Untraceable
+            raise UntraceableError
         if all(x.name == "number" for x in operands):
             with np.errstate(all="ignore"):
                 value = getattr(np, name)(*(x.value for x in operands))
@@ -79,7 +77,7 @@ class Graph:
 
     def choice(self, condition: Node, x: Node, y: Node) -> Node:
         if not condition.logical or x.logical or y.logical:
-            raise Untraceable
+            raise UntraceableError
         if condition.name == "number":
             return x if condition.value else y
         return x if x is y else self._node("where", (condition, x, y))
@@ -118,16 +116,16 @@ class Traced(NDArrayOperatorsMixin):
         return NotImplemented
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-        raise Untraceable
+        raise UntraceableError
 
     def __bool__(self) -> bool:
-        raise Untraceable
+        raise UntraceableError
 
     def of(self, x: Any) -> Node:
         if isinstance(x, Traced):
             return x.node
         if not isinstance(x, (bool, int, float, np.bool_, np.number)):
-            raise Untraceable
+            raise UntraceableError
         return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
 

@@ -1,0 +1,311 @@
+"""The compiled ways through a formula: programs over blocks of arrays and flat functions of plain numbers."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+from axicontact import _bounds, _elementwise
+from axicontact._blocks import program
+from axicontact._bounds import Bound, bounds
+from axicontact._elementwise import BLOCK, elementwise
+from axicontact._plain import plain
+from axicontact._trace import Node, needed, trace
+from axicontact.normal import capped_cylinder, cone, paraboloid, power_law, rounded_punch
+from axiderive.profiles import NAMES
+
+EPS = np.finfo(float).eps
+EXTREMES = np.array([0.0, 1e-300, 1e-30, 0.3, 0.5, 1.0, 1.0, 1.4, 2.0, 1e150, np.inf, np.nan])
+MODULES = [
+    *(f"normal.{name}" for name in NAMES),
+    *(
+        "tangential.cone",
+        "viscoelastic.cone",
+        "adhesive.paraboloid",
+        "plane.rounded_wedge",
+        "loads.uniform",
+        "materials",
+    ),
+]
+
+
+def bodies(name: str) -> Iterator[Callable[..., Any]]:
+    """The private functions of arrays of a module."""
+    module = import_module(f"axicontact.{name}")
+    for function in vars(module).values():
+        if inspect.isfunction(function) and function.__module__ == module.__name__ and function.__name__[0] == "_":
+            kinds = set(function.__annotations__.values())
+            if kinds == {"Array"} and function.__code__.co_argcount:
+                yield function
+
+
+def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarray]) -> np.ndarray | None:
+    found = program(function, len(values), (), tuple(arrays))
+    if found is None:
+        return None
+    out = np.empty(values[0].shape)
+    numbers = [value[0] for value, more in zip(values, arrays, strict=True) if not more]
+    places = [np.empty_like(out) for _ in range(found.scratch)] + [
+        np.empty(out.shape, bool) for _ in range(found.masks)
+    ]
+    given = [value for value, more in zip(values, arrays, strict=True) if more]
+    found.block(out, *given, *found.prepare(*numbers), *places)
+    return out
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_programs_do_what_the_bodies_say(name: str) -> None:
+    """To the last bit, with some arguments as numbers, in blocks where branches mix, at zero, infinity and NaN."""
+    dice, count = np.random.default_rng(len(name)), 0
+    for function in bodies(name):
+        arguments = function.__code__.co_argcount
+        for trial in range(4):
+            arrays = [trial < 2 or bool(dice.integers(2)) for _ in range(arguments)]
+            draw = (lambda: 10 ** dice.uniform(-3, 3, 120)) if trial % 2 else (lambda: dice.choice(EXTREMES, 120))
+            values = [draw() if more else np.full(120, draw()[0]) for more in arrays]
+            before = [value.copy() for value in values]
+            with np.errstate(all="ignore"):
+                got = run(function, arrays, values)
+                if got is None:
+                    break
+                np.testing.assert_array_equal(got, np.broadcast_to(function(*values), 120), function.__name__)
+            np.testing.assert_array_equal(values, before)
+            count += 1
+    assert count >= 4
+
+
+def test_a_branch_that_holds_nowhere_is_not_evaluated(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = program(cone._pressure, 2, ("theta", "E_star"), (True, False, False, False))
+    assert found is not None
+    called = []
+    monkeypatch.setitem(found.block.__globals__, "arcsinh", lambda x, out: called.append(np.arcsinh(x, out)))
+    for radii, calls in (([0.2, 0.9], 1), ([0.2, 1.1], 1), ([1.0, 1.1], 0)):
+        called.clear()
+        values = cone.pressure(np.array(radii), 1.0, theta=0.3, E_star=2.0)
+        assert len(called) == calls
+        assert (values[np.array(radii) >= 1.0] == 0.0).all()
+
+
+def body(function: Callable[..., Any], *values: Any) -> np.ndarray:
+    with np.errstate(all="ignore"):
+        return np.asarray(function(*(np.asarray(value, dtype=float) for value in np.broadcast_arrays(*values))))
+
+
+@pytest.mark.parametrize("size", [0, 1, 2, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 7])
+def test_borders_of_blocks(size: int) -> None:
+    r = np.linspace(0.1, 1.2, size)
+    np.testing.assert_array_equal(cone.pressure(r, 1.0, theta=0.3, E_star=2.0), body(cone._pressure, r, 1.0, 0.3, 2.0))
+    r[size // 2 :] *= -1.0
+    got = cone.pressure(r, 1.0, theta=0.3, E_star=2.0)
+    assert np.isnan(got[size // 2 :]).all()
+    assert np.isfinite(got[: size // 2]).all()
+
+
+def test_shapes_and_strides() -> None:
+    wide = np.random.default_rng(0).uniform(0.1, 1.5, (210, 330))
+    column, row, theta = wide[:, :1], wide[:1], np.linspace(0.1, 1.5, 330)
+    for r, a, angle in (
+        (wide[::2, ::3], 1.0, 0.3), (wide.T, 1.0, 0.3), (column, row, 0.3), (wide, column, theta),
+        (wide[::-1], 1.0, 0.3), (np.asfortranarray(wide), wide, 0.3), (0.4, wide, theta), (0.4, 1.0, theta), (wide, np.array([[1.0]]), [0.3]),
+    ):  # fmt: skip
+        got = cone.pressure(r, a, theta=angle, E_star=2.0)
+        np.testing.assert_array_equal(got, body(cone._pressure, r, a, angle, 2.0))
+    assert cone.pressure([[0.3]], 1.0, theta=0.3, E_star=2.0).shape == (1, 1)
+    assert cone.pressure(np.empty((0, 4)), np.ones(4), theta=0.3, E_star=2.0).shape == (0, 4)
+    assert type(cone.pressure(np.float64(0.3), 1.0, theta=0.3, E_star=2.0)) is float
+    assert math.isnan(cone.pressure(wide, -1.0, theta=0.3, E_star=2.0).max())
+
+
+def test_a_block_out_of_range_is_evaluated_again_alone() -> None:
+    """R*a of the middle block has 340 decades; its neighbours keep their bits."""
+    a = np.linspace(0.5, 1.0, 3 * BLOCK)
+    wanted = paraboloid.force(a, R=2.0, E_star=3.0)
+    a[BLOCK + 5] = 1e-150
+    got = paraboloid.force(a, R=2.0, E_star=3.0)
+    np.testing.assert_array_equal(np.delete(got, np.s_[BLOCK : 2 * BLOCK]), np.delete(wanted, np.s_[BLOCK : 2 * BLOCK]))
+    np.testing.assert_allclose(got[BLOCK : BLOCK + 5], wanted[BLOCK : BLOCK + 5], rtol=4 * EPS)
+    assert paraboloid.force(np.array([1e-90, 1.0]), R=1e-100, E_star=1e-60)[0] == pytest.approx(4e-230 / 3, rel=4 * EPS)
+    assert paraboloid.force(1e-90, R=1e-100, E_star=1e-60) == pytest.approx(4e-230 / 3, rel=4 * EPS)
+    many = np.array([1e-200, 1.0])
+    assert cone.force(many, theta=0.3, E_star=1e200)[0] == pytest.approx(
+        1e-200 * cone.force(1.0, theta=0.3, E_star=1.0)
+    )
+
+
+def test_threads_share_nothing() -> None:
+    radii = [np.random.default_rng(i).uniform(0.1, 1.5, 3 * BLOCK) for i in range(8)]
+    wanted = [body(rounded_punch._depth, a + 0.5, 2.0, 0.5) for a in radii]
+    with ThreadPoolExecutor(8) as threads:
+        for got, right in zip(
+            threads.map(lambda a: rounded_punch.depth(a + 0.5, R=2.0, b=0.5), radii * 3), wanted * 3, strict=True
+        ):
+            np.testing.assert_array_equal(got, right)
+
+
+def test_what_has_no_graph_runs_as_it_is() -> None:
+    assert trace(rounded_punch._pressure, ("r", "a", "R", "b", "E_star"), ()) is None
+    assert trace(lambda x: x if x > 0.0 else -x, ("x",), ()) is None
+    assert trace(lambda x: np.asarray(x, dtype=float), ("x",), ()) is None
+    assert trace(lambda x: x > 0.0, ("x",), ()) is None
+    # not kept: a function inside another one is a new one every time
+    assert plain(lambda x: x) is None
+    assert program(lambda x: x, 1, (), (True,)) is None
+    np.testing.assert_array_equal(elementwise(lambda x: 2.0 * x, [1.0, -1.0]), [2.0, np.nan])
+
+
+# plain numbers
+
+
+def test_plain_functions_agree_with_the_bodies() -> None:
+    dice, count = np.random.default_rng(5), 0
+    for name in MODULES:
+        for function in bodies(name):
+            arguments = function.__code__.co_argcount
+            if trace(function, map(str, range(arguments)), ()) is None:
+                continue
+            formula = plain(function)
+            assert formula is not None
+            for _ in range(8):
+                values = [float(10 ** dice.uniform(-1, 1)) for _ in range(arguments)]
+                got = formula(*values)
+                if got is not None:
+                    np.testing.assert_allclose(got, body(function, *values), rtol=64 * EPS, err_msg=function.__name__)
+                    count += 1
+    assert count > 500
+
+
+def test_a_minimum_keeps_what_is_no_number() -> None:
+    found = plain(least_or_nan)
+    assert found is not None
+    assert found(2.0, 3.0) == 2.0
+    assert found(0.5, 3.0) is None
+
+
+def least_or_nan(x: Any, y: Any) -> Any:
+    return np.minimum(np.where(x < 1.0, np.nan, x), y)
+
+
+def test_results_are_trusted_where_the_bounds_allow_it() -> None:
+    """A formula with any exponent is not; its result outside the range of trust is left to the slower way."""
+    assert plain(capped_cylinder._stiffness)(1e-25, 1e25, 1e-25, 1e-30) == pytest.approx(2e-55)  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 2.0) == pytest.approx(1e-10)  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 41.0) is None  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 70.0) is None  # type: ignore[misc]
+
+
+# bounds of exponents
+
+CASES: list[tuple[Callable[..., Any], tuple[str, ...]]] = [
+    (lambda x, y: x + y, ("x", "y")),
+    (lambda x, y: x - y, ("x", "y")),
+    (lambda x, y: (x - y) * (x + y) / y, ("x", "y")),
+    (lambda x, y: np.sqrt(np.abs(x * x - y * y)) - x, ("x", "y")),
+    (lambda x, y: np.arcsinh((x - y) / y) + np.arctan(x) - np.tanh(y), ("x", "y")),
+    (lambda x, y: np.arctan2(x, y) * np.arctan2(x - y, x + y), ("x", "y")),
+    (lambda x, y: np.log1p(x) * np.log(y), ("x", "y")),
+    (
+        lambda x, y: np.where(x < y, np.arctan(x), np.cbrt(y)) - np.minimum(x, y) ** 3 + np.maximum(x, y) ** 0.5,
+        ("x", "y"),
+    ),
+    (lambda x, y: -np.square(x - y), ("x", "y")),
+    (lambda small: np.tan(small) * np.sin(small) / np.cos(small / 2), ("small",)),
+    (lambda small: np.expm1(-small) + np.sinh(small) - np.exp(small) * np.cosh(small - 1.0), ("small",)),
+]
+RANGES = {"x": (1e-30, 1e30), "y": (1e-30, 1e30), "small": (1e-30, math.pi / 2)}
+
+
+def draws(count: int) -> dict[str, np.ndarray]:
+    """Log-uniform, and close to one another."""
+    dice = np.random.default_rng(7)
+    x = 10 ** dice.uniform(-30, 30, count)
+    y = np.where(
+        dice.random(count) < 0.5, x * (1.0 + dice.integers(-3, 4, count) * EPS), 10 ** dice.uniform(-30, 30, count)
+    )
+    near_the_pole = np.nextafter(math.pi / 2, 0.0) - dice.integers(0, 3, count) * EPS
+    small = np.where(dice.random(count) < 0.2, near_the_pole, 10 ** dice.uniform(-30, 0.19, count))
+    return {"x": x, "y": y, "small": small}
+
+
+def outside(nodes: list[Node], found: Mapping[Node, Bound | None], given: Mapping[str, np.ndarray]) -> list[str]:
+    """The operations whose value is not where the bounds have it."""
+    values: dict[Node, Any] = {}
+    wrong = []
+    with np.errstate(all="ignore"):
+        for node in nodes:
+            if node.operands:
+                values[node] = getattr(np, node.name)(*(values[x] for x in node.operands))
+            else:
+                values[node] = given[node.value] if node.name == "argument" else node.value
+            bound = found[node]
+            if bound is None or node.logical:
+                continue
+            value = np.asarray(values[node], dtype=float)
+            size = np.abs(value[value != 0.0] if value.ndim else value)
+            good = np.all((np.ldexp(1.0, bound.low) <= size) & (size <= np.ldexp(1.0, bound.high)))
+            signs = np.all(np.sign(value) * bound.sign >= 0.0) and (bound.zero or np.all(value != 0.0))
+            if not (good and signs):
+                wrong.append(node.name)
+    return wrong
+
+
+def results() -> list[Node]:
+    found = [trace(function, names, ()) for function, names in CASES]
+    assert None not in found
+    return found  # type: ignore[return-value]
+
+
+def test_no_value_leaves_its_bounds() -> None:
+    reached = set()
+    for result in results():
+        nodes = needed(result)
+        found = bounds(nodes, RANGES)
+        assert outside(nodes, found, draws(20_000)) == []
+        reached |= {node.name for node in nodes if found[node] is not None}
+    assert reached >= set(_bounds.RULES) | {"power"}
+
+
+@pytest.mark.parametrize(
+    ("name", "rule"),
+    [
+        ("subtract", lambda x, y: Bound(min(x.low, y.low) - 40, max(x.high, y.high) + 1, 0, True)),
+        ("subtract", lambda x, y: _bounds._add(x, y)),
+        ("add", lambda x, y: _bounds._add(x, y)._replace(high=max(x.high, y.high))),
+        ("multiply", lambda x, y: _bounds._multiply(x, y)._replace(zero=False)),
+        ("divide", lambda x, y: Bound(x.low - y.low, x.high - y.high, x.sign * y.sign, x.zero)),
+        ("tan", lambda x: Bound(x.low, x.high + 1)),
+        ("arcsinh", lambda x: Bound(x.low, min(x.high, 4), x.sign, x.zero)),
+        ("where", lambda x, y: x),
+    ],
+)
+def test_a_wrong_rule_is_noticed(name: str, rule: Callable[..., Bound], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(_bounds.RULES, name, rule)
+    assert any(outside(nodes := needed(r), bounds(nodes, RANGES), draws(20_000)) for r in results())
+
+
+# what a caller sees of it
+
+
+def test_compiling_waits_for_the_first_call() -> None:
+    code = "import sys, axicontact.normal.cone; print('axicontact._trace' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"
+
+
+def test_functions_keep_name_signature_and_pickle() -> None:
+    for _ in range(2):
+        assert cone.pressure.__name__ == "pressure"
+        assert list(inspect.signature(cone.pressure).parameters) == ["r", "a", "theta", "E_star"]
+        assert (cone.pressure.__doc__ or "").startswith("Contact pressure")
+        assert pickle.loads(pickle.dumps(cone.pressure)) is cone.pressure
+        cone.pressure(0.3, 1.0, theta=0.3, E_star=1.0)
+    assert _elementwise.BLOCK == BLOCK
