@@ -6,14 +6,14 @@ a branch that holds nowhere in it is not evaluated.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Graph, Node, Path, needed, places, trace, used_at
+from ._rewriting import depending, numbers_first
+from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, places, trace, used_at
 
 NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
 NAMES |= {"inf": np.inf, "nan": np.nan}
@@ -31,7 +31,10 @@ def block(out, {arguments}):
 
 
 class Program(NamedTuple):
-    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks)` fills a block with."""
+    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks)` fills a block with.
+
+    A FloatingPointError says that the block needs the body itself.
+    """
 
     prepare: Callable[..., tuple[Any, ...]]
     block: Callable[..., None]
@@ -62,12 +65,12 @@ class _Writer:
     """Text of a program; arrays of scratch are freed where their value is used for the last time."""
 
     def __init__(self, result: Node, names: list[str], given: list[str]) -> None:
-        result = _with_numbers_first(result, set(given))
-        self.result, self.given = result, given
+        result = numbers_first(result, set(given))
+        self.given = given
         self.numbers = [name for name in names if name not in given]
         self.nodes = needed(result)
         self.paths = places(self.nodes)
-        self.arrays = _depending(self.nodes, set(given))
+        self.arrays = depending(self.nodes, set(given))
         self.last = self._last_uses()
         self.text: list[str] = []
         self.where: dict[Node, str] = {}
@@ -75,16 +78,22 @@ class _Writer:
         self.free: list[str] = []
         self.idle: list[str] = []
         self.count = self.mask_count = 0
+        self.refused: Node | None = None
 
     def program(self) -> Program:
-        self._region((), self.result, "out", 1)
-        numbers = [x for x in self.nodes if x not in self.arrays and x.name != "number"]
+        result = self.nodes[-1]
+        if result.name == "unless":
+            self.refused, result = result.operands
+            if self.refused not in self.arrays:
+                self._line(1, f"if {self.of(self.refused)}: raise FloatingPointError")
+        self._region((), result, "out", 1)
+        numbers = [x for x in self.nodes if x not in self.arrays and x.name not in ("number", "unless")]
         lines = [
             f"    {self.of(x)} = {_of_numbers(x, [self._of_number(o) for o in x.operands])}"
             for x in numbers
             if x.operands
         ]
-        reaching = {x for user in self.arrays for x in user.operands} | {self.result}
+        reaching = {x for user in self.arrays for x in user.operands} | {result, self.refused}
         results = [self.of(x) for x in numbers if x in reaching]
         passed = ", ".join(results) + ("," if results else "")
         space = dict(NAMES)
@@ -119,13 +128,17 @@ class _Writer:
 
     def _region(self, path: Path, target: Node, place: str, depth: int) -> None:
         """The steps under these choices; the last of them leaves the target in `place`."""
-        steps = [x for x in self.nodes if self.paths[x] == path and x in self.arrays and x.operands]
+        steps = [
+            x for x in self.nodes if self.paths[x] == path and x in self.arrays and x.operands and x.name != "unless"
+        ]
         inside = target in steps
-        lend = inside and target.name != "where"
+        lend = inside and target is steps[-1] and target.name != "where"
         if lend:
             self.free.append(place)
         for node in steps:
             self._step(node, place if node is target else None, depth)
+            if node is self.refused:
+                self._line(depth, f"if count_nonzero({self.of(node)}): raise FloatingPointError")
         if lend and place in self.free:
             self.free.remove(place)
         if not inside:
@@ -192,15 +205,6 @@ class _Writer:
         self.text.append("    " * depth + line)
 
 
-def _depending(nodes: list[Node], given: set[str]) -> set[Node]:
-    """The nodes that depend on an array."""
-    found: set[Node] = set()
-    for node in nodes:
-        if (node.name == "argument" and node.value in given) or any(x in found for x in node.operands):
-            found.add(node)
-    return found
-
-
 def _ufunc(node: Node, operands: list[str]) -> str:
     """The beginning of a call; x**2 and x**0.5 are what NumPy makes of them."""
     if node.name == "power" and node.operands[1].name == "number":
@@ -216,45 +220,3 @@ def _of_numbers(node: Node, operands: list[str]) -> str:
     if node.name in SIGNS:
         return f"{operands[0]} {SIGNS[node.name]} {operands[1]}"
     return f"{_ufunc(node, operands)})"
-
-
-def _with_numbers_first(result: Node, given: set[str]) -> Node:
-    """The same with powers of two moved from arrays to the numbers before them, which no rounding notices."""
-    graph, made = Graph(), dict[Node, Node]()
-    nodes = needed(result)
-    arrays = _depending(nodes, given)
-    numbers: set[Node] = set()
-    for node in nodes:
-        operands = [made[x] for x in node.operands]
-        factor = _power_of_two(node) if node in arrays else None
-        if factor is not None:
-            made[node] = _times(graph, operands[0], graph.number(factor), numbers)
-        elif node.name in ("argument", "number"):
-            made[node] = graph.copied(node)
-        elif node.name == "where":
-            made[node] = graph.choice(*operands)
-        else:
-            made[node] = graph.operation(node.name, *operands)
-        if node not in arrays:
-            numbers.add(made[node])
-    return made[result]
-
-
-def _power_of_two(node: Node) -> float | None:
-    """k where the node is x*k or x/(1/k)."""
-    if node.name not in ("multiply", "divide") or node.operands[1].name != "number":
-        return None
-    value = float(node.operands[1].value or 0.0)
-    if value == 0.0 or not math.isfinite(value) or abs(math.frexp(value)[0]) != 0.5 or abs(math.frexp(value)[1]) > 64:
-        return None
-    return value if node.name == "multiply" else 1.0 / value
-
-
-def _times(graph: Graph, x: Node, factor: Node, numbers: set[Node]) -> Node:
-    if x.name in ("multiply", "divide"):
-        y, z = x.operands
-        if y in numbers:
-            return graph.operation(x.name, graph.operation("multiply", y, factor), z)
-        if z in numbers:
-            return graph.operation(x.name, y, graph.operation(x.name, z, factor))
-    return graph.operation("multiply", x, factor)

@@ -148,6 +148,7 @@ RULES: dict[str, Rule] = {
     "sqrt": lambda x: _root(2)(x)._replace(sign=1),
     "cbrt": _root(3),
     "where": _either,
+    "unless": lambda x: x,
     "minimum": _either,
     "maximum": _either,
     "tan": _tan,

@@ -84,6 +84,7 @@ class _Lines:
         self.paths = places(self.nodes)
         self.named = self._named()
         self.split = {choice for node in self.named for choice, _ in self.paths[node]}
+        self.written: set[Node] = set()
         self.proved = _proved(self.nodes, bounds(self.nodes, ranges))
 
     def _named(self) -> set[Node]:
@@ -108,7 +109,8 @@ class _Lines:
         """The lines for what is needed under these choices, but for the last one."""
         text = []
         for node in self.nodes:
-            if node in self.named and self.paths[node] == path and node is not last:
+            if node in self.named and self.paths[node] == path and node is not last and node not in self.written:
+                self.written.add(node)
                 text += self._assignment(node, path)
         return text
 
@@ -123,7 +125,11 @@ class _Lines:
         return text
 
     def _returned(self, node: Node, path: Path, certain: bool) -> list[str]:
-        text = self._assigned(path, node) if self.paths[node] == path else self._assigned(path, self.nodes[-1])
+        if node.name == "unless":
+            condition, node = node.operands
+            text = [*self._assigned(path, node), f"if {self.of(condition)}: raise ArithmeticError"]
+            return text + self._returned(node, path, certain and condition in self.proved)
+        text = self._assigned(path, node if self.paths[node] == path else self.nodes[-1])
         if node.name == "where" and self.paths[node] == path:
             condition, x, y = node.operands
             certain = certain and condition in self.proved

@@ -1,7 +1,8 @@
 """A formula as a graph: the body of a private function, run once with objects that record what is done to them.
 
 NumPy's functions find the objects by its protocols `__array_ufunc__` and `__array_function__`.  A body that
-decides by its data, asks for shapes or uses a rule with nodes along an axis has no such graph.
+decides by its data, asks for shapes or uses a rule with nodes along an axis has no such graph; where it asks
+once whether a rare branch is needed at all, the graph is that without this branch, and says when it holds.
 """
 
 from __future__ import annotations
@@ -53,6 +54,7 @@ class Graph:
 
     def __init__(self) -> None:
         self._known: dict[Any, Node] = {}
+        self.refused: Node | None = None
 
     def argument(self, name: str) -> Node:
         return self._node("argument", (), name)
@@ -82,6 +84,17 @@ class Graph:
             return x if condition.value else y
         return x if x is y else self._node("where", (condition, x, y))
 
+    def ask(self, condition: Node) -> bool:
+        """Whether a condition holds anywhere: supposed not to, once; a body that asks on iterates."""
+        if not condition.logical or self.refused not in (None, condition):
+            raise UntraceableError
+        self.refused = condition
+        return False
+
+    def unless(self, condition: Node, result: Node) -> Node:
+        """The result, which is another one where the condition holds anywhere."""
+        return self._node("unless", (condition, result))
+
     def _node(self, name: str, operands: tuple[Node, ...], value: Any = None) -> Node:
         # repr tells the zeros apart
         key = (name, *(x.order for x in operands), repr(value))
@@ -107,6 +120,8 @@ class Traced(NDArrayOperatorsMixin):
             return NotImplemented
         if function is np.where and len(args) == 3:
             return Traced(self.graph, self.graph.choice(*(self.of(x) for x in args)))
+        if function is np.any and len(args) == 1:
+            return self.graph.ask(self.of(args[0]))
         if function is np.zeros_like:
             return Traced(self.graph, self.graph.number(0.0))
         if function is np.ones_like:
@@ -140,7 +155,9 @@ def trace(function: Callable[..., Any], fields: Iterable[str], keywords: Iterabl
         node = result.node if isinstance(result, Traced) else graph.number(float(result))
     except (TypeError, ValueError, AttributeError):
         return None
-    return None if node.logical else node
+    if node.logical:
+        return None
+    return node if graph.refused is None else graph.unless(graph.refused, node)
 
 
 def needed(result: Node) -> list[Node]:
