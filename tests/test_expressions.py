@@ -1,0 +1,87 @@
+"""The formulas over other array libraries: the same values, gradients without NaN, a word where there is none."""
+
+from __future__ import annotations
+
+import doctest
+import math
+
+import numpy as np
+import pytest
+
+from axicontact import expressions
+from axicontact.expressions import expression
+from axicontact.normal import (
+    cone,
+    paraboloid,
+    rounded_punch,
+    sphere,
+    truncated_cone,
+    truncated_paraboloid,
+)
+
+a, E_star = 2.0, 1.5
+CASES = {
+    "cone.pressure": (cone.pressure, (0.3, 1.9, 2.5), (a,), {"theta": 0.35, "E_star": E_star}),
+    "cone.displacement": (cone.displacement, (0.3, 1.9, 2.5), (a,), {"theta": 0.35}),
+    "paraboloid.pressure": (paraboloid.pressure, (0.3, 1.9, 2.5), (a,), {"R": 3.0, "E_star": E_star}),
+    "paraboloid.displacement": (paraboloid.displacement, (0.3, 1.9, 2.5), (a,), {"R": 3.0}),
+    "sphere.force": (sphere.force, (0.1, 1.0, 2.9), (), {"R": 3.0, "E_star": E_star}),
+    "truncated_cone.depth": (truncated_cone.depth, (1.1, 1.5, 8.0), (), {"theta": 0.35, "b": 1.0}),
+    "rounded_punch.force": (rounded_punch.force, (1.01, 1.5, 8.0), (), {"R": 3.0, "b": 1.0, "E_star": E_star}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_expression_has_the_values_of_its_function(name):
+    function, x, rest, keywords = CASES[name]
+    got = expression(function, np)(np.array(x), *rest, **keywords)
+    np.testing.assert_allclose(got, function(np.array(x), *rest, **keywords), rtol=4e-16)
+    assert math.isclose(expression(function, np)(x[0], *rest, **keywords), got[0], rel_tol=4e-16)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_branch_is_evaluated_where_it_does_not_apply(name):
+    """A root of a negative number in the other branch is what makes a gradient NaN."""
+    function, x, rest, keywords = CASES[name]
+    with np.errstate(all="raise"):
+        expression(function, np)(np.array(x), *rest, **keywords)
+
+
+def test_the_example_is_right():
+    assert doctest.testmod(expressions).failed == 0
+
+
+def test_a_single_where_would_be_noticed():
+    def single(r):
+        return np.where(r < a, np.sqrt((a - r) * (a + r)), 0.0)
+
+    with np.errstate(all="raise"), pytest.raises(FloatingPointError):
+        single(np.array([0.3, 2.5]))
+
+
+def test_what_is_no_expression_says_so():
+    with pytest.raises(
+        TypeError, match=r"truncated_paraboloid\.radius_from_force is evaluated by a rule or an iteration"
+    ):
+        expression(truncated_paraboloid.radius_from_force, np)
+    with pytest.raises(TypeError, match="no function with a formula of its own"):
+        expression(np.sin, np)
+    with pytest.raises(TypeError, match="has no function"):
+        expression(paraboloid.pressure, object())(0.3, a, R=3.0, E_star=E_star)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_gradients_in_jax(name):
+    """Against a central difference of the function itself, in double precision; outside the contact they are finite."""
+    jax = pytest.importorskip("jax", reason="gradients are tested where JAX is installed: pip install jax")
+    jax.config.update("jax_enable_x64", True)
+    function, x, rest, keywords = CASES[name]
+    formula = expression(function, jax.numpy)
+    for point in map(float, x):
+        slope = float(jax.grad(lambda at: formula(at, *rest, **keywords))(point))
+        step = 1e-5 * point
+        high, low = (function(point + side * step, *rest, **keywords) for side in (1.0, -1.0))
+        assert math.isclose(slope, (high - low) / (2 * step), rel_tol=1e-6, abs_tol=1e-12)
+    many = np.array(x)
+    compiled = jax.jit(lambda at: formula(at, *rest, **keywords))(many)
+    np.testing.assert_allclose(compiled, function(many, *rest, **keywords), rtol=1e-14)
