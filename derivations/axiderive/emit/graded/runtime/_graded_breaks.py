@@ -11,7 +11,7 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ._graded_rules import NODES, raised, sine_integral, sinh_over, weighted
+from ._graded_rules import NODES, raised, sine_integral, sine_over, sinh_over, weighted
 from ._integrals import difference_root, integral
 
 
@@ -64,7 +64,7 @@ def _rounding(root: Array, b: Array, k: Array, of: Callable[..., Array]) -> Arra
 
     def smooth(y: Array) -> Array:
         fall = 2.0 * np.sin((angle + y) / 2.0) * np.sin((angle - y) / 2.0)
-        return of(y, fall) * np.sinc(y / np.pi) ** k
+        return of(y, fall) * sine_over(y) ** k
 
     return raised(angle, k) * weighted(smooth, angle, k, 32)
 
