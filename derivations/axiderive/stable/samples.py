@@ -182,5 +182,5 @@ class Draw:
 def _share_of_springs(profile: Profile) -> float:
     """For k = -1 the depth is a f'(a) but for a factor: the radius of its largest value over that of k = 0."""
     units = dict.fromkeys(profile.parameters, 1)
-    shape, end = profile.pieces[0].expr.subs(units), float(profile.largest.subs(units))
+    shape, end = profile.pieces[0].expr.subs(units), float(sp.sympify(profile.largest).subs(units))
     return float(sp.nsolve(sp.diff(nt.r * sp.diff(shape, nt.r), nt.r), end / 2.0)) / end

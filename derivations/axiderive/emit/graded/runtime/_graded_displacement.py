@@ -105,9 +105,8 @@ def rounded_sag(r: Array, a: Array, b: Array, k: Array) -> Array:
     return np.where(a <= b, tip, outer + inner)
 
 
-def tipped_sag(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+def tipped_sag(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    end = difference_root(R, b)
     height, slope = b * b / (R + end), b / end
     outer = _sag_beyond(lambda s, z: height + slope * (s - b), r, a, b, k)
     inner = _cap_sag(lambda s, z: s * s / (R + difference_root(R, s)), r, a, b, k)

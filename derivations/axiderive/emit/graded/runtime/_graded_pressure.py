@@ -60,10 +60,10 @@ def sphere_pressure(r: Array, a: Array, R: Array, k: Array) -> Array:
     return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, a, R, k)
 
 
-def tipped_pressure(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """The integral for a sphere up to b, continued by its tangent cone."""
     tip = np.where(r < b, sphere_pressure(np.minimum(r, b), np.minimum(a, b), R, k), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, k), r, a, b, k)
+    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k)
 
 
 def hyperboloid_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
