@@ -7,6 +7,7 @@ import math
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -47,6 +48,8 @@ def floats(
     for case in itertools.islice(itertools.cycle(entry.cases), count):
         for _ in range(ATTEMPTS):
             draw = Draw(entry.profile, domain, rng)
+            if entry.profile.largest is not None and nt.k in entry.parameters:
+                draw[nt.k]
             draw.chain(case.chain)
             depth = (nt.d,) if entry.profile.contact == "complete" else ()
             for symbol in (*entry.quantity.arguments, *depth, *entry.parameters, *more):
@@ -112,6 +115,11 @@ class Draw:
             low, high = max(low, -30), min(high, 30)
         return float(10 ** self.rng.uniform(low, high))
 
+    def largest(self) -> float:
+        """A radius up to which the contact is compact: that of k = 0 holds for k > 0, that of k = -1 for all k."""
+        end = self.number(self.profile.largest)
+        return end * _share_of_springs(self.profile) if self.values.get(nt.k, 0.0) < 0.0 else end
+
     def _value(self, symbol: Any) -> Any:
         rng, domain, profile = self.rng, self.domain, self.profile
         if symbol == nt.theta:
@@ -137,7 +145,7 @@ class Draw:
         if symbol == nt.wavelength:
             return self[nt.a] / 10 ** rng.uniform(-3, 1.3)
         if symbol == nt.a and profile.largest is not None:
-            return self.number(profile.largest) * self.ratio()
+            return self.largest() * self.ratio()
         if symbol == nt.R2 and profile.rules:
             return self[nt.R1] * self.ratio()
         if symbol == nt.h and profile.rules and nt.wavelength in profile.parameters:
@@ -165,6 +173,14 @@ class Draw:
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles
         if not all(SMALLEST < x < LARGEST for x in numbers):
             return False
-        if self.profile.largest is not None and not self[nt.a] <= self.number(self.profile.largest):
+        if self.profile.largest is not None and not self[nt.a] <= self.largest():
             return False
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)
+
+
+@cache
+def _share_of_springs(profile: Profile) -> float:
+    """For k = -1 the depth is a f'(a) but for a factor: the radius of its largest value over that of k = 0."""
+    units = dict.fromkeys(profile.parameters, 1)
+    shape, end = profile.pieces[0].expr.subs(units), float(sp.sympify(profile.largest).subs(units))
+    return float(sp.nsolve(sp.diff(nt.r * sp.diff(shape, nt.r), nt.r), end / 2.0)) / end

@@ -153,4 +153,6 @@ def _tipped(profile: Profile, atoms: tuple[object, ...]) -> tuple[Term, ...]:
     if not (isinstance(flank, PowerAtom) and flank.n == 1 and sp.cancel(flank.c / tangent) == 1):
         message = f"{profile.name}: a spherical tip needs its tangent cone; add the graded integrals of {flank}"
         raise NotReducibleError(message)
-    return (Term(cap.c, "tipped", (cap.R, cap.cap)),)
+    # sqrt(R**2 - b**2), of which b = R sin(theta) has too few digits left close to a needle
+    end = dict(profile.abbreviations)[cap.cap].replace(sp.sin, sp.cos)
+    return (Term(cap.c, "tipped", (cap.R, cap.cap, end)),)

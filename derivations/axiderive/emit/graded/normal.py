@@ -145,6 +145,8 @@ class _Normal:
             f"sag = {own.total('sag', 'r', 'a')}",
             f"return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - {writer.shape_of('r')})",
         ]
+        if all(term.shape == "power" for term in own.terms):
+            displacement = [f"return {own.total('displacement', 'r', 'a')}"]
         writer.rule("_displacement", ["r", "a"], self.geometry, displacement)
 
     def inverses(self) -> None:
