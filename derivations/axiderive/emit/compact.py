@@ -11,6 +11,7 @@ from ..abel import masters
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Case, Entry
 from ..notation import a
+from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.opaque import ArcStrips, Arctan2, Root
 from ..stable.signs import Facts, facts_of
@@ -269,10 +270,7 @@ class Compact:
         return not any(expr.has(*masters.MASTERS) for expr in (form.value, *(e for _, e in form.steps)))
 
     def _width(self) -> str:
-        """Where b = R sin(theta), g' has a singularity at root = i R cos(theta), that is at pi/2 - theta."""
-        sines = [expr.atoms(sp.sin) for symbol, expr in self.profile.abbreviations if symbol == self.b]
-        angles = [python(sine.args[0]) for found in sines for sine in found]
-        return f", width=1.0 - 2.0 * {angles[0]} / np.pi" if angles else ""
+        return strip_width(self.profile)
 
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
         """The rule and its last arguments."""
@@ -332,6 +330,16 @@ class Compact:
         return self.functions.add(
             "displacement", ("r", "a"), lines, needs | set(depth.needs) | set(profile.needs) | more
         )
+
+
+def strip_width(profile: Profile) -> str:
+    """The last argument of a rule beyond the break.
+
+    Where b = R sin(theta), g' has a singularity at root = i R cos(theta), that is at pi/2 - theta.
+    """
+    sines = [expr.atoms(sp.sin) for symbol, expr in profile.abbreviations if symbol == profile.breaks[0]]
+    angles = [python(sine.args[0]) for found in sines for sine in found]
+    return f", width=1.0 - 2.0 * {angles[0]} / np.pi" if angles else ""
 
 
 def _greater(difference: sp.Expr) -> str:

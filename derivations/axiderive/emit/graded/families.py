@@ -28,11 +28,17 @@ class Term:
 
     def call(self, quantity: str, *fields: str) -> str:
         """The coefficient times `shape_quantity(fields, lengths, k)`."""
-        lengths = [_text(length) for length in self.lengths]
-        if self.shape == "sphere" and quantity in GROWTH:
-            lengths = []
-        value = f"{self.shape}_{quantity}({', '.join([*fields, *lengths, 'k'])})"
-        return python(self.coefficient * VALUE).replace(VALUE.name, value)
+        lengths = [] if self.shape == "sphere" and quantity in GROWTH else self.texts
+        return self.times(f"{self.shape}_{quantity}({', '.join([*fields, *lengths, 'k'])})")
+
+    @property
+    def texts(self) -> list[str]:
+        """The lengths or the exponent in the interface."""
+        return [_text(length) for length in self.lengths]
+
+    def times(self, value: str) -> str:
+        """The coefficient times a value."""
+        return python(sp.factor(self.coefficient) * VALUE).replace(VALUE.name, value)
 
 
 GROWTH = ("depth", "rate", "force")

@@ -7,11 +7,14 @@ from collections.abc import Mapping
 from ...entry import Entry
 from ..physics.tangential import ORDER, SUMMARY
 from ..physics.text import name_of
-from .families import family
+from .families import Family, family
 from .module import Writer
 
-PLAIN = ("power", "hyperboloid", "gaussian")
-"""Shapes whose growth has no singularity between two radii that are close."""
+RULES = {
+    "hyperboloid": "smooth", "gaussian": "smooth", "sphere": "below", "flank": "beyond", "rim": "beyond",
+    "rounding": "beyond", "rounded": "rounded", "tipped": "tipped", "waves": "waves",
+}  # fmt: skip
+"""Which rule of the runtime follows the growth of a shape."""
 
 
 def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> str:
@@ -34,33 +37,31 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
 
 
 def _rules(writer: Writer) -> None:
-    geometry, material = [*writer.geometry, "k"], [*writer.geometry, "H", "k"]
     own = family(writer.profile)
-    close = all(term.shape in PLAIN for term in own.terms)
+    geometry, material = [*writer.geometry, "k"], [*writer.geometry, "H", "k"]
 
     def normal(name: str, *fields: str) -> str:
         passed = geometry if name == "depth" else material
         return f"normal._{name}({', '.join([*fields, *passed])})"
 
-    rate = f"normal._rate, ({', '.join(geometry)})"
+    limit = _domain(writer, own, f"normal._rate({', '.join(['a', *geometry])}) >= 0.0")
 
-    def gained(name: str, radius: str, *fields: str) -> list[str]:
-        both = f"{normal(name, *fields, 'a')}, {normal(name, *fields, 'c')}"
-        if not close:
-            return [f"outer, inner = {both}", "gain = outer - inner"]
-        return [
-            f"outer, inner = {both}",
-            f"gain = {name}_gain(outer, inner, {rate}, {', '.join([*fields, 'c', 'a', *radius.split()])})",
-        ]
+    def limited(value: str) -> str:
+        return f"np.where({limit}, {value}, np.nan)" if limit else value
 
     needs = [*writer.geometry, "H", "k", "mu"]
     sliding = [*writer.geometry, "H", "H_x", "k", "mu"]
-    writer.rule("_tangential_force", ["a", "c"], needs, [*gained("force", "H k"), "return mu * gain"])
     writer.rule(
-        "_traction", ["r", "a", "c"], needs,
-        [*gained("pressure", "H k", "r"), "return mu * np.where(r < c, gain, outer + 0.0 * c)"],
+        "_tangential_force", ["a", "c"], needs,
+        [*_gains(own, "force"), f"return {limited('mu * (2.0 * H / (1.0 + k)) * gain')}"],
     )  # fmt: skip
-    writer.rule("_tangential_displacement", ["a", "c"], sliding, [*gained("depth", ""), "return mu * (H / H_x) * gain"])
+    traction = limited(f"mu * np.where(r < c, H / np.pi * gain, {normal('pressure', 'r', 'a')})")
+    inside = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside"), f"return {traction}"]
+    writer.rule("_traction", ["r", "a", "c"], needs, inside)
+    writer.rule(
+        "_tangential_displacement", ["a", "c"], sliding,
+        [*_gains(own, "depth"), f"return {limited('mu * (H / H_x) * gain')}"],
+    )  # fmt: skip
     writer.rule(
         "_stick_radius", ["F_x", "a"], needs,
         [
@@ -69,3 +70,30 @@ def _rules(writer: Writer) -> None:
         ],
     )  # fmt: skip
     writer.rule("_full_slip_displacement", ["a"], sliding, [f"return mu * (H / H_x) * {normal('depth', 'a')}"])
+
+
+def _gains(own: Family, quantity: str, r: str = "0.0") -> list[str]:
+    """The lines of `gain`: the sum of what the terms of a profile gain from c to a."""
+    parts = {}
+    for term in own.terms:
+        if term.shape == "power":
+            (n,) = term.texts
+            call = f'power_gain("{quantity}", {r}, c, a, {n}, k)'
+        else:
+            lengths = ", ".join(term.texts) + ("," if len(term.texts) == 1 else "")
+            shape = f"{term.shape}_{quantity}, {term.shape}_rate, ({lengths})"
+            call = f'{RULES[term.shape]}_gain("{quantity}", {shape}, {r}, c, a, k)'
+        parts[term.shape] = term.times(call)
+    if len(parts) > 1:
+        return [*(f"{shape} = {part}" for shape, part in parts.items()), f"gain = {' + '.join(parts)}"]
+    (text,) = parts.values()
+    return [f"gain = sum({text} for j, A_j in enumerate(A, 1))" if own.summed else f"gain = {text}"]
+
+
+def _domain(writer: Writer, own: Family, growing: str) -> str:
+    """The condition on the radii, "" where there is none."""
+    if writer.profile.truncated:
+        return f"c >= {writer.profile.breaks[0]}"
+    if own.has("sphere"):
+        return f"a <= {writer.profile.chain[-1]}"
+    return growing if own.has("gaussian") else ""

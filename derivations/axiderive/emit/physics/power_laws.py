@@ -38,7 +38,7 @@ def _radius(entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
 def _pair(module: NormalModule, needs: list[str], quantity: str, field: str, order: sp.Expr, q: str) -> list[str]:
     """The load at pull-off and the inverse of a load A a**order - B a**q."""
     passed = ", ".join(needs)
-    lost = _number(2 * order) if order.is_Integer else f"2 * {f'({python(order)})' if order.is_Add else order}"
+    lost = number(2 * order) if order.is_Integer else f"2 * {f'({python(order)})' if order.is_Add else order}"
     load = private(
         f"_pull_off_{quantity}",
         ["a"],
@@ -55,11 +55,12 @@ def _pair(module: NormalModule, needs: list[str], quantity: str, field: str, ord
             f'a_c = _pull_off_radius({passed}, control="{quantity}")',
             f'least = _pull_off_{quantity}(a_c, {passed}, control="{quantity}")',
             f"plain = {plain}",
-            f"return power_law_radius({field}, a_c, least, {_number(order)}, {q}, plain)",
+            f"return power_law_radius({field}, a_c, least, {number(order)}, {q}, plain)",
         ],
     )
     return [load, inverse]
 
 
-def _number(expr: sp.Expr) -> str:
+def number(expr: sp.Expr) -> str:
+    """An exponent, as a float where it is an integer."""
     return repr(float(expr)) if expr.is_Integer else python(expr)

@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...entry import Entry
+from ..code import python
+from ..compact import strip_width
 from . import text
+from .adhesive import exponent
 from .examples import Example
+from .power_laws import number
 from .text import Function, NormalModule, evaluate, private
 
 IMPORTS = (
     ".._domain: numbers, require, require_coefficients, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
-    ".._slip: depth_gain, difference, force_gain, pressure_gain, stick_force",
+    ".._slip: CLOSE, arc_gain, even_gain, gained_share, power_gain, root_gain, stick_force",
+    ".._slip_rules: growth, growth_below, growth_beyond, growth_waves",
 )
 SUMMARY = {
     "F": "Tangential force with a stick zone of radius c.",
@@ -60,9 +65,7 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
 def _private(module: NormalModule) -> list[str]:
     needs = [*module.geometry, "E_star", "mu"]
     both = [*module.geometry, "E_star", "G_star", "mu"]
-    force, depth, pressure = (
-        module.call(name, *fields) for name, fields in (("_force", "a"), ("_depth", "a"), ("_pressure", ("r", "a")))
-    )
+    force, depth = (module.call(name, "a") for name in ("_force", "_depth"))
     stuck = module.call("_radius_from_force", "F")
     return [
         private("_tangential_force", ["a", "c"], needs, _loss(module, "_force", "mu")),
@@ -78,40 +81,77 @@ def _private(module: NormalModule) -> list[str]:
     ]
 
 
-GAIN = {"_force": "2.0 * E_star * force_gain({slope}, c, a)", "_depth": "depth_gain({slope}, c, a)"}
+ORDERS = {"_depth": 1, "_force": 2}
+SCALES = {"_depth": "", "_force": "2.0 * E_star * "}
 
 
 def _loss(module: NormalModule, function: str, scale: str) -> list[str]:
-    """scale * (value at a - value at c), as an integral from c to a where they are close."""
+    """scale * (value at a - value at c), as what the contact gains from c to a where they are close."""
     whole, sticking = module.call(function, "a"), module.call(function, "c")
-    slope = _slope(module)
-    if not slope:
-        return [f"return {scale} * ({whole} - {sticking})"]
+    power, order = exponent(module.profile), ORDERS[function]
+    if power is not None:
+        return [f"return {scale} * {whole} * gained_share(c, a, {number(power + order - 1)})"]
+    if module.summed:
+        share = f"gained_share(c, a, {'j' if order == 1 else 'j + 1'})"
+        return [*_by_terms(module, function, share), f"return {scale} * sum(gains)"]
     return [
-        f"whole = {whole}",
-        f"sticking = {sticking}",
-        f"gain = {GAIN[function].format(slope=slope)}",
-        f"return {scale} * difference(whole, sticking, gain, c, a)",
+        f"whole, sticking = {whole}, {sticking}",
+        "close = sticking >= CLOSE * whole",
+        *_gain(module, SCALES[function], str(order), "0.0"),
+        f"return {scale} * np.where(close, gain, whole - sticking)",
     ]
+
+
+def _by_terms(module: NormalModule, function: str, factor: str) -> list[str]:
+    """The lines of `gains`: the terms of a polynomial one by one, each a power law."""
+    term = module.call(function, "a", A="(0.0,) * (j - 1) + (A_j,)")
+    return [f"gains = ({term} * {factor} for j, A_j in enumerate(A, 1))"]
 
 
 def _traction(module: NormalModule) -> list[str]:
-    slope = _slope(module)
-    lines = [f"sliding = {module.call('_pressure', 'r', 'a')}", f"stuck = {module.call('_pressure', 'r', 'c')}"]
-    sticking = "sliding - stuck"
-    if slope:
-        lines.append(f"gain = E_star / np.pi * pressure_gain({slope}, r, c, a)")
-        sticking = "difference(sliding, stuck, gain, c, a)"
+    sliding, power = module.call("_pressure", "r", "a"), exponent(module.profile)
+    if module.summed:
+        gains = _by_terms(module, "_slope", "power_gain(r, c, a, j)")
+        return [f"sliding = {sliding}", *gains, "return mu * np.where(r < c, E_star / np.pi * sum(gains), sliding)"]
+    if power is not None:
+        rule, at = {1: ("arc_gain(r, c, a)", "1.0"), 2: ("root_gain(r, c, a)", "1.0")}.get(power, ("", "a"))
+        if not rule and power.is_Integer and power % 2 == 0:
+            rule, at = f"even_gain(r, c, a, {power})", "1.0"
+        gain = f"E_star / np.pi * {module.call('_slope', at)} * {rule or f'power_gain(r, c, a, {power})'}"
+        return [f"sliding = {sliding}", f"gain = {gain}", "return mu * np.where(r < c, gain, sliding)"]
     return [
-        *lines,
-        "# the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite",
-        f"return mu * np.where(r < c, {sticking}, sliding + 0.0 * c)",
+        f"sliding = {sliding}",
+        f"stuck = {module.call('_pressure', 'r', 'c')}",
+        "# both are infinite at a tip, and where the slope of the profile jumps",
+        "close = (r < c) & (stuck >= CLOSE * sliding)",
+        *_gain(module, "E_star / np.pi * ", "0", "r"),
+        "return mu * np.where(close, gain, sliding - stuck)",
     ]
 
 
-def _slope(module: NormalModule) -> str:
-    """g'(t) as a function, where it is smooth and bounded between c and a."""
-    own = module.functions.get("_slope", [])
-    if not own or "root" in own[:2] or "_slope_beyond" in module.functions or "wavelength" in module.geometry:
-        return ""
-    return f"lambda t: {module.call('_slope', 't')}"
+def _gain(module: NormalModule, scale: str, order: str, r: str) -> list[str]:
+    """The lines of `gain`: scale * the integral from c to a of g'(t) t**order/sqrt(t**2 - r**2)."""
+    profile, slopes = module.profile, module.functions
+    lines = [f"{symbol} = {python(expr)}" for symbol, expr in profile.abbreviations]
+    b = str(profile.breaks[0]) if "_slope_beyond" in slopes else ""
+    parts = []
+    if "_slope" in slopes:
+        end = f"np.minimum(a, {b})" if b else "a"
+        rule, own = "growth", slopes["_slope"][1:]
+        more = ["close"]
+        if "wavelength" in module.geometry:
+            rule, more = "growth_waves", ["wavelength", "close"]
+        elif own[:1] == ["root"]:
+            rule, own, more = "growth_below", own[1:], [str(profile.chain[-1]), "close"]
+        parts.append(f"{rule}(normal._slope, {_tuple(own)}, {', '.join([order, r, 'c', end, *more])})")
+    if b:
+        slope = f"normal._slope_beyond, {_tuple(slopes['_slope_beyond'][2:])}"
+        parts.append(f"growth_beyond({slope}, {order}, {r}, c, a, {b}, close{strip_width(profile)})")
+    if len(parts) == 1:
+        return [*lines, f"gain = {scale}{parts[0]}"]
+    total = f"{scale}(tip + beyond)" if scale else "tip + beyond"
+    return [*lines, f"tip = {parts[0]}", f"beyond = {parts[1]}", f"gain = {total}"]
+
+
+def _tuple(names: list[str]) -> str:
+    return f"({names[0]},)" if len(names) == 1 else f"({', '.join(names)})"
