@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import random
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -18,18 +18,19 @@ from axiderive.contact.medium import HOMOGENEOUS
 from axiderive.emit import python
 from axiderive.expression import ExpressionError, own_profile, routes, undetermined
 from axiderive.expression.answer import Answer, answered
+from axiderive.expression.definition import Definition
 from axiderive.expression.routes import Route
 from axiderive.expression.validity import examine
 from axiderive.notation import R, a, b, theta
 from axiderive.scene import interface
 from axiderive.scene.compose import Request, Result, composed
-from axiderive.scene.measured import RuleError
 from axiderive.scene.worker import LimitError, limited
 
 ALL = list(interface.functions("normal"))
 AGREEMENT = 1e-20
 ROUNDING = 1e-12
 """Measured: 4e-15 for the rules, 1e-13 for inverses near a break."""
+RULES = 1e-14
 
 
 def answer_to(text: str) -> Answer:
@@ -41,6 +42,11 @@ def answer_to(text: str) -> Answer:
 def module_of(text: str, values: dict[str, float] | None = None, names: list[str] = ALL) -> Result:
     own = own_profile(text)
     return composed(Request("Own", "own.py", None, own, "normal", names, values or {}, ("python", "json")))
+
+
+def errors_of(result: Result) -> list[float]:
+    """How far the functions of a module are from the definition."""
+    return [float(x) for x in json.loads(result.files["evidence.json"])["module against 20-digit quadrature"].values()]
 
 
 @pytest.mark.parametrize(
@@ -113,10 +119,24 @@ def test_a_wrong_coefficient_is_not_certified(monkeypatch):
         assert routes.derived(own.profile, HOMOGENEOUS).route is Route.INTEGRALS
 
 
-def test_a_new_polynomial_profile_takes_less_than_five_seconds():
-    start = time.process_time()
+def test_a_new_polynomial_profile_is_derived_and_compared_once(monkeypatch):
+    """What takes time: measured 1.0 s in all with one derivation and eight integrals of the definition, twice."""
+    calls = []
+
+    def counted(cls, name):
+        plain = getattr(cls, name)
+
+        def call(*arguments, **more):
+            calls.append(name)
+            return plain(*arguments, **more)
+
+        monkeypatch.setattr(cls, name, call)
+
+    counted(normal, "derive")
+    counted(Definition, "quantity")
     module_of("r**2/(2*R) + c*r**4 + q*r**6")
-    assert time.process_time() - start < 5.0
+    assert calls.count("derive") <= 2
+    assert calls.count("quantity") <= 24
 
 
 @pytest.mark.parametrize(
@@ -150,23 +170,32 @@ def test_a_sphere_that_ends_before_a_break_is_refused():
         answer_to("R - sqrt(R**2 - r**2) + c*Max(0, r - b)")
 
 
-def test_sums_of_real_powers_are_printed_and_their_module_is_refused():
-    """Their formulas are closed; the rules over the profile lose digits at r = 0, and the file is not written."""
-    answer = answer_to("A*r**n + c*r**2")
+@pytest.mark.parametrize("text", ["A*r**(n + 1) + c*r", "h*(1 - exp(-r/s)) + c*r**(1/3)"])
+def test_mixtures_of_the_normal_form_are_certified_and_emitted(text):
+    """Factors like a**(n - 1) are finite at a = 0 only together; measured 1e-15 for the rules over the profile."""
+    answer = answer_to(text)
     assert answer.route is Route.NORMAL_FORM
-    assert {answer.status(suffix) for suffix in ("d", "p", "w")} == {"closed, certified"}
+    assert {answer.status(suffix) for suffix in ("d", "F")} == {"closed, certified"}
     assert answer.worst < AGREEMENT
-    with pytest.raises(RuleError, match="use whole powers"):
-        module_of("A*r**n + c*r**2")
+    assert max(errors_of(module_of(text))) < RULES
 
 
-def test_sums_of_broken_powers_are_emitted():
-    """The rules lose digits where f' grows as a root of r: measured 7e-9 for the displacement, which the test says."""
-    result = module_of("c*r**(3/2) + q*r**2")
-    errors = [
-        float(x) for x in _numbers_after(result.files["evidence.json"].decode(), "module against 20-digit quadrature")
-    ]
-    assert max(errors) < 1e-8
+@pytest.mark.parametrize("text", ["h*log(cosh(r/q))", "c*r**(3/2) + q*r**2", "c*Max(0, r - b)**(3/2) + q*r**2"])
+def test_rules_over_the_profile_hold_whatever_the_contact_is_to_its_lengths(text):
+    """Measured 7e-16 at most for radii from 1e-3 to 1e4 of the lengths of seventeen profiles."""
+    profile, space = own_profile(text).profile, {}
+    exec(module_of(text, {}, ["depth", "force", "pressure", "displacement"]).files["own.py"], space)
+    known = dict.fromkeys(profile.parameters, sp.S.One)
+    definition, given = Definition(profile, known), {str(p): 1.0 for p in profile.parameters}
+    for radius in (1e-3, 1e3):
+        for name, suffix, r, modulus in (
+            ("depth", "d", None, {}), ("force", "F", None, {"E_star": 1.0}),
+            ("pressure", "p", 0.4 * radius, {"E_star": 1.0}), ("displacement", "w", 1.5 * radius, {}),
+        ):  # fmt: skip
+            fields = (radius,) if r is None else (r, radius)
+            assert space[name](*fields, **given, **modulus) == pytest.approx(
+                float(definition.quantity(suffix, radius, r)), rel=RULES
+            )
 
 
 def test_a_force_that_would_lose_digits_is_not_emitted_in_closed_form():
@@ -195,16 +224,9 @@ def held_out(seed: int) -> None:
     assert answer.worst < AGREEMENT, text
     own = own_profile(text)
     request = Request("Own", "own.py", None, own, "normal", ALL, {"E_star": 2.0}, ("json",))
-    rows = composed(request, answer).files["evidence.json"].decode()
-    errors = [float(x) for x in _numbers_after(rows, "module against 20-digit quadrature")]
+    errors = errors_of(composed(request, answer))
     assert errors
     assert max(errors) < ROUNDING, (text, errors)
-
-
-def _numbers_after(text: str, key: str) -> list[str]:
-    import json
-
-    return list(json.loads(text)[key].values())
 
 
 @pytest.mark.parametrize("seed", range(2))

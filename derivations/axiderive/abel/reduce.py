@@ -66,7 +66,8 @@ class Reduced:
 
 def _power(term: sp.Expr, lower: sp.Expr) -> Atom | None:
     factor, rest = term.as_independent(r, as_Add=False)
-    base, exponent = rest.as_base_exp()
+    # multiplying out writes r**(n + 1) as r*r**n
+    base, exponent = sp.powsimp(rest, combine="exp").as_base_exp()
     return PowerAtom(factor, exponent, lower) if base == r and not exponent.has(r) else None
 
 

@@ -18,6 +18,9 @@ from ..profiles.profile import Profile
 from .medium import HOMOGENEOUS
 from .normal import REFERENCES, definitions
 
+excess = sp.Symbol("excess", positive=True)
+"""r - b beyond a break b."""
+
 
 @dataclass(frozen=True)
 class Layer:
@@ -38,13 +41,21 @@ class Layer:
     @property
     def kink(self) -> sp.Expr:
         """Jump of f' at the break."""
-        return sp.S.Zero if self.start == 0 else sp.expand(sp.powsimp(self.slope).subs(r, self.start))
+        return sp.S.Zero if self.start == 0 else sp.expand(beyond(self.slope, self.start).subs(excess, 0))
 
 
 def steepness(expr: sp.Expr) -> sp.Expr:
     """df/dr with tanh for sinh/cosh, whose parts overflow."""
     slope = sp.diff(expr, r)
     return slope.replace(sp.sinh, lambda x: sp.tanh(x) * sp.cosh(x)) if slope.has(sp.cosh) else slope
+
+
+def beyond(expr: sp.Expr, start: sp.Expr) -> sp.Expr:
+    """An expression in r as one in the excess over a break, in whose powers it keeps its digits next to the break."""
+    moved = expr.subs(r, start + excess)
+    if moved.is_polynomial(excess):
+        return sp.Add(*(sp.factor(c) * excess**power for (power,), c in sp.Poly(moved, excess).terms()))
+    return min((moved, sp.expand_mul(moved)), key=lambda form: (sp.count_ops(form), sp.sstr(form)))
 
 
 def layers(profile: Profile) -> tuple[Layer, ...]:

@@ -10,23 +10,29 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
 import sympy as sp
 
 from ..abel.order import Order
 from ..abel.reduce import NotReducibleError, parse
-from ..contact.general import Layer, layers
+from ..contact.general import Layer, beyond, excess, layers
 from ..notation import E_star, a, r
 from ..profiles.profile import Piece, Profile
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
 from ..stable.slopes import slope_form
-from .code import python
+from .code import HELPERS, python
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
 
+LEAST_POWER = sp.Rational(1, 12)
+"""The least exponent a profile may have; a parameter may be as small."""
+COUNT = 64
+"""Nodes over a closed g'."""
+
 
 def library_source(
-    profile: Profile, count: int, exponents: tuple[float, float], reach: float | None = None, floor: float = 0.0
+    profile: Profile, exponents: tuple[float, float], reach: float | None = None, floor: float = 0.0
 ) -> str:
     """The functions as text, for the linker.
 
@@ -34,8 +40,6 @@ def library_source(
     ----------
     profile : Profile
         Compact, with any number of breaks.
-    count : int
-        Nodes of the rules over the profile.
     exponents : tuple of float
         Least logarithmic slope of depth and force over the contact radius.
     reach : float, optional
@@ -45,15 +49,15 @@ def library_source(
     """
     functions = PrivateFunctions(profile)
     _profile_function(functions)
-    _General(functions, count, reach, floor).add_all(exponents)
+    _General(functions, reach, floor).add_all(exponents)
     lines = [
         "import numpy as np",
         "",
         "from .._elementwise import Array",
-        "from .._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap",
+        f"from .._functions import {', '.join(HELPERS)}",
         "from .._integrals import difference_root, pressure_integral, pressure_integral_beyond",
         "from .._inverse import inverse",
-        "from .._over_profile import growth_beyond, over_profile",
+        "from .._over_profile import over_profile, pressure_over_profile",
     ]
     for private in functions.functions.values():
         row = _private(private, profile)
@@ -66,7 +70,6 @@ def library_source(
 @dataclass
 class _General:
     functions: PrivateFunctions
-    count: int
     reach: float | None = None
     floor: float = 0.0
 
@@ -78,15 +81,19 @@ class _General:
 
     def add_all(self, exponents: tuple[float, float]) -> None:
         self.steep = [self._steepness(i, piece) for i, piece in enumerate(self.profile.pieces)]
-        growths = [self._growth(i, layer) for i, layer in enumerate(self.layers)]
+        self.growths = [self._growth(i, layer) for i, layer in enumerate(self.layers)]
+        self.bends = [
+            None if growth else self._bend(i, layer)
+            for i, (layer, growth) in enumerate(zip(self.layers, self.growths, strict=True))
+        ]
         self._over("depth", "1.0", "a")
-        self._over("force", "x * x", python(2 * E_star), {"E_star"})
-        self._pressure(growths)
+        self._over("force", "x * x", python(2 * E_star))
+        self._pressure()
         self._displacement()
         self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"], {"E_star"})
         force = self.functions.functions["force"]
         self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"], force.needs)
-        rate = self._slope_at(growths)
+        rate = self._slope_at()
         for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
             self._inverse(field, curve, rate, exponent)
 
@@ -96,39 +103,45 @@ class _General:
         return self.functions.add(name, fields, lines, words & {*self.names, "E_star"}, doc)
 
     def _steepness(self, index: int, piece: Piece) -> Private | None:
-        below = [layer for layer in self.layers if layer.start in (0, *self.profile.breaks[:index])]
-        slope = sp.Add(*(around(layer.slope, layer.start) for layer in below))
-        if slope == 0:
+        starts = (sp.S.Zero, *self.profile.breaks[:index])
+        own = [layer for layer in self.layers if layer.start in starts]
+        if not own:
             return None
-        return self._add(f"steepness_{index}", ("r",), [f"return {_text(slope)}"], "Slope f'(r) of a piece.")
+        if index == 0:
+            return self._add("steepness_0", ("r",), [f"return {_text(own[0].slope)}"], "Slope f'(r).")
+        start = starts[-1]
+        inner = [layer.slope.subs(r, start + excess) for layer in own if layer.start != start]
+        slope = sp.Add(*inner, *(beyond(layer.slope, start) for layer in own if layer.start == start))
+        doc = f"Slope f'(r) at r = {start} + excess."
+        return self._add(f"steepness_{index}", ("excess",), [f"return {_text(slope)}"], doc)
 
-    def _growth(self, index: int, layer: Layer) -> Private:
-        fields = ("t",) if layer.start == 0 else ("t", "root")
+    def _growth(self, index: int, layer: Layer) -> Private | None:
+        """g'(t) of a layer in closed form, if it is a polynomial and the form does not cancel."""
         form = _closed(layer)
+        if form is None:
+            return None
+        fields = ("t",) if layer.start == 0 else ("t", "root")
         doc = "Rate g'(t) of the indentation depth" + (f", what begins at {layer.start}." if layer.start != 0 else ".")
-        if form is not None:
-            lines = self.functions.steps(form, fields)
-            lines.append(f"return {self.functions.value_lines(form.value, lines)}")
-            return self._add(f"growth_{index}", fields, lines, doc)
-        bend = self._add(f"bend_{index}", ("r",), [f"return {_text(around(layer.bend, layer.start))}"], "(r f')'.")
-        if layer.start == 0:
-            weight = f"lambda x, z: {bend.call('x')}"
-            lines = [f"return over_profile({weight}, t, 0.0, np.inf, {self.count})"]
-        else:
-            lines = [f"smooth = growth_beyond(lambda r: {bend.call('r')}, t, root, {layer.start}, {self.count})"]
-            lines.append(
-                f"return smooth + {_text(layer.start * layer.kink)} / root" if layer.kink != 0 else "return smooth"
-            )
+        lines = self.functions.steps(form, fields)
+        lines.append(f"return {self.functions.value_lines(form.value, lines)}")
         return self._add(f"growth_{index}", fields, lines, doc)
+
+    def _bend(self, index: int, layer: Layer) -> Private:
+        if layer.start == 0:
+            return self._add(f"bend_{index}", ("r",), [f"return {_text(layer.bend)}"], "(r f')'.")
+        bend, doc = beyond(layer.bend, layer.start), f"(r f')' of what begins at {layer.start}."
+        return self._add(f"bend_{index}", ("excess",), [f"return {_text(bend)}"], doc)
 
     def _whole(self, weight: str) -> list[str]:
         """Lines that add up the integrals over the pieces; `weight` in x and z."""
-        ends = ["0.0", *map(str, self.profile.breaks), "np.inf"]
+        starts = [sp.S.Zero, *self.profile.breaks]
         found: list[tuple[str, str]] = []
-        for low, high, steep in zip(ends, ends[1:], self.steep, strict=False):
+        for low, high, steep in zip(starts, [*map(str, starts[1:]), "np.inf"], self.steep, strict=True):
             if steep is not None:
                 factor = "" if weight == "1.0" else f" * {weight}"
-                found.append((f"lambda x, z: {steep.call('x')}{factor}", f"a, {low}, {high}, {self.count}"))
+                place = "x" if low == 0 else "excess"
+                limits = f"a, {_radius(low)}, {high}{self._reach(low)}"
+                found.append((f"lambda x, z, excess, within: {steep.call(place)}{factor}", limits))
         lines: list[str] = []
         for integrand, limits in found:
             before = "whole = whole + " if lines else "whole = "
@@ -137,21 +150,35 @@ class _General:
             lines += [line] if len(line) <= LINE else split
         return lines
 
-    def _over(self, name: str, weight: str, scale: str, more: set[str] | None = None) -> None:
+    def _over(self, name: str, weight: str, scale: str) -> None:
         lines = self._whole(weight)
         lines.append(f"return {self._reached(f'{scale} * whole')}")
         self._add(name, ("a",), lines)
 
+    def _reach(self, start: sp.Expr) -> str:
+        """How far a rule goes towards a start where f is a power below 1 of the distance, as its last argument."""
+        shapes = (beyond(layer.shape, start) for layer in self.layers if layer.start == start)
+        powers = [p for shape in shapes for p in shape.atoms(sp.Pow) if p.base in (r, excess)]
+        if any(not p.exp.is_number for p in powers):
+            least = LEAST_POWER
+        else:
+            least = min((p.exp for p in powers if p.exp > 0), default=sp.S.One)
+        return "" if least >= 1 else f", {float(far(least)):.1f}"
+
     def _reached(self, value: str) -> str:
         return f"np.where(a >= {self.start}, {value}, np.nan)" if self.start is not None else value
 
-    def _pressure(self, growths: list[Private]) -> None:
+    def _pressure(self) -> None:
         lines, value = [], "E_star / np.pi * pressed"
-        for i, (layer, growth) in enumerate(zip(self.layers, growths, strict=True)):
-            if layer.start == 0:
-                text = f"pressure_integral({growth.growth('t')}, r, a, {self.count})"
-            else:
+        for i, (layer, growth, bend) in enumerate(zip(self.layers, self.growths, self.bends, strict=True)):
+            if growth and layer.start == 0:
+                text = f"pressure_integral({growth.growth('t')}, r, a, {COUNT})"
+            elif growth:
                 text = f"pressure_integral_beyond({growth.with_parameters()}, r, a, {layer.start})"
+            else:
+                assert bend is not None
+                limits = f"{_radius(layer.start)}, {_text(layer.kink)}{self._reach(layer.start)}"
+                text = f"pressure_over_profile({bend.growth(*bend.fields)}, r, a, {limits})"
             lines.append(f"pressed = {'pressed + ' if i else ''}{text}")
         for layer in self.layers:
             if layer.kink != 0:
@@ -168,15 +195,25 @@ class _General:
         lines.append(f"return {self._reached('np.where(r > a, outside, inside)')}")
         self._add("displacement", ("r", "a"), lines)
 
-    def _slope_at(self, growths: list[Private]) -> Private:
+    def _slope_at(self) -> Private:
         lines = []
-        for i, (layer, growth) in enumerate(zip(self.layers, growths, strict=True)):
+        for i, (layer, growth, bend) in enumerate(zip(self.layers, self.growths, self.bends, strict=True)):
             before = "rate + " if i else ""
-            if layer.start == 0:
+            if growth and layer.start == 0:
                 lines.append(f"rate = {before}{growth.call('a')}")
-            else:
+                continue
+            if growth or layer.kink != 0:
                 lines.append(f"root_{i} = difference_root(a, {layer.start})")
-                lines.append(f"rate = {before}np.where(a > {layer.start}, {growth.call('a', f'root_{i}')}, 0.0)")
+            if growth:
+                value = growth.call("a", f"root_{i}")
+            else:
+                assert bend is not None
+                place = "x" if layer.start == 0 else "excess"
+                limits = f"a, {_radius(layer.start)}, np.inf{self._reach(layer.start)}"
+                value = f"over_profile(lambda x, z, excess, within: {bend.call(place)}, {limits})"
+                value += f" + {_text(layer.start * layer.kink)} / root_{i}" if layer.kink != 0 else ""
+            value = value if layer.start == 0 else f"np.where(a > {layer.start}, {value}, 0.0)"
+            lines.append(f"rate = {before}{value}")
         return self._add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
 
     def _inverse(self, field: str, curve: str, rate: Private, exponent: float) -> None:
@@ -217,28 +254,30 @@ class _General:
         return lengths[0] if lengths else "1.0"
 
 
+def far(power: sp.Expr) -> float:
+    """The t with power*(t + t**3/75) = 46, where the integral of a power has lost its last digit."""
+    wanted = 46.0 / float(power)
+    return float(max(root.real for root in np.roots([1.0 / 75.0, 0.0, 1.0, -wanted]) if abs(root.imag) < 1e-9))
+
+
 def _text(expr: sp.Expr) -> str:
     form = evaluation_form(expr, facts_of(()))
     return python(expr) if form.cancels or form.steps else python(form.value)
 
 
-def around(expr: sp.Expr, start: sp.Expr) -> sp.Expr:
-    """A polynomial in powers of r - start, which keeps its digits next to the break."""
-    if not expr.is_polynomial(r):
-        return expr
-    moved = sp.Poly(sp.expand(expr.subs(r, r + start)), r)
-    return sp.Add(*(sp.factor(c) * (r - start) ** power for (power,), c in moved.terms()))
+def _radius(start: sp.Expr) -> str:
+    return "0.0" if start == 0 else str(start)
 
 
 def _closed(layer: Layer) -> EvaluationForm | None:
-    """g' of a layer by the engine, if it is a sum of atoms and its form does not cancel."""
+    """g' of a layer by the engine, if it is a polynomial and its form does not cancel."""
     b = layer.start
+    if not layer.shape.is_polynomial(r):
+        return None
     pieces = (Piece(None, layer.shape),) if b == 0 else (Piece(b, sp.S.Zero), Piece(None, layer.shape))
     chain = (a,) if b == 0 else (b, a)
     try:
         depth = parse(pieces).depth(Order(chain)).expr()
-        if depth.has(sp.gamma):
-            return None
         form = slope_form(depth, facts_of(chain))
     except (NotReducibleError, ValueError, AssertionError):
         return None

@@ -34,8 +34,6 @@ FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
 """Radii over the contact radius at which fields are compared."""
 DIGITS = 20
-COUNT = 64
-"""Nodes of the rules over the profile: 2e-15 from the definition for smooth profiles."""
 
 
 @dataclass(frozen=True)
@@ -205,7 +203,7 @@ def _module(
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
     reach = validity.compact_to if frozen else None
     floor = numeric.breaks[0] if profile.truncated else 0.0
-    return library_source(profile, COUNT, numeric.exponents(validity.compact_to), reach, floor)
+    return library_source(profile, numeric.exponents(validity.compact_to), reach, floor)
 
 
 def _with_numbers(entry: Entry) -> Entry:
@@ -219,9 +217,12 @@ def _with_numbers(entry: Entry) -> Entry:
 
 
 def _plain(profile: Profile) -> bool:
-    """Powers of r, or one round shape: what the modules of the catalogue evaluate without loss for any parameters."""
+    """Whether the modules of the catalogue evaluate it without loss: whole powers, one other power, one round shape."""
     atoms = parse(profile.pieces).atoms
-    if len(atoms) > 1 and any(isinstance(atom, PowerAtom) and not atom.n.is_number for atom in atoms):
-        return False
-    single = len(atoms) == 1 and isinstance(atoms[0], (SphereAtom, HyperboloidAtom))
-    return single or all(isinstance(atom, PowerAtom) for atom in atoms)
+    powers = [atom.n for atom in atoms if isinstance(atom, PowerAtom)]
+    if len(powers) == len(atoms):
+        # the pressure of a root of r is an elliptic integral
+        return all(n.is_Integer for n in powers) or (len(powers) == 1 and powers[0] != sp.S.Half)
+    first = atoms[0]
+    length = first.R if isinstance(first, SphereAtom) else first.b if isinstance(first, HyperboloidAtom) else sp.S.Zero
+    return len(atoms) == 1 and bool(length.is_Symbol)

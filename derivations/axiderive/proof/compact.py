@@ -191,7 +191,8 @@ class Compact:
             difference = at(expr, a, lower) - at(below, a, lower)
         except NotProvedError:
             if domain_below is None:
-                raise
+                # a power may be finite only together with the factor before it
+                return require_zero(at(sp.powsimp(sp.expand_mul(expr), combine="exp"), a, lower), face, statement)
             difference = at(logarithmic(expr, domain), a, lower) - at(logarithmic(below, domain_below), a, lower)
         return require_zero(difference, face, statement)
 

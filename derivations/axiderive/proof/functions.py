@@ -29,7 +29,7 @@ from .elements import ONE, Element
 from .tower import Tower
 
 ODD = (sp.asin, sp.atan, sp.atanh, sp.sinh, sp.asinh, LegendreChi2, ArctanIntegral)
-ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, ArctanIntegral, Dawson, StruveH, StruveL)
+ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, sp.besseli, ArctanIntegral, Dawson, StruveH, StruveL)
 
 
 def tower(domain: Domain, *exprs: sp.Expr) -> Tower:

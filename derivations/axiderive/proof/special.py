@@ -8,6 +8,7 @@ Every relation stands here once.  With T = z d/dz,
     (p + q) B(z; p + 1, q) = p B(z; p, q) - z**p (1 - z)**q
     (p + q) B(z; p, q + 1) = q B(z; p, q) + z**p (1 - z)**q
     1F1(1; c; z) = 1 + z/c 1F1(1; c + 1; z),  T 1F1(1; c; z) = c - 1 + (z - c + 1) 1F1(1; c; z)
+    I_{nu-1}(z) - I_{nu+1}(z) = 2 nu/z I_nu(z)
     H_{nu-1}(z) +- H_{nu+1}(z) = 2 nu/z H_nu(z) + (z/2)**nu/(sqrt(pi) Gamma(nu + 3/2)),  - for L
 """
 
@@ -42,6 +43,8 @@ def respelled(head: type[sp.Function], args: list[sp.Expr], sign: Sign) -> sp.Ex
         return _struve(head, *args)
     if head is CapMoment:
         return _cap(sign, *args)
+    if head is sp.besseli:
+        return _bessel(*args)
     return None
 
 
@@ -140,6 +143,16 @@ def _member(head: type[StruveH], nu: sp.Expr, z: sp.Expr) -> sp.Expr:
     return head(nu, z) if found is None else found
 
 
+def _bessel(nu: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+    """I_nu for a whole nu through I_0 and I_1."""
+    if not nu.is_Integer or nu in (0, 1):
+        return None
+    if nu < 0:
+        return sp.besseli(-nu, z)
+    one, other = (_bessel(order, z) or sp.besseli(order, z) for order in (nu - 2, nu - 1))
+    return one - 2 * (nu - 1) / z * other
+
+
 def _cap(sign: Sign, k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr | None:
     """An angle for k = 0; up to the edge b = a the sphere without a cap."""
     if k == 0:
@@ -152,16 +165,17 @@ def _cap(sign: Sign, k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr 
 def integrand(function: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr, tuple[sp.Expr, ...]] | None:
     """What the function is the integral of over 0 < t < 1, and what must be positive; None if that is not stated.
 
-    Euler's integral with t**2 for t, Poisson's for the Struve functions (11.97), Legendre's (11.92).
+    Euler's integral with t**2 for t, Poisson's for the Struve functions (11.97) and I_nu, Legendre's (11.92).
     """
     args = function.args
     if isinstance(function, Hypergeometric):
         p, q, c, z = args
         scale = 2 * gamma_normalised(c) / (gamma_normalised(q) * gamma_normalised(c - q))
         return scale * t ** (2 * q - 1) * (1 - t**2) ** (c - q - 1) * (1 - z * t**2) ** -p, (q, c - q, 1 - z)
-    if isinstance(function, StruveH):
+    if isinstance(function, StruveH | sp.besseli):
         nu, z = args
-        wave = sp.sinh(z * t) if isinstance(function, StruveL) else sp.sin(z * t)
+        waves = {StruveH: sp.sin, StruveL: lambda x: (sp.exp(x) - sp.exp(-x)) / 2}
+        wave = waves.get(function.func, lambda x: (sp.exp(x) + sp.exp(-x)) / 2)(z * t)
         scale = 2 * (z / 2) ** nu / (sp.sqrt(sp.pi) * gamma_normalised(nu + HALF))
         return scale * (1 - t**2) ** (nu - HALF) * wave, (nu + HALF, z)
     if isinstance(function, sp.elliptic_e | sp.elliptic_k) and len(args) == 1:
