@@ -34,8 +34,6 @@ from .{module} import {force}, {depth}
 def pull_off({parameters}):
     if control not in ("force", "depth"):
         raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    force = {force_call}
-    depth = {depth_call}
     return PullOff(a, {force_value}, {depth_value})
 """
 LEANING = """from .{module} import {private}
@@ -47,7 +45,10 @@ def {name}(x, P, a, e):
 """
 ORDER = """def _require_order({names}):
     if not {relation}:
-        raise ValueError(f"{given}: {shown} is violated; {reason}")
+        raise ValueError(
+            f"{given}: {shown} is violated; "
+            "{reason}"
+        )
 """
 WAVES = "from ._graded_growth import steepest_waves\n\n"
 REQUIRE_ORDER = "_require_order"
@@ -122,7 +123,8 @@ def pull_off(
         module=key, radius=radius, force=force, depth=depth, parameters=", ".join(["control", *parameters]),
         radius_call=_call(modules, (key, radius)) if radius in defined else "",
         force_call=_call(modules, (key, force)), depth_call=_call(modules, (key, depth)),
-        force_value=_float("force", array=array), depth_value=_float("depth", array=array),
+        force_value=_float(_call(modules, (key, force)), array=array),
+        depth_value=_float(_call(modules, (key, depth)), array=array),
     )  # fmt: skip
     decorators = SILENT if radius in defined else ()
     return Assembled(interface.PULL_OFF, text, doc, keywords, 'control="force"', decorators)

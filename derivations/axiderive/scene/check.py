@@ -163,6 +163,7 @@ def _tilted(contact: Contact, function: interface.Function) -> Rows:
     a, entry = contact.all["a"], contact.entries[function.quantity.suffix]
     known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"]), nt.P: sp.Rational(LOAD)}
     places = [short(share * a) for share in (-0.85, -0.3, 0.4, 0.9)] if function.leaning else []
+    calls: list[tuple[tuple[float, ...], dict[sp.Symbol, sp.Expr]]]
     calls = [((x, LOAD), {nt.x: sp.Rational(x)}) for x in places]
     calls = calls or [((LOAD,) if function.fields else (), {})]
     return [(fields, example.value(contact.profile, entry, known | at)) for fields, at in calls]

@@ -16,11 +16,9 @@ def refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     reason = _reason(kind, profile, graded=graded, own=own)
     if not reason:
         return ""
-    forms = {
-        (kind, False): "leave [medium] out" if kind == "viscoelastic" else 'kind = "homogeneous"',
-        ("normal", True): "normal = true",
-        ("normal", False): 'normal = true with kind = "homogeneous"' if graded else "normal = true",
-    }
+    elsewhere = 'normal = true with kind = "homogeneous"' if graded else "normal = true"
+    forms = {("normal", False): elsewhere, ("normal", True): "normal = true"}
+    forms = {(kind, False): 'kind = "homogeneous"', **({} if kind == "normal" else dict(reversed(forms.items())))}
     nearest = next(
         (form for (other, medium), form in forms.items()
          if (graded or not medium) and (other, medium) != (kind, graded)

@@ -96,7 +96,7 @@ class _Composition:
         files: dict[str, bytes] = {}
         if "python" in self.request.formats:
             files[self.request.module] = text.encode()
-            files[f"test_{stem}.py"] = test_text(stem, run, self._free()).encode()
+            files[f"test_{stem}.py"] = test_text(stem, run, self._free(), self._origin()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(
@@ -136,10 +136,15 @@ class _Composition:
         request, physics = self.request, self.request.physics
         modules = sources.library(self.profile, self.entries, self.normal, physics)
         written, order = assembled.order(self.profile, rules.between(self.profile, physics), physics, request.values)
-        texts, wanted, above = [written] if written else [], [], []
+        texts = [written] if written else []
+        wanted: list[Wanted] = []
+        above: list[Assembled] = []
         for quantity in request.quantities:
             one = self._pull_off(modules) if quantity == interface.PULL_OFF else self._wanted(modules, quantity, texts)
-            (wanted if isinstance(one, Wanted) else above).append(one)
+            if isinstance(one, Wanted):
+                wanted.append(one)
+            else:
+                above.append(one)
         texts += [one.text for one in above]
         modules = {**modules, **({OWN: assembled.module(texts)} if texts else {})}
         constants = [
@@ -209,6 +214,11 @@ class _Composition:
         if self.request.at is not None:
             lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
         return "\n".join(lines) + "\n"
+
+    def _origin(self) -> str:
+        """Where the check values come from."""
+        tilted = interface.contact_of(self.profile) == interface.TILTED
+        return "the proved formulas" if tilted else "the integrals that define them"
 
     def _lines(self, run: Run) -> list[str]:
         errors = run.errors

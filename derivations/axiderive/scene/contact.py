@@ -53,7 +53,7 @@ def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], flo
 
 
 def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
-    """The free parameters as they are sketched, their lengths to the scale of the frozen ones so that all rules hold."""
+    """The free parameters as they are sketched, lengths to the scale of the frozen ones, so that all rules hold."""
     sketched, names = {p: float(v) for p, v in profile.sketch.values}, interface.parameters(profile)
     drawn = {name: sketched.get(p, 1.0) for name, p in names.items()}
     lengths = [name for name, p in names.items() if nt.known(p.name) and nt.describe(p).dimension == nt.LENGTH]

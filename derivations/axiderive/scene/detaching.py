@@ -8,11 +8,19 @@ import mpmath as mp
 
 from .. import notation as nt
 from ..proof.integrals import GUARD
+from ..proof.shape import number
 from .contact import DIGITS, Contact
 from .edged import Edged
 
+NEAR = 1e-9
+"""Of a break, relative: a radius that is found at it."""
 State = tuple[float, float, float]
 """Radius, force and depth."""
+
+
+def _corners(contact: Contact) -> list[Any]:
+    known = contact.given()
+    return [number(known[b]) for b in contact.profile.breaks]
 
 
 def detached(contact: Contact, control: str, radius: float) -> State | None:
@@ -29,6 +37,12 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         def missing(scale: Any) -> Any:
             return mp.log(here.separation(control, radius * scale) / wanted)
 
+        corner = next((b for b in _corners(contact) if abs(radius / b - 1) < NEAR), None)
+        if corner is not None and missing(corner * (1 + NEAR) / radius) > 0:
+            # At a break the load may turn without being stationary. Beyond it the depth grows as the root of the
+            # distance, 1e-6 of it within two units of the last place: the loads are those of the radius itself.
+            at = mp.mpf(radius)
+            return float(corner), float(here.adhesive("F", at)), float(here.adhesive("d", at))
         start = mp.mpf(1)
         scale = mp.findroot(missing, (start, start * (1 + mp.mpf(10) ** -6)), solver="secant", tol=1e-30, verify=False)
         a = radius * scale

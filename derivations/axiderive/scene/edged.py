@@ -43,7 +43,7 @@ class Edged:
 
     def at(self, suffix: str, depth: float, **places: float) -> Any:
         """A quantity of the normal contact at a depth."""
-        here = self.half_space(d=depth, **places)
+        here = self.half_space(DIGITS, d=depth, **places)
         radius, free = of_depth(here, self.a)
         place = places.get("r")
         if suffix == "p" and place is not None and place > radius:
@@ -58,7 +58,10 @@ class Edged:
         full = self.half_space().depth(self.a)
         if full > 0:
             return [short(float(full * share)) for share in (0.4, 1.7)]
-        return [short(float(2 * self.least if full < 0 else self.a / 100))]
+        if full == 0:
+            return [short(float(self.a / 100))]
+        least = full - min(self.weighted(self.a * share, COARSE) for share in (0.0, *PLACES))
+        return [short(float(2 * least))]
 
     def weighted(self, r: Any, digits: int = DIGITS) -> Any:
         """The depth that the face alone needs for its pressure at r to vanish, with the sign turned."""
@@ -118,7 +121,8 @@ class Edged:
                     rows.append(((float(self.at("F", depth)),), mp.mpf(depth)))
                 case "stiffness":
                     fields = interface.arguments(
-                        interface.functions("normal", interface.CONCAVE)[name], self.contact.entries
+                        interface.functions("normal", interface.contact_of(self.contact.profile))[name],
+                        self.contact.entries,
                     )
                     rows.append(((depth,) if fields else (), self.at("k", depth)))
                 case "pressure":

@@ -41,13 +41,15 @@ def pool(text: SceneText) -> Pool:
 
 def elsewhere(text: SceneText, name: str) -> str:
     """What to do about a profile of another kind of contact; empty if no kind has it."""
+    asked = [key for key, value in text.table("physics").items() if value not in (None, False) and key in PHYSICS[1:]]
+    instead = f" in place of {' and '.join(asked)}" if asked else ""
     for kind, (what, names, _) in POOLS.items():
-        if name in names and not alone(text, kind):
-            return f"{name} is a {what}; write [physics] {kind} = true"
+        if name in names and kind not in asked:
+            return f"{name} is a {what}; write [physics] {kind} = true{instead}"
     if name in profiles.NAMES:
         kind = next(kind for kind in POOLS if alone(text, kind))
         others = ", ".join(POOLS[kind][1])
-        return f"{name} is a round profile; leave {kind} out, or take a {POOLS[kind][0]}: {others}"
+        return f"{name} is a round profile; write normal = true in place of {kind}, or take one out of {others}"
     return ""
 
 
@@ -65,9 +67,10 @@ def physics(text: SceneText, scene: Scene) -> None:
     if kind == "viscoelastic":
         model = _model(text, table[kind])
         scene.physics = f"{kind}.{model or next(iter(interface.LAWS))}"
-        if model and not graded and text.table("medium"):
+        moduli = [key for key in text.table("medium") if key != "kind"]
+        if model and not graded and moduli:
             message = "a viscoelastic half space has its moduli in the table of viscoelastic; leave [medium] out"
-            text.problem("medium", "", message)
+            text.problem("medium", moduli[0], message)
     else:
         model = ""
         scene.physics = ".".join(["graded", *chosen[:1]]) if graded and kind not in POOLS else kind

@@ -143,8 +143,8 @@ def graded_refusal(profile: Profile) -> str:
         family(profile)
     except (NotReducibleError, AssertionError, ValueError):
         return (
-            "the rules of the graded half space do not hold its pieces; "
-            "the nearest are sums of powers of r, with at most one break of straight or parabolic pieces"
+            "on the graded half space there are rules for sums of powers of r, with at most one break of "
+            "straight or parabolic pieces, and not for these pieces"
         )
     return ""
 

@@ -12,7 +12,7 @@ TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
 
 
-def test_text(stem: str, run: Run, free: Mapping[str, float]) -> str:
+def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> str:
     """The test that goes with a module; it runs with plain Python."""
     values = run.values
     rule = max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)])
@@ -21,7 +21,7 @@ def test_text(stem: str, run: Run, free: Mapping[str, float]) -> str:
         f'    ("{v.function}", {v.fields!r}, {f"dict({_passed(v)}), " if keyed else ""}{v.wanted!r}),' for v in values
     ]
     lines = [
-        f'"""Values of {stem} from the integrals that define them, {DIGITS} digits; run it with plain Python."""',
+        f'"""Values of {stem} from {origin}, {DIGITS} digits; run it with plain Python."""',
         "",
         "import math",
         "",
