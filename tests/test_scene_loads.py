@@ -54,9 +54,10 @@ def test_a_wrong_rule_does_not_pass(load, right, wrong, monkeypatch):
 @pytest.mark.parametrize(
     ("source", "message"),
     [
-        (LOADS.format("power", ""), "unknown prescribed pressure 'power'; there are uniform, hertzian, punch"),
-        (LOADS.format("cone", ""), "unknown prescribed pressure 'cone'"),
-        (LOADS.format("r**2", ""), "the nearest here is normal = true"),
+        (LOADS.format("powr", ""), "unknown prescribed pressure 'powr'; did you mean 'power'?"),
+        (LOADS.format("power", "[parameters]\ns = -1\n"), "s = -1 is outside s > -1"),
+        (LOADS.format("cone", ""), "cone is a round profile"),
+        (LOADS.format("r**2", ""), "the nearest is normal = true"),
         (LOADS.format("uniform", '[medium]\nkind = "power_law"\n'), 'the nearest is kind = "homogeneous"'),
         (LOADS.format("uniform", "") + "adhesive = true\n", "adhesive and loads together are not derived"),
         (LOADS.format("uniform", "").replace("= true", "= 3"), "write loads = true"),

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
 from ..emit import example
-from ..entry import Entry
 from ..profiles.loads import Load
-from ..profiles.profile import Profile
 from ..proof.load_quadrature import displacement
+from ..proof.shape import number
 from . import interface
 from .contact import DIGITS, Contact, short
+from .edged import Edged
 from .grading import graded
 from .mirrored import plane
 from .relaxing import relaxing
 
-if TYPE_CHECKING:
-    from .request import Request
-
 Rows = list[tuple[tuple[float, ...], Any]]
+LOAD = 3.0
+"""Line load at which the eccentric punch is checked."""
 STICK = 0.6
 """Radius of the stick zone over the contact radius, or its place between a flat face and it."""
 
@@ -47,29 +46,29 @@ class Value:
         }
 
 
-def check_values(
-    profile: Profile,
-    entries: Mapping[str, Entry],
-    request: Request,
-    keywords: Callable[[Sequence[str]], tuple[str, ...]],
-) -> list[Value]:
+def check_values(contact: Contact, keywords: Callable[[Sequence[str]], tuple[str, ...]]) -> list[Value]:
     """A few values of every function that is wanted, `pull_off` left out."""
-    contact = Contact(profile, entries, request)
+    profile, request = contact.profile, contact.request
+    edged, shape = Edged(contact), interface.contact_of(profile)
     found = []
     for name in request.quantities:
         if name == interface.PULL_OFF:
             continue
-        if request.physics.startswith("graded"):
-            rows = graded(contact, name)
+        if shape == interface.TILTED:
+            rows = _tilted(contact, interface.functions("plane", shape)[name])
         elif request.physics == "plane":
-            rows = plane(contact, interface.functions("plane", profile.contact)[name])
+            rows = plane(contact, interface.functions("plane", shape)[name])
         elif isinstance(profile, Load):
             rows = _sunk(contact, profile)
         elif interface.law_of(request.physics):
-            rows = relaxing(contact, interface.functions(request.physics)[name])
+            rows = relaxing(contact, edged, interface.functions(request.physics, shape)[name])
+        elif not contact.compact:
+            rows = edged.rows(name)
+        elif request.physics.startswith("graded"):
+            rows = graded(contact, name)
         else:
-            rows = _compact(contact, request.physics, name) if contact.compact else _complete(contact, name)
-        parameters = [*(p.name for p in profile.parameters), *interface.MATERIAL[request.physics]]
+            rows = _compact(contact, request.physics, name)
+        parameters = [*interface.parameters(profile), *interface.MATERIAL[request.physics]]
         free = tuple((k, contact.all[k]) for k in keywords(parameters))
         found += [Value(name, fields, free, float(wanted)) for fields, wanted in rows]
     return found
@@ -80,7 +79,7 @@ def _sunk(contact: Contact, load: Load) -> Rows:
     a = contact.all["a"]
     known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"])}
     with mp.workdps(DIGITS + 10):
-        exponent = mp.mpf(load.exponent.p) / load.exponent.q
+        exponent = number(load.exponent.xreplace(known))
         places = [short(0.45 * a), short(0.95 * a), short(1.6 * a)]
         return [((r,), displacement({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places]
 
@@ -159,22 +158,12 @@ def _slipping(contact: Contact, name: str, a: float) -> Rows:
     return []
 
 
-def _complete(contact: Contact, name: str) -> Rows:
-    """A complete contact by its closed entries, at a depth above the least one."""
-    functions = interface.functions("normal", "complete")
-    entry = contact.entries.get(functions[name].quantity.suffix)
-    known: dict[sp.Symbol, sp.Expr] = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"])}
-    if entry is None or entry.status == "root" or any(e.has(nt.r_zero) for e in [c.expr for c in entry.cases]):
-        return []
-    a = known.get(nt.a, sp.S.One)
-    least = contact.entries.get("dmin")
-    depth = a / 100
-    if least is not None and least.status == "closed" and not least.cases[0].expr.has(nt.r_zero):
-        depth = 2 * sp.Rational(str(example.value(contact.profile, least, known)))
-    fields = {nt.d: float(depth), nt.r: float(a) * (1.5 if name == "displacement" else 0.4)}
-    if name == "depth_from_force":
-        at = known | {nt.d: sp.Rational(fields[nt.d])}
-        fields[nt.F] = float(example.value(contact.profile, contact.entries["F"], at))
-    arguments = interface.arguments(functions[name], contact.entries)
-    own = {nt.describe(n).symbol: sp.Rational(fields[nt.describe(n).symbol]) for n in arguments}
-    return [(tuple(float(v) for v in own.values()), example.value(contact.profile, entry, known | own))]
+def _tilted(contact: Contact, function: interface.Function) -> Rows:
+    """The eccentric punch by its proved formulas, which no integral of the profile defines."""
+    a, entry = contact.all["a"], contact.entries[function.quantity.suffix]
+    known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"]), nt.P: sp.Rational(LOAD)}
+    places = [short(share * a) for share in (-0.85, -0.3, 0.4, 0.9)] if function.leaning else []
+    calls: list[tuple[tuple[float, ...], dict[sp.Symbol, sp.Expr]]]
+    calls = [((x, LOAD), {nt.x: sp.Rational(x)}) for x in places]
+    calls = calls or [((LOAD,) if function.fields else (), {})]
+    return [(fields, example.value(contact.profile, entry, known | at)) for fields, at in calls]

@@ -62,7 +62,7 @@ def _request(scene: Scene, source: str) -> Request:
 def _plan(scene: Scene, folder: Path) -> list[str]:
     """What would be written, with the defaults filled in."""
     assert scene.profile is not None
-    names = [p.name for p in scene.profile.parameters] + list(interface.MATERIAL[scene.physics])
+    names = [*interface.parameters(scene.profile), *interface.MATERIAL[scene.physics]]
     frozen = ", ".join(f"{n} = {scene.values[n]!r}" for n in names if n in scene.values) or "none"
     free = ", ".join(n for n in names if n not in scene.values) or "none"
     return [

@@ -17,12 +17,14 @@ from ..emit.plane import document
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
 from ..expression.answer import Answer, answered
-from . import evidence, interface, sources
-from .check import Value, check_values
+from . import assembled, evidence, interface, rules, sources
+from .assembled import Assembled
+from .check import check_values
 from .contact import Contact, values_of, worked
-from .linking import Wanted
-from .measured import measured
-from .module import Constant, PullOff, module_text
+from .library import Module
+from .linking import OWN, Wanted
+from .measured import Run, measured
+from .module import Constant, module_text
 from .page import page_sources
 from .request import Request
 from .written import test_text
@@ -65,7 +67,7 @@ class _Composition:
             self.profile = request.profile
             self.entries = sources.stored_entries(self.profile, request.physics)
             self.normal = sources.stored_module(self.profile.name, self.entries, request.physics)
-        self.parameters = [p.name for p in self.profile.parameters]
+        self.parameters = list(interface.parameters(self.profile))
         self._require_reach()
 
     def _require_reach(self) -> None:
@@ -88,12 +90,13 @@ class _Composition:
     def result(self) -> Result:
         text = self._module()
         stem = self.request.module.removesuffix(".py")
-        values = check_values(self.profile, self.entries, self.request, self._keywords)
-        values, errors = measured(text, values, self.request, self._free())
+        contact = Contact(self.profile, self.entries, self.request)
+        run = measured(text, check_values(contact, self._keywords), self.request, self._free(), contact)
+        values, errors = run.values, run.errors
         files: dict[str, bytes] = {}
         if "python" in self.request.formats:
             files[self.request.module] = text.encode()
-            files[f"test_{stem}.py"] = test_text(stem, self.request, values, errors, self._free()).encode()
+            files[f"test_{stem}.py"] = test_text(stem, run, self._free(), self._origin()).encode()
         page = {}
         if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(
@@ -109,7 +112,7 @@ class _Composition:
             )
         if self.request.scene:
             files["scene.toml"] = self.request.scene.encode()
-        return Result(files, tuple(self._lines(values, errors)), page)
+        return Result(files, tuple(self._lines(run)), page)
 
     def _free(self) -> dict[str, float]:
         """Values for the parameters that stay free, in the order of the interface."""
@@ -120,7 +123,7 @@ class _Composition:
     # the module
 
     def _comment(self, name: str) -> str:
-        record = interface.record(name)
+        record = interface.record(name, self.profile)
         meaning = record.meaning
         if self.request.physics == "plane":
             meaning = document.meaning(self.profile, record.symbol)
@@ -130,49 +133,64 @@ class _Composition:
         return tuple(name for name in names if name not in self.request.values)
 
     def _module(self) -> str:
-        request, name = self.request, self.profile.name
-        physics, wanted, pull_off = request.physics, [], None
+        request, physics = self.request, self.request.physics
         modules = sources.library(self.profile, self.entries, self.normal, physics)
-        own, plain = (
-            interface.functions(physics, self.profile.contact),
-            interface.functions(interface.BELOW.get(physics, "normal"), self.profile.contact),
-        )
+        written, order = assembled.order(self.profile, rules.between(self.profile, physics), physics, request.values)
+        texts = [written] if written else []
+        wanted: list[Wanted] = []
+        above: list[Assembled] = []
         for quantity in request.quantities:
-            if quantity == interface.PULL_OFF:
-                pull_off = self._pull_off(modules)
-                continue
-            function = own.get(quantity) or plain[quantity]
-            key = (f"{function.module}.{name}", f"_{function.quantity.function}")
-            if key[1] not in modules[key[0]].definitions:
-                # the shape is that of any medium
-                key = OF_RUNTIME.get(physics, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
-            module = modules[key[0]]
-            fields = interface.arguments(function, self.entries)
-            needs = [p for p in module.definitions[key[1]].parameters if p not in fields]
-            doc = function.doc(interface.id_of(physics, name))
-            wanted.append(Wanted(key, quantity, fields, self._keywords(needs), doc, function.signed, function.parity))
+            one = self._pull_off(modules) if quantity == interface.PULL_OFF else self._wanted(modules, quantity, texts)
+            if isinstance(one, Wanted):
+                wanted.append(one)
+            else:
+                above.append(one)
+        texts += [one.text for one in above]
+        modules = {**modules, **({OWN: assembled.module(texts)} if texts else {})}
         constants = [
             Constant(parameter, value, self._comment(parameter))
             for parameter, value in self._ordered(request.values).items()
         ]
         free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
-        domains = {p: _interval(p) for p in free}
-        return module_text(self._head(), modules, wanted, constants, domains, pull_off)
+        domains = {p: _interval(interface.record(p, self.profile)) for p in free}
+        return module_text(self._head(), modules, wanted, constants, domains, above, order)
+
+    def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
+        """One function of the interface; the text of a new one below it is added to `texts`."""
+        physics, name, contact = self.request.physics, self.profile.name, interface.contact_of(self.profile)
+        plain = interface.functions(interface.BELOW.get(physics, "normal"), contact)
+        function = interface.functions(physics, contact).get(quantity) or plain[quantity]
+        key = (f"{function.module}.{name}", f"_{function.quantity.function}")
+        if key[1] not in modules[key[0]].definitions:
+            # the shape is that of any medium
+            key = OF_RUNTIME.get(physics, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
+        fields = interface.arguments(function, self.entries)
+        needs = [p for p in modules[key[0]].definitions[key[1]].parameters if p not in fields]
+        doc, keywords = function.doc(interface.id_of(physics, name)), self._keywords(needs)
+        if not fields:
+            return assembled.number(modules, key, quantity, doc, keywords, array=self._bisected(function.name))
+        if function.leaning:
+            texts.append(assembled.leaning(key, quantity))
+            key = (OWN, quantity)
+        return Wanted(key, quantity, fields, keywords, doc, function.signed, function.parity)
+
+    def _pull_off(self, modules: Mapping[str, Module]) -> Assembled:
+        physics = self.request.physics
+        parameters = (*self.parameters, *interface.MATERIAL[physics])
+        key = f"{physics}.{self.profile.name}"
+        return assembled.pull_off(
+            modules, key, PULL_OFF_DOC, parameters, self._keywords(parameters), array=self._bisected(interface.PULL_OFF)
+        )
+
+    def _bisected(self, name: str) -> bool:
+        """Whether the rules of a number run in arrays, as that of the ring of zero pressure does."""
+        concave = interface.contact_of(self.profile) == interface.CONCAVE
+        general = "n" in self.parameters or self.request.physics.startswith("graded")
+        return concave and general and name != "stiffness"
 
     def _ordered(self, values: Mapping[str, float]) -> dict[str, float]:
         order = [*self.parameters, *interface.MATERIAL[self.request.physics]]
         return {name: values[name] for name in order if name in values}
-
-    def _pull_off(self, modules: Mapping[str, Any]) -> PullOff:
-        physics = self.request.physics
-        key = f"{physics}.{self.profile.name}"
-        defined = modules[key].definitions
-        force, depth = (
-            f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
-        )
-        parameters = (*self.parameters, *interface.MATERIAL[physics])
-        radius = (key, "_pull_off_radius")
-        return PullOff(radius, (key, force), (key, depth), PULL_OFF_DOC, parameters, self._keywords(parameters))
 
     def _head(self) -> str:
         physics = self.request.physics
@@ -197,13 +215,19 @@ class _Composition:
             lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
         return "\n".join(lines) + "\n"
 
-    def _lines(self, values: Sequence[Value], errors: Mapping[str, float]) -> list[str]:
+    def _origin(self) -> str:
+        """Where the check values come from."""
+        tilted = interface.contact_of(self.profile) == interface.TILTED
+        return "the proved formulas" if tilted else "the integrals that define them"
+
+    def _lines(self, run: Run) -> list[str]:
+        errors = run.errors
         worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
-        lines = []
+        lines, count = [], len(run.values) + 3 * len(run.detached)
         if self.answer is not None and (told := self.answer.told):
             lines.append(f"form      {told}")
-        if values:
-            lines.append(f"module    {len(values)} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
+        if count:
+            lines.append(f"module    {count} values agree with the definition, worst {worst[1]:.1e} ({worst[0]})")
         return lines
 
 
@@ -216,11 +240,11 @@ def _json(record: Any) -> bytes:
     return (json.dumps(record, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _interval(name: str) -> tuple[str, str]:
+def _interval(record: nt.Notation) -> tuple[str, str]:
     try:
-        low, high, _ = bounds(interface.record(name).domain)
-    except ValueError:
-        low, high = "0.0", "inf"
+        low, high, _ = bounds(record.domain)
+    except (ValueError, TypeError):
+        low, high = "0.0" if record.symbol.is_positive else "-np.inf", "inf"
     return low, "np.inf" if high == "inf" else high
 
 

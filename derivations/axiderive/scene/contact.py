@@ -36,8 +36,7 @@ def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], flo
     Free parameters of an expression are all drawn as 1, where q and 1/q are the
     same: here they differ, unless the profile is not compact then.
     """
-    drawn = {p.name: float(v) for p, v in profile.sketch.values}
-    own = {p.name: request.values.get(p.name, drawn.get(p.name, 1.0)) for p in profile.parameters}
+    own = _drawn(profile, request.values)
     material = {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
     if request.own is None:
         return own | material, np.inf
@@ -51,6 +50,23 @@ def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], flo
     except ExpressionError:
         moved, reach = {}, _reach(profile, own)
     return own | moved | material, reach
+
+
+def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
+    """The free parameters as they are sketched, lengths to the scale of the frozen ones, so that all rules hold."""
+    sketched, names = {p: float(v) for p, v in profile.sketch.values}, interface.parameters(profile)
+    drawn = {name: sketched.get(p, 1.0) for name, p in names.items()}
+    lengths = [name for name, p in names.items() if nt.known(p.name) and nt.describe(p).dimension == nt.LENGTH]
+    scales = [abs(values[name] / drawn[name]) for name in lengths if name in values] or [1.0]
+    first = None
+    for scale in (*scales, *(min(scales) * 10.0**-i for i in range(1, 7))):
+        known = {n: values.get(n, drawn[n] * (scale if n in lengths else 1.0)) for n in names}
+        first = first or known
+        exact = {p: sp.Float(known[n]) for n, p in names.items()}
+        if all(rule.relation().xreplace(exact) == sp.true for rule in profile.rules):
+            return known
+    assert first is not None
+    return first
 
 
 def short(place: float) -> float:
@@ -79,7 +95,7 @@ class Contact:
     def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
         self.profile, self.entries, self.request = profile, entries, request
         self.all, self.reach = values_of(profile, request)
-        self.exact = {p: sp.Rational(self.all[p.name]) for p in profile.parameters}
+        self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}
         self.compact = profile.contact == "compact"
         round_contact = self.compact and request.physics != "plane"
         self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None

@@ -6,14 +6,18 @@ import math
 from typing import Any
 
 from .. import notation as nt
+from ..emit.symbols import bounds
+from ..profiles.profile import Profile
 from . import interface
 from .text import SceneText
 from .units import UnitError, kind_of, value_of
 
 
-def frozen(text: SceneText, values: dict[str, float], section: str, key: str, raw: Any) -> None:
-    """Read, check and keep one value; `key` names a symbol of the notation."""
-    record = interface.record(key)
+def frozen(
+    text: SceneText, values: dict[str, float], section: str, key: str, raw: Any, profile: Profile | None = None
+) -> None:
+    """Read, check and keep one value; `key` names a parameter of the functions."""
+    record = interface.record(key, profile)
     try:
         value = value_of(raw, kind_of(record))
     except UnitError as error:
@@ -28,9 +32,11 @@ def frozen(text: SceneText, values: dict[str, float], section: str, key: str, ra
 
 
 def _bounds(record: nt.Notation) -> tuple[float, float]:
-    if record.unit == "rad":
-        return 0.0, math.pi / 2
-    return {"k": (-1.0, 1.0), "alpha": (0.0, 1.0)}.get(record.name, (0.0, math.inf))
+    try:
+        low, high, _ = bounds(record.domain)
+    except (ValueError, TypeError):
+        return 0.0 if record.symbol.is_positive else -math.inf, math.inf
+    return float(low), float(high)
 
 
 def inline(text: SceneText, values: dict[str, float], name: str, key: str, value: Any) -> None:

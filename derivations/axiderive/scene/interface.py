@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+import sympy as sp
+
 from .. import notation as nt
-from ..contact import adhesive, loads, tangential, viscoelastic
-from ..contact.plane_quantities import PLANE, PLANE_COMPLETE
+from ..contact import adhesive, detachment, loads, tangential, viscoelastic
+from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..emit import docstring
 from ..emit import plane as plane_text
 from ..emit.physics import adhesive as adhesive_text
@@ -16,10 +18,17 @@ from ..emit.physics import tangential as tangential_text
 from ..emit.physics import viscoelastic as viscoelastic_text
 from ..emit.physics.text import name_of
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
+from ..profiles.profile import Profile
 
 LAWS = {law.name: law for law in viscoelastic.LAWS}
 LETTERS = {"tau": "relaxation"}
-"""Parameters that share their letter with another symbol of the notation."""
+"""Parameters of the material that share their letter with another symbol of the notation."""
+THRESHOLDS = ("rz", "dmin", "Fmin", "xz", "Pmin")
+"""Results about the least load of complete contact, which a concave face has."""
+CONCAVE = "concave"
+"""A complete contact from some least load on."""
+TILTED = "tilted"
+"""The contact under an eccentric load, complete until one edge lifts off."""
 MATERIAL = {
     "normal": ("E_star",),
     "adhesive": ("E_star", "dgamma"),
@@ -52,6 +61,7 @@ class Function:
     physics: str
     quantity: Quantity
     summary: str
+    contact: str = "compact"
 
     @property
     def law(self) -> str:
@@ -75,12 +85,18 @@ class Function:
 
     @property
     def signed(self) -> bool:
-        return kind_of(self.physics) == "adhesive" and self.name in SIGNED
+        return (kind_of(self.physics) == "adhesive" and self.name in SIGNED) or self.leaning
+
+    @property
+    def leaning(self) -> bool:
+        """Whether the two sides of the middle differ, as under an eccentric load."""
+        return self.contact == TILTED and self.name == "pressure"
 
     @property
     def parity(self) -> str:
         """Whether a field takes places on both sides of the middle, where it is even or odd."""
-        return plane_text.EVALUATED.get(self.quantity.suffix, "") if self.physics == "plane" else ""
+        mirrored = self.physics == "plane" and not self.leaning
+        return plane_text.EVALUATED.get(self.quantity.suffix, "") if mirrored else ""
 
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
@@ -105,44 +121,60 @@ def id_of(physics: str, profile: str) -> str:
     return f"{physics}.{profile}" if physics in ("plane", "loads") else profile
 
 
+def contact_of(profile: Profile) -> str:
+    """Compact, complete or prescribed, as the profile says; a concave face and an eccentric load are told apart."""
+    if profile.contact == "complete" and profile.pieces[0].expr.has(nt.a):
+        return CONCAVE
+    return TILTED if nt.e in profile.parameters else profile.contact
+
+
+def parameters(profile: Profile) -> dict[str, sp.Symbol]:
+    """The parameters of a profile by their names in the functions."""
+    letter = name_of if profile.contact == "prescribed" else str
+    return {letter(symbol): symbol for symbol in profile.parameters}
+
+
 def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
     """All functions of a physics by name, `pull_off` left out."""
     table: Mapping[str, Quantity]
     if physics.startswith("viscoelastic."):
-        return _viscoelastic(physics)
+        return _viscoelastic(physics, contact)
     if physics.startswith("graded"):
-        return {name: replace(own, physics=physics) for name, own in functions(kind_of(physics)).items()}
-    if physics == "adhesive":
+        return {name: replace(own, physics=physics) for name, own in functions(kind_of(physics), contact).items()}
+    if physics == "adhesive" and contact != "compact":
+        table, text = detachment.QUANTITIES, {"Dl": "Retraction of the edge at which it peels off."}
+    elif physics == "adhesive":
         table, text = adhesive.QUANTITIES, adhesive_text.SUMMARY
     elif physics == "tangential":
         table, text = tangential.QUANTITIES, tangential_text.SUMMARY
     elif physics == "loads":
         table, text = loads.QUANTITIES, loads_text.SUMMARY
     elif physics == "plane":
-        own = PLANE if contact == "compact" else PLANE_COMPLETE
-        # a result without a field is a number, and no function of a scene
-        fields = {suffix: quantity for suffix, quantity in own.items() if quantity.arguments}
-        table, text = {"f": plane_text.SHAPE, **fields}, plane_text.document.SUMMARY
+        own = {"compact": PLANE, TILTED: PLANE_ECCENTRIC}.get(contact, PLANE_COMPLETE)
+        shape = {} if contact == TILTED else {"f": plane_text.SHAPE}
+        table, text = {**shape, **own}, plane_text.document.SUMMARY
     else:
         table, text = COMPACT if contact == "compact" else COMPLETE, docstring.SUMMARY
     return {
-        quantity.function: Function(physics, quantity, text[suffix])
+        quantity.function: Function(physics, quantity, text[suffix], contact)
         for suffix, quantity in table.items()
-        if suffix in text
+        if suffix in text and (suffix not in THRESHOLDS or contact == CONCAVE)
     }
 
 
-def _viscoelastic(physics: str) -> dict[str, Function]:
+def _viscoelastic(physics: str, contact: str) -> dict[str, Function]:
     law = LAWS[physics.partition(".")[2]]
     text = {kind: line.format(viscoelastic_text.MATERIAL[law.name]) for kind, line in viscoelastic_text.SUMMARY.items()}
-    kinds = ((kind, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"]) for kind in LOADED)
-    found = [Function(physics, quantity, text[kind]) for kind, quantity in kinds]
+    loadings = [kind for kind in LOADED if kind != "load" or contact == "compact"]
+    kinds = ((kind, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"]) for kind in loadings)
+    found = [Function(physics, quantity, text[kind], contact) for kind, quantity in kinds]
     return {function.name: function for function in found}
 
 
-def record(name: str) -> nt.Notation:
+def record(name: str, profile: Profile | None = None) -> nt.Notation:
     """The notation of a parameter by its name in the functions."""
-    return nt.describe(LETTERS.get(name, name))
+    own = parameters(profile) if profile is not None else {}
+    return nt.describe(own.get(name, LETTERS.get(name, name)))
 
 
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:

@@ -9,24 +9,19 @@ from .. import profiles
 from ..profiles import loads as prescribed
 from ..profiles import plane as strips
 from ..profiles.profile import Profile
-from . import interface
+from . import combinations, interface
 from .freezing import inline
-from .sources import graded_refusal
 from .text import SceneText, near
 
 if TYPE_CHECKING:
     from .reading import Scene
 
 PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
-# the load of the eccentric punch acts on either side of the middle, which no scene can say
-STRIPS = tuple(name for name in strips.NAMES if name != "eccentric_punch")
-# the free exponent shares its letter s with a length of the notation
-PRESSURES = tuple(load.name for load in prescribed.LOADS if load.name != "power")
 Pool = tuple[str, tuple[str, ...], Callable[[str], Profile]]
 """What its members are called, their names, and how they are loaded."""
 POOLS: dict[str, Pool] = {
-    "plane": ("plane profile", STRIPS, strips.load),
-    "loads": ("prescribed pressure", PRESSURES, prescribed.load),
+    "plane": ("plane profile", strips.NAMES, strips.load),
+    "loads": ("prescribed pressure", tuple(load.name for load in prescribed.LOADS), prescribed.load),
 }
 """Kinds of contact with profiles of their own."""
 
@@ -44,7 +39,22 @@ def pool(text: SceneText) -> Pool:
     return own or ("profile", profiles.NAMES, profiles.load)
 
 
+def elsewhere(text: SceneText, name: str) -> str:
+    """What to do about a profile of another kind of contact; empty if no kind has it."""
+    asked = [key for key, value in text.table("physics").items() if value not in (None, False) and key in PHYSICS[1:]]
+    instead = f" in place of {' and '.join(asked)}" if asked else ""
+    for kind, (what, names, _) in POOLS.items():
+        if name in names and kind not in asked:
+            return f"{name} is a {what}; write [physics] {kind} = true{instead}"
+    if name in profiles.NAMES:
+        kind = next(kind for kind in POOLS if alone(text, kind))
+        others = ", ".join(POOLS[kind][1])
+        return f"{name} is a round profile; write normal = true in place of {kind}, or take one out of {others}"
+    return ""
+
+
 def physics(text: SceneText, scene: Scene) -> None:
+    """The kind of contact on its medium."""
     table = text.table("physics", PHYSICS)
     chosen = [name for name in PHYSICS[1:] if table.get(name) not in (None, False)]
     if len(chosen) > 1:
@@ -53,41 +63,29 @@ def physics(text: SceneText, scene: Scene) -> None:
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
     graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
-    profile = scene.profile
-    scene.physics = chosen[0] if chosen else "normal"
-    if graded and scene.physics == "viscoelastic":
-        message = (
-            "viscoelastic on a graded half space is not derived; the nearest is tangential = true or normal = true"
-        )
-        text.problem("physics", "viscoelastic", message)
-        scene.physics = "graded"
-    elif graded and scene.physics in POOLS:
-        message = f'{scene.physics} on a graded half space is not derived; the nearest is kind = "homogeneous"'
-        text.problem("physics", scene.physics, message)
-    elif graded:
-        scene.physics = ".".join(["graded", *chosen[:1]])
-    elif scene.physics == "viscoelastic":
-        scene.physics = _viscoelastic(text, scene, table["viscoelastic"], profile)
-    if graded and profile is not None and profile.contact != "compact" and scene.physics not in POOLS:
-        what = f"{profile.name}, a complete contact, on a graded half space"
-        text.problem("medium", "kind", f'{what} cannot be emitted; the nearest is kind = "homogeneous"')
-    elif graded and profile is not None and scene.own and (reason := graded_refusal(profile)):
-        text.problem("medium", "kind", f'{reason}; or kind = "homogeneous"')
-    if scene.physics in POOLS and scene.own:
-        message = f"{scene.physics} is emitted for what the catalogue holds; the nearest here is normal = true"
-        text.problem("physics", scene.physics, message)
-    if profile is not None and profile.contact != "compact" and chosen and chosen[0] not in POOLS:
-        message = f"{chosen[0]} is not at hand for {profile.name}, a complete contact; the nearest is normal = true"
-        text.problem("physics", chosen[0], message)
+    kind = chosen[0] if chosen else "normal"
+    if kind == "viscoelastic":
+        model = _model(text, table[kind])
+        scene.physics = f"{kind}.{model or next(iter(interface.LAWS))}"
+        moduli = [key for key in text.table("medium") if key != "kind"]
+        if model and not graded and moduli:
+            message = "a viscoelastic half space has its moduli in the table of viscoelastic; leave [medium] out"
+            text.problem("medium", moduli[0], message)
+    else:
+        model = ""
+        scene.physics = ".".join(["graded", *chosen[:1]]) if graded and kind not in POOLS else kind
+    if scene.profile is not None and len(chosen) < 2:
+        reason = combinations.refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
+        if reason:
+            text.problem("physics" if chosen else "medium", kind if chosen else "kind", reason)
     for name in chosen:
-        _table(text, scene, name, table[name])
+        if name != "viscoelastic" or model:
+            _table(text, scene, name, table[name])
 
 
 def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
     """The values of one kind of contact."""
     if name == "viscoelastic":
-        if not scene.physics.startswith(name):
-            return
         raw = {key: value for key, value in raw.items() if key != "model"}
     own = interface.kind_of(scene.physics) == name
     names = [n for n in interface.MATERIAL[scene.physics if own else name] if n not in ("E_star", "H", "k")]
@@ -106,21 +104,15 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
             text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
 
 
-def _viscoelastic(text: SceneText, scene: Scene, raw: Any, profile: Profile | None) -> str:
-    """The kind of contact with its material law; `normal` where something is wrong."""
-    laws = ", ".join(interface.LAWS)
+def _model(text: SceneText, raw: Any) -> str:
+    """The material law; empty where it is missing or wrong."""
     form = 'write viscoelastic = { model = "standard_solid", E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s" }'
     model = raw.get("model") if isinstance(raw, dict) else None
     if not isinstance(model, str):
+        laws = ", ".join(interface.LAWS)
         text.problem("physics", "viscoelastic", f"viscoelastic needs a model out of {laws}; {form}")
-        return "normal"
+        return ""
     if model not in interface.LAWS:
         text.problem("physics", "viscoelastic", f"unknown model {model[:40]!r}{near(model, interface.LAWS)}")
-        return "normal"
-    if text.table("medium"):
-        message = "a viscoelastic half space has its moduli in the table of viscoelastic; leave [medium] out"
-        text.problem("medium", "", message)
-    if profile is not None and scene.own:
-        message = "viscoelastic is emitted for profiles of the catalogue; the nearest here is normal = true"
-        text.problem("physics", "viscoelastic", message)
-    return f"viscoelastic.{model}"
+        return ""
+    return model

@@ -37,10 +37,14 @@ class Definition:
         """Names bound anywhere inside: they do not refer to the module."""
         if self.function is None:
             return frozenset()
-        found = {node.arg for node in ast.walk(self.node) if isinstance(node, ast.arg)}
-        stored = (node for node in ast.walk(self.node) if isinstance(node, ast.Name))
-        found |= {node.id for node in stored if isinstance(node.ctx, ast.Store)}
+        found = {node.arg for node in ast.walk(self.node) if isinstance(node, ast.arg)} | self.stored
         return frozenset(found | {n.name for n in ast.walk(self.node) if isinstance(n, ast.FunctionDef)} - {self.name})
+
+    @cached_property
+    def stored(self) -> frozenset[str]:
+        """Names that are given a value inside; a parameter among them is no longer what was passed."""
+        names = (node for node in ast.walk(self.node) if isinstance(node, ast.Name))
+        return frozenset(node.id for node in names if isinstance(node.ctx, ast.Store))
 
     def references(self) -> Iterator[tuple[ast.expr, Key]]:
         """Names inside that refer to definitions, annotations left out."""

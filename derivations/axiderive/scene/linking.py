@@ -73,7 +73,9 @@ class Linker:
 
     def _drop(self) -> None:
         self.dropped = {
-            key: frozenset(p for p in d.parameters if p in self.frozen) for key, d in self.reached.items() if d.function
+            key: frozenset(p for p in d.parameters if p in self.frozen and p not in d.stored)
+            for key, d in self.reached.items()
+            if d.function
         }
         for key in self._escaping():
             self.dropped[key] = frozenset()

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ..exits import FAILED, CommandError
 from . import interface
 from .check import Value
+from .contact import Contact
+from .detaching import State, detached
 
 if TYPE_CHECKING:
     from .request import Request
@@ -23,10 +25,20 @@ class RuleError(CommandError, ArithmeticError):
     code = FAILED
 
 
-def measured(
-    text: str, values: Sequence[Value], request: Request, free: Mapping[str, float]
-) -> tuple[list[Value], dict[str, float]]:
-    """The values with the keywords each function really has, and its worst relative deviation, found by running it.
+@dataclass(frozen=True)
+class Run:
+    """What running a module says."""
+
+    values: list[Value]
+    """With the keywords each function really has."""
+    errors: dict[str, float]
+    """The worst relative deviation of every function."""
+    detached: dict[str, State]
+    """The states in which a contact with adhesion breaks, by what is held."""
+
+
+def measured(text: str, values: Sequence[Value], request: Request, free: Mapping[str, float], contact: Contact) -> Run:
+    """Run the text of a module against its check values.
 
     Raises
     ------
@@ -35,10 +47,8 @@ def measured(
     """
     space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
     exec(compile(text, request.module, "exec"), space)  # text of our own making
-    if interface.PULL_OFF in request.quantities:
-        for control in ("force", "depth"):
-            space[interface.PULL_OFF](control, **free)
     errors: dict[str, float] = {}
+    states = _states(space, contact, free, errors) if interface.PULL_OFF in request.quantities else {}
     called = []
     for value in values:
         function = space[value.function]
@@ -46,13 +56,32 @@ def measured(
         names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
         own = replace(value, keywords=tuple((k, v) for k, v in value.keywords if k in names))
         got = function(*own.fields, **dict(own.keywords))
-        error = abs(got - own.wanted) / abs(own.wanted) if own.wanted else abs(got)
-        if not error <= LARGEST_ERROR:
-            message = (
-                f"{own.function}{own.fields} gives {got!r} instead of {own.wanted!r}; nothing was written: the rules "
-                "hold for pieces that are smooth in r, use whole powers in them"
-            )
-            raise RuleError(message)
-        errors[own.function] = max(errors.get(own.function, 0.0), error)
+        _compare(errors, own.function, f"{own.function}{own.fields}", got, own.wanted)
         called.append(own)
-    return called, errors
+    return Run(called, errors, states)
+
+
+def _compare(errors: dict[str, float], name: str, call: str, got: float, wanted: float) -> None:
+    error = abs(got - wanted) / abs(wanted) if wanted else abs(got)
+    if not error <= LARGEST_ERROR:
+        message = (
+            f"{call} gives {got!r} instead of {wanted!r}; nothing was written: the rules "
+            "hold for pieces that are smooth in r, use whole powers in them"
+        )
+        raise RuleError(message)
+    errors[name] = max(errors.get(name, 0.0), error)
+
+
+def _states(
+    space: Mapping[str, Any], contact: Contact, free: Mapping[str, float], errors: dict[str, float]
+) -> dict[str, State]:
+    """The states of pull-off by the definitions, next to those that the module finds."""
+    found = {}
+    for control in ("force", "depth"):
+        state = space[interface.PULL_OFF](control, **free)
+        wanted = detached(contact, control, state.radius) if state.radius > 0.0 else None
+        if wanted is not None:
+            found[control] = wanted
+            for field, got, value in zip(state._fields, state, wanted, strict=True):
+                _compare(errors, interface.PULL_OFF, f"pull_off({control!r}).{field}", got, value)
+    return found

@@ -10,6 +10,7 @@ import sympy as sp
 from .. import notation as nt
 from ..proof import plane_integrals as integrals
 from ..proof.plane_quadrature import defined
+from ..proof.threshold import stationary
 from . import interface
 from .contact import DIGITS, Contact, short
 
@@ -52,6 +53,22 @@ class _Strip:
         expr = sp.diff(own.expr, nt.x, order).xreplace({**known, nt.x: sp.Rational(place)})
         return mp.mpf(str(sp.N(expr, 40)))
 
+    def level(self) -> tuple[Any, Any]:
+        """Where the pressure of a concave face vanishes first on unloading, and the load at which it does."""
+        known, a = self.known, mp.mpf(self.a)
+
+        def missing(x: Any) -> Any:
+            own = {**known, nt.P: sp.S.Zero, nt.x: sp.Rational(str(x)) if x else sp.S.Zero}
+            return -mp.pi * mp.sqrt((a - x) * (a + x)) * defined(self.contact.profile, "p", own, DIGITS)
+
+        rough, step = mp.mpf("0.5"), mp.mpf("0.25")
+        while step > 1e-4:
+            rough = max((abs(rough - step), rough, min(rough + step, mp.mpf("0.99"))), key=lambda s: missing(a * s))
+            step /= 2
+        if rough < 1e-3:
+            return mp.mpf(0), missing(mp.mpf(0))
+        return stationary(missing, a * rough, a)
+
     def rows(self, function: interface.Function) -> Rows:
         a, other = self.a, self.other
         places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
@@ -69,6 +86,8 @@ class _Strip:
             case "depth":
                 distance = short(DISTANCE * a)
                 return [((distance, other), self.value("d", L=distance))]
+            case "zero_distance" | "minimum_load":
+                return [((), self.level()[0 if function.name == "zero_distance" else 1])]
             case "half_width_from_load":
                 return [((float(self.value("P")),), mp.mpf(a))]
         return [((a,), self.value("P"))]

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..emit.python import NODE_COUNTS
+from .assembled import REQUIRE_ORDER, Assembled
 from .library import Key, Module
 from .linking import OWN, Linker, Wanted
 from .rewriting import documented
@@ -50,17 +51,6 @@ INTEGRAL = '''def _integral(integrand, stop, count):
     """Integral of `integrand` from 0 to `stop`."""
     rule = _NODES[count]
     return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
-PULL_OFF = """from ._adhesion import XI, PullOff
-from .{module} import {radius}, {force}, {depth}
-
-def pull_off({parameters}):
-    if control not in XI:
-        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    a = np.ravel({radius_call})
-    force = {force_call}
-    depth = {depth_call}
-    return PullOff(*(float(np.squeeze(x)) for x in (a, force, depth)))
-"""
 
 
 @dataclass(frozen=True)
@@ -72,38 +62,14 @@ class Constant:
     comment: str
 
 
-@dataclass(frozen=True)
-class PullOff:
-    """The private functions behind `pull_off`, which has no fields and three results."""
-
-    radius: Key
-    force: Key
-    depth: Key
-    doc: str
-    parameters: tuple[str, ...]
-    keywords: tuple[str, ...]
-
-    def module(self, modules: Mapping[str, Module]) -> Module:
-        """The function, to be linked like those it rests on."""
-
-        def call(key: Key) -> str:
-            return f"{key[1]}({', '.join(modules[key[0]].definitions[key[1]].parameters)})"
-
-        text = PULL_OFF.format(
-            module=self.radius[0], radius=self.radius[1], force=self.force[1], depth=self.depth[1],
-            parameters=", ".join(["control", *self.parameters]),
-            radius_call=call(self.radius), force_call=call(self.force), depth_call=call(self.depth),
-        )  # fmt: skip
-        return Module(OWN, text)
-
-
 def module_text(
     head: str,
     modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
     constants: Sequence[Constant],
     domains: Mapping[str, tuple[str, str]],
-    pull_off: PullOff | None = None,
+    above: Sequence[Assembled] = (),
+    order: tuple[str, ...] = (),
 ) -> str:
     """The module.
 
@@ -119,14 +85,16 @@ def module_text(
         The frozen parameters; those that nothing needs are left out.
     domains : mapping
         Open interval of each parameter that is left free.
-    pull_off : PullOff, optional
-        If it is wanted.
+    above : sequence of Assembled
+        The functions of the interface that are written for the scene.
+    order : sequence of str
+        Arguments of the check of the rules between parameters, empty if there is none.
     """
-    roots = ((OWN, "pull_off"),) if pull_off else ()
-    if pull_off:
-        modules = {**modules, OWN: pull_off.module(modules)}
+    frozen = frozenset(c.name for c in constants)
     positive = frozenset(c.name for c in constants if c.value > 0.0)
-    linker = Linker(modules, wanted, frozenset(c.name for c in constants), positive, roots)
+    roots = (*(one.key for one in above), *([(OWN, REQUIRE_ORDER)] if order else []))
+    linker = Linker(modules, wanted, frozen, positive, roots)
+    checks = _Checks(frozen, order)
     public, merged = [], set()
     for one in wanted:
         signed = "@partial(_elementwise, least=-np.inf)" if one.signed else "@_elementwise"
@@ -134,20 +102,19 @@ def module_text(
             merged.add(one.key)
             text = linker.text(one.key, one.doc)
         else:
-            text = _wrapper(linker, one)
+            text = _wrapper(linker, one, checks)
         mirrored = f"@_{one.parity}\n" if one.parity else ""
         public.append(f"{mirrored}{signed}\n{text}")
-    if pull_off:
-        public.append(_pull_off(linker, pull_off))
-    hidden = {*merged, *linker.inlined, *roots}
+    public += [_assembled(linker, one, checks) for one in above]
+    hidden = {*merged, *linker.inlined, *(one.key for one in above)}
     private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
-    values = [linker.text(key) for key, d in linker.reached.items() if not d.function]
+    values = [linker.text(key) for key in _constants(linker)]
     body = "\n\n\n".join([*public, *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
     if "_NODES[" in body:
         values.append(_nodes(modules["_nodes"], _counts(linker)))
-    free = sorted({k for one in wanted for k in one.keywords} | set(pull_off.keywords if pull_off else ()))
+    free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
     if free:
         rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
         values.append("_DOMAINS = {\n" + rows + "}")
@@ -172,22 +139,53 @@ def _core(wanted: Sequence[Wanted]) -> str:
     )
 
 
-def _wrapper(linker: Linker, one: Wanted) -> str:
+@dataclass(frozen=True)
+class _Checks:
+    """What a public function asks of its keywords before it computes."""
+
+    frozen: frozenset[str]
+    order: tuple[str, ...]
+
+    def lines(self, keywords: Sequence[str]) -> list[str]:
+        if not keywords:
+            return []
+        found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
+        left = [name for name in self.order if name not in self.frozen]
+        return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
+
+
+def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
     """A public function in front of a private one that takes more than the fields."""
     passed = [p for p in linker.reached[one.key].parameters if p not in linker.dropped[one.key]]
     signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
-    check = f"    _require({', '.join(f'{k}={k}' for k in one.keywords)})\n" if one.keywords else ""
     call = f"{linker.names[one.key]}({', '.join(passed)})"
-    return "\n".join([f"def {one.name}({signature}):", *documented(one.doc), f"{check}    return {call}"])
+    head = f"def {one.name}({signature}):"
+    return "\n".join([head, *documented(one.doc), *checks.lines(one.keywords), f"    return {call}"])
 
 
-def _pull_off(linker: Linker, own: PullOff) -> str:
-    """The linked function with its default, its docstring and the check of what stays free."""
-    _, *body = linker.text((OWN, "pull_off")).splitlines()
-    signature = ", ".join(['control="force"', *(["*", *own.keywords] if own.keywords else [])])
-    check = [f"    _require({', '.join(f'{k}={k}' for k in own.keywords)})"] if own.keywords else []
-    head = ['@np.errstate(all="ignore")', f"def pull_off({signature}):", *documented(own.doc)]
-    return "\n".join([*head, *check, *body])
+def _assembled(linker: Linker, own: Assembled, checks: _Checks) -> str:
+    """The linked function with its docstring and the check of what stays free."""
+    _, *body = linker.text(own.key).splitlines()
+    signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
+    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc)]
+    return "\n".join([*head, *checks.lines(own.keywords), *body])
+
+
+def _constants(linker: Linker) -> list[Key]:
+    """What is no function, each after those it is made of."""
+    found: dict[Key, None] = {}
+
+    def add(key: Key) -> None:
+        definition = linker.reached.get(key)
+        if definition is not None and not definition.function and key not in found:
+            for _, needed in definition.references():
+                if needed != key:
+                    add(needed)
+            found[key] = None
+
+    for key in linker.reached:
+        add(key)
+    return list(found)
 
 
 def _counts(linker: Linker) -> list[int]:

@@ -73,7 +73,7 @@ def page_sources(
         texts = {path: body, "preamble.tex": preamble}
     material = (interface.record(name).name for name in interface.MATERIAL[request.physics])
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
-    here = {interface.record(name).latex: f"; here {_number(v)}" for name, v in request.values.items()}
+    here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}{here.get(n['latex'], '')}\\\\"
         for n in front.notation_rows(symbols(entries) | names)

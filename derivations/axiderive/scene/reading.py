@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from .. import notation as nt
-from ..contact.adhesive import pull_off_rule
-from ..contact.medium import GRADED, HOMOGENEOUS
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
-from ..profiles.profile import Profile, Rule
-from . import interface, wishes
+from ..profiles.profile import Profile
+from . import interface, rules, wishes
 from .freezing import frozen
-from .kinds import physics, pool
+from .kinds import elsewhere, physics, pool
 from .medium import medium_values
 from .text import SceneText, near
 
@@ -106,7 +105,8 @@ def _profile(text: SceneText, scene: Scene) -> None:
 def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
     what, known, load = pool(text)
     if name not in known:
-        text.problem("profile", "kind", f"unknown {what} {name[:40]!r}{near(name, known)}")
+        reason = elsewhere(text, name) or f"unknown {what} {name[:40]!r}{near(name, known)}"
+        text.problem("profile", "kind", reason)
         return
     profile = load(name)
     if nt.coefficients in profile.parameters:
@@ -119,7 +119,7 @@ def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
 def _parameters(text: SceneText, scene: Scene) -> None:
     if scene.profile is None:
         return
-    names = [parameter.name for parameter in scene.profile.parameters]
+    names = list(interface.parameters(scene.profile))
     tables = [("parameters", text.table("parameters"))]
     if isinstance(text.values.get("profile"), dict):
         own = {k: v for k, v in text.values["profile"].items() if k not in ("kind", "expression")}
@@ -130,29 +130,48 @@ def _parameters(text: SceneText, scene: Scene) -> None:
                 what = f"parameter of {scene.profile.name}"
                 text.problem(section, key, f"unknown {what} {key[:40]!r}{near(key, names) if names else ''}")
             else:
-                frozen(text, scene.values, section, key, raw)
-
-
-def _rules_of(scene: Scene) -> list[Rule]:
-    """The rules of the profile, and that of its pull-off where a function needs one."""
-    assert scene.profile is not None
-    found = list(scene.profile.rules)
-    needs = {interface.PULL_OFF, *interface.SIGNED} & set(scene.quantities)
-    if needs and interface.kind_of(scene.physics) == "adhesive":
-        medium = GRADED if scene.physics.startswith("graded") else HOMOGENEOUS
-        found += [rule for rule in [pull_off_rule(scene.profile, medium)] if rule]
-    return found
+                frozen(text, scene.values, section, key, raw, scene.profile)
 
 
 def _rules(text: SceneText, scene: Scene) -> None:
-    if scene.profile is None:
+    """The rules between frozen parameters."""
+    profile = scene.profile
+    if profile is None:
         return
-    known = {sp.Symbol(name, positive=True): sp.Float(value, 17) for name, value in scene.values.items()}
-    for rule in _rules_of(scene):
-        relation = rule.relation().xreplace(known)
-        if relation == sp.false:
-            key = next((s.name for s in sorted(rule.right.free_symbols, key=str)), "")
-            given = ", ".join(f"{s.name} = {scene.values[s.name]:g}" for s in sorted(
-                rule.left.free_symbols | rule.right.free_symbols, key=str))  # fmt: skip
-            section = "profile" if isinstance(text.values.get("profile"), dict) else "parameters"
-            text.problem(section, key, f"{given}: {sp.sstr(rule.relation())} is violated; {rule.reason}")
+    symbols = {**interface.parameters(profile), "k": nt.k}
+    known = {symbol: sp.Float(scene.values[n], 17) for n, symbol in symbols.items() if n in scene.values}
+    if rules.depend_on_waves(profile, scene.physics):
+        _waves(text, scene, profile)
+        return
+    found = rules.between(profile, scene.physics)
+    found += rules.of_pull_off(profile, scene.physics) if rules.NEEDS_PULL_OFF & set(scene.quantities) else []
+    for rule in found:
+        if rule.relation().xreplace(known) == sp.false:
+            shown = sorted(rule.left.free_symbols | rule.right.free_symbols, key=str)
+            given = ", ".join(f"{s.name} = {float(known[s]):g}" for s in shown)
+            what = f"{given}: {sp.sstr(rule.relation())} is violated; {rule.reason}"
+            text.problem(*_place(text, shown), what)
+
+
+def _waves(text: SceneText, scene: Scene, profile: Profile) -> None:
+    """On the graded half space the rule of the waves is another one for every k: it is asked of g' itself."""
+    names = [*interface.parameters(profile), "k"]
+    if not set(names) <= set(scene.values):
+        return
+    place = rules.open_between_waves(profile, scene.values)
+    if place is not None:
+        given = ", ".join(f"{name} = {scene.values[name]:g}" for name in names)
+        (rule,) = profile.rules
+        text.problem(*_place(text, [nt.h]), f"{given}: g' < 0 at a = {place:.3g} m; {rule.reason}")
+
+
+def _place(text: SceneText, symbols: Sequence[sp.Symbol]) -> tuple[str, str]:
+    """Section and key of the last of these parameters that the text names."""
+    sections = ("parameters", "profile", "medium")
+    named = [(s, symbol.name) for s in sections for symbol in symbols if symbol.name in _keys(text, s)]
+    return named[-1] if named else ("profile", "")
+
+
+def _keys(text: SceneText, section: str) -> Collection[str]:
+    table = text.values.get(section)
+    return table if isinstance(table, dict) else ()

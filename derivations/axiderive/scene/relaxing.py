@@ -11,12 +11,13 @@ from .. import notation as nt
 from ..emit.physics.text import name_of
 from . import interface
 from .contact import DIGITS, Contact
+from .edged import Edged
 
 LATER = (0.4, 1.9)
 """Times over that of the material."""
 
 
-def relaxing(contact: Contact, function: interface.Function) -> list[tuple[tuple[float, ...], Any]]:
+def relaxing(contact: Contact, edged: Edged, function: interface.Function) -> list[tuple[tuple[float, ...], Any]]:
     """Calls of a function with their results."""
     law = interface.LAWS[function.law]
     known = {symbol: sp.Float(contact.all[name_of(symbol)], 40) for symbol in law.parameters}
@@ -25,7 +26,13 @@ def relaxing(contact: Contact, function: interface.Function) -> list[tuple[tuple
     values = contact.all
     own = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
     rows: list[tuple[tuple[float, ...], Any]] = []
+    impulse = mp.mpf(str(law.impulse.xreplace(known)))
     with mp.workdps(DIGITS + 10):
+        if not contact.compact:
+            for d, later in zip(edged.depths * 2, LATER, strict=False):
+                t = float(f"{later * own:.4g}")
+                rows.append(_held(edged, function, d, t, modulus, impulse))
+            return rows
         for a, later in zip(contact.radii(), LATER, strict=False):
             t, force, depth = float(f"{later * own:.4g}"), contact.normal("F", a), contact.normal("d", a)
             at = mp.mpf(t)
@@ -34,9 +41,19 @@ def relaxing(contact: Contact, function: interface.Function) -> list[tuple[tuple
             elif function.name == "step_force":
                 rows.append(((t, float(depth)), modulus(at) * force))
             else:
-                impulse = mp.mpf(str(law.impulse.xreplace(known)))
                 rows.append(((t, float(depth / at)), _ramp(contact, a, at, modulus, impulse)))
     return rows
+
+
+def _held(
+    edged: Edged, function: interface.Function, depth: float, t: float, modulus: Any, impulse: Any
+) -> tuple[tuple[float, ...], Any]:
+    """A complete contact: its edge, and so its radius, is fixed, and the force of a flat face grows as the depth."""
+    force, at = edged.at("F", depth), mp.mpf(t)
+    if function.name == "step_force":
+        return (t, depth), modulus(at) * force
+    whole = mp.quad(lambda y: modulus(at * y), [0, mp.mpf(1) / 2, 1])
+    return (t, float(depth / at)), force * (whole + impulse / at)
 
 
 def _ramp(contact: Contact, a: float, t: Any, modulus: Any, impulse: Any) -> Any:

@@ -12,6 +12,7 @@ from typing import Any
 from .. import profiles
 from ..abel.reduce import NotReducibleError
 from ..contact import adhesive as stuck
+from ..contact import detachment
 from ..contact import loads as prescribed
 from ..contact import normal as plain
 from ..contact import plane as strips
@@ -20,6 +21,8 @@ from ..contact import viscoelastic as creeping
 from ..contact.medium import GRADED
 from ..emit import physics, plane, python
 from ..emit.graded import adhesive as graded_adhesive
+from ..emit.graded import complete as graded_complete
+from ..emit.graded import detachment as graded_detachment
 from ..emit.graded import normal as graded_normal
 from ..emit.graded import tangential as graded_tangential
 from ..emit.graded.families import family
@@ -28,6 +31,7 @@ from ..emit.imports import RUNTIME
 from ..emit.kernels import kernels_source
 from ..emit.nodes import nodes_source
 from ..emit.physics import adhesive, tangential, viscoelastic
+from ..emit.physics import detachment as peeled
 from ..emit.physics import loads as pressures
 from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
@@ -130,7 +134,7 @@ def _viscoelastic(name: str) -> str:
 
 def ramps(profile: Profile | None) -> bool:
     """Whether the force under a ramp of the depth is known: that on the elastic half space is a power of the depth."""
-    return profile is not None and profile.contact == "compact" and "def _ramp_force" in _viscoelastic(profile.name)
+    return profile is not None and "def _ramp_force" in _viscoelastic(profile.name)
 
 
 def graded_refusal(profile: Profile) -> str:
@@ -139,8 +143,8 @@ def graded_refusal(profile: Profile) -> str:
         family(profile)
     except (NotReducibleError, AssertionError, ValueError):
         return (
-            "the rules of the graded half space do not hold its pieces; "
-            "the nearest are sums of powers of r, with at most one break of straight or parabolic pieces"
+            "on the graded half space there are rules for sums of powers of r, with at most one break of "
+            "straight or parabolic pieces, and not for these pieces"
         )
     return ""
 
@@ -153,6 +157,10 @@ def _graded(profile: Profile, wanted: str) -> dict[str, str]:
     if len(found) == len(keys):
         return found
     pressed = plain.derive(profile, GRADED)
+    if profile.contact == "complete":
+        found = {keys[0]: graded_complete.module_source(pressed)}
+        above = {keys[1]: graded_detachment.module_source(detachment.derive(profile, GRADED))} if kind else {}
+        return found | above
     found = {keys[0]: graded_normal.module_source(pressed)}
     if kind == "adhesive":
         found[keys[1]] = graded_adhesive.module_source(stuck.derive(profile, GRADED, pressed), pressed)
@@ -183,6 +191,9 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         key = f"viscoelastic.{profile.name}"
         return {**modules, key: _module(key, _viscoelastic(profile.name))}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
+    if profile.contact == "complete":
+        peeling = peeled.module_source(own, detachment.derive(profile))
+        return {**modules, key: _module(key, peeling)}
     write, above = {
         "adhesive": (adhesive.module_source, stuck.derive),
         "tangential": (tangential.module_source, slipping.derive),

@@ -23,16 +23,20 @@ DEFAULT = {
     "loads": ["displacement"],
     "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
+OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
 
 def want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
-    contact = scene.profile.contact if scene.profile else "compact"
+    contact = interface.contact_of(scene.profile) if scene.profile else "compact"
     known = available(scene.physics, contact)
     if scene.physics.startswith("viscoelastic") and not scene.own and not ramps(scene.profile):
         known.remove("ramp_force")
     default = [name for name in DEFAULT[interface.kind_of(scene.physics)] if name in known]
+    # a complete contact has its own names; those that say how far it is complete come with them
+    default += [name for name in OF_COMPLETE if name in known and contact != "compact"]
+    default.sort(key=known.index)
     raw = table.get("quantities", default)
     if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
         text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
