@@ -74,6 +74,12 @@ def ruled(model: Model) -> frozenset[str]:
     return frozenset(f"{model['name']}.{row['suffix']}" for row in model["evidence"]["table"] if row["ruled"])
 
 
+def approached(model: Model, system: str) -> list[dict[str, Any]]:
+    """What was checked of the limits that a spread prints: key, formula, digits and points."""
+    lines = model["blocks"][system]["further"] if system in model["blocks"] else []
+    return [check for line in lines for row in line for check in row.get("checks", ())]
+
+
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
 """What the main file needs of a profile; plain data that can be sent between processes."""
 
