@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -83,9 +84,21 @@ def missing_certificates(
             record = evidence.get(key, {}).get("entries", {}).get(suffix, {"certified": True})
             reason = record.get("certificate", {}).get("reason", "")
             if not record.get("certified") and reason:
-                text = prose(reason.replace(f"{entry.key} is ", ""))
-                groups.setdefault(text, []).append(entry.key[len(profile_id) + 1 :])
+                groups.setdefault(_reason(reason, entry.key, profile_id), []).append(entry.key[len(profile_id) + 1 :])
     return [(suffixes, reason) for reason, suffixes in groups.items()]
+
+
+_RESTS = re.compile(r"rests on (\S+), which is not proved|(\S+) is ((?:the root|an integral).*)")
+
+
+def _reason(text: str, key: str, profile_id: str) -> str:
+    """The reason in words; another entry of the spread by the end of its key."""
+    plain = text.removeprefix(f"{key} is ")
+    found = _RESTS.fullmatch(plain)
+    base = (found[1] or found[2]) if found else ""
+    if not base.startswith(f"{profile_id}."):
+        return prose(plain)
+    return rf"as they rest on \own{{{base.removeprefix(f'{profile_id}.')}}}"
 
 
 def _agreement(checks: list[Any]) -> str:
