@@ -26,8 +26,6 @@ from .width import width
 Rows = list[dict[str, Any]]
 SHOWN = {"d": "g(a)", "F": LEFT["F"], "p": LEFT["p"], "w": LEFT["w"]}
 """The quantities whose evaluation forms are printed, with their left sides."""
-HALF = 139.0
-"""Points for the formula of half a row."""
 
 
 def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> Rows:

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import blocks, front, matrix, page, references
 from . import evidence as proven
@@ -17,9 +18,11 @@ from .panel import panel
 from .plots import plots
 from .prose import prose
 from .sketch import sketch
+from .sketch_given import load_sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
 from .worked import worked
+from .worked_given import worked_given
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
@@ -90,6 +93,7 @@ def _order(text: str) -> tuple[int, ...]:
 NOTHING: dict[str, Any] = {
     "worked": None,
     "picture": None,
+    "load_picture": None,
     "plots": None,
     "checks": None,
     "calls": [],
@@ -104,7 +108,10 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     prefix = profile_id.rpartition(".")[0]
     texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
-    if not main or "p" not in main or texts["axes"]:
+    if texts["axes"]:
+        picture = load_sketch(profile, main) if isinstance(profile, Load) else None
+        return texts | {"worked": worked_given(profile, main), "load_picture": picture}
+    if not main or "p" not in main:
         return texts
     values = sketch_values(profile)
     if prefix == "plane":
