@@ -16,8 +16,9 @@ from axiderive import pdf
 from axiderive.contact.normal import derive
 from axiderive.contact.systems import problems
 from axiderive.emit.blocks import rows_of
+from axiderive.emit.evidence import kind_of
 from axiderive.emit.handbook import handbook_sources
-from axiderive.emit.page import kind_of, spaced
+from axiderive.emit.page import spaced
 from axiderive.emit.prose import prose
 from axiderive.emit.references import WORKS, label
 from axiderive.emit.sketch import sketch
@@ -152,9 +153,9 @@ def test_rows_without_a_key_are_those_that_are_read_back(
         for key, base in (("cone.adh", "cone"), ("cone.fgm.adh", "cone.fgm"))
         for one in universal_rows(key, derived[base]["d"], base != "cone")
     ]
-    told = [line for line in sources["profiles/cone.tex"].splitlines() if line.startswith(r"\further")]
+    told = [line for line in sources["profiles/cone.tex"].splitlines() if line.startswith(r"\further{Universal")]
     assert told == [rf"\further{{Universal curve}}{{}}{{{text}}}" for text in rows]
-    assert r"\further" not in sources["profiles/rounded_punch.tex"]  # none of its limits is recorded as checked here
+    assert r"\further{Limit}" not in sources["profiles/rounded_punch.tex"]  # none is recorded as checked here
 
 
 def test_a_problem_that_is_missing_is_said_to_be_missing(sources: dict[str, str]) -> None:

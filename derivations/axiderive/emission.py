@@ -85,7 +85,9 @@ def _emit(
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
     for problem, outcome in published:
-        record = index.evidence_record(problem, outcome.entries, outcome.evidence)
+        checks = handbook.approached(models[problem.profile_id], problem.system.name)
+        found = outcome.evidence | ({"approaches": checks} if checks else {})
+        record = index.evidence_record(problem, outcome.entries, found)
         files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
     if chapter is not None:
         files["evidence/chapter11.json"] = index.to_bytes(chapter)

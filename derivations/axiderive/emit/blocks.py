@@ -9,10 +9,12 @@ from typing import Any
 from ..contact.systems import BY_NAME, SYSTEMS, Problem, System
 from ..entry import Entry
 from . import laws
+from .approaches import approach_rows
 from .arrangement import lines, ordered
 from .evaluated import evaluation_rows
 from .limits import limit_rows
 from .prose import prose
+from .reductions import reduction_rows
 from .rows import Row
 from .universal import universal_rows
 
@@ -122,8 +124,12 @@ def _further(
     if system == "normal":
         return [
             *evaluation_rows(problem.profile, entries, evidence),
+            *approach_rows(problem.profile, entries),
             *limit_rows(problem.profile, entries, evidence),
+            *reduction_rows(problem.profile, entries),
         ]
+    if system in ("plane", "loads"):
+        return [*approach_rows(problem.profile, entries), *reduction_rows(problem.profile, entries)]
     if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
         graded = system.startswith("graded")
         base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .. import __version__
-from . import front, laws, page, references, study
+from . import front, laws, references, study
+from .evidence import power_of_ten
 from .prose import escaped
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
@@ -75,9 +76,7 @@ def model(
 
 def _chapter(record: Mapping[str, Any]) -> dict[str, Any]:
     """The record of the chapter with its words as LaTeX; formulas of the errata stay as they are written."""
-    rows = [
-        row | {"title": escaped(row["title"]), "residual": page.power_of_ten(row["residual"])} for row in record["rows"]
-    ]
+    rows = [row | {"title": escaped(row["title"]), "residual": power_of_ten(row["residual"])} for row in record["rows"]]
     errata = [
         {name: text if name in ("printed", "right") else escaped(text) for name, text in erratum.items()}
         for erratum in record["errata"]

@@ -7,47 +7,56 @@ from typing import Any
 
 import sympy as sp
 
+from .. import notation as nt
+from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
 from ..profiles.profile import Profile
 from ..stable import opaque
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
+from .compact import Compact
 from .naming import LEFT
 from .printer import Printer
+from .private import PrivateFunctions, without_subtraction
 from .ranges import chain_of, condition, regions
 from .rows import MOST_LINES, Region, broken
 from .shorthand import LINE
 from .width import width
 
+Rows = list[dict[str, Any]]
 SHOWN = {"d": "g(a)", "F": LEFT["F"], "p": LEFT["p"], "w": LEFT["w"]}
 """The quantities whose evaluation forms are printed, with their left sides."""
 
 
-def evaluation_rows(
-    profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
-) -> list[dict[str, Any]]:
-    """A row for each formula that is evaluated as another closed formula of at most two lines.
+def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> Rows:
+    """A row for each formula that is evaluated as another closed formula of at most three lines, or by a rule.
 
-    `evidence` is that of the normal contact, whose measurements say which functions are closed formulas; kernels,
-    rules and iterations are only named in the table of the evidence.
+    `evidence` is that of the normal contact, whose measurements say which functions are closed formulas and which
+    are rules; further kernels and iterations are only named in the table of the evidence.
     """
     measured = evidence.get("evaluation", {})
     rows = []
     for suffix in SHOWN:
-        if measured.get(suffix, {}).get("form") != "closed":
+        if measured.get(suffix, {}).get("form") not in ("closed", "kernel"):
             continue
         entry = entries[suffix]
         for pairs, expr in regions(entry):
             chain = chain_of(entry, expr)
             lines = evaluated(SHOWN[suffix], expr, form_of(profile, expr, chain), chain)
-            if 0 < len(lines) <= MOST_LINES and max(map(width, lines)) <= LINE:
+            if 0 < len(lines) <= MOST_LINES + 1 and max(map(width, lines)) <= LINE:
                 rows.append(_row(entry, Region(condition(entry, pairs, chain, Printer(chain)), tuple(lines))))
-    return rows
+    ruled = [suffix for suffix in ("F", "p", "w") if measured.get(suffix, {}).get("form") == "rule"]
+    return rows + _by_rules(profile, entries, ruled)
 
 
 def form_of(profile: Profile, expr: sp.Expr, chain: tuple[sp.Expr, ...]) -> EvaluationForm:
     """The evaluation form of a case, from what is known of its lengths."""
-    return evaluation_form(expr, facts_of(chain, *((rule.left, rule.right) for rule in profile.rules)))
+    return _short(evaluation_form(expr, facts_of(chain, *((rule.left, rule.right) for rule in profile.rules))), profile)
+
+
+def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:
+    steps = tuple((name, without_subtraction(expr, profile.abbreviations)) for name, expr in form.steps)
+    return EvaluationForm(steps, form.value, form.cancels)
 
 
 def _row(entry: Entry, region: Region) -> dict[str, Any]:
@@ -63,23 +72,115 @@ def _row(entry: Entry, region: Region) -> dict[str, Any]:
 
 def evaluated(left: str, expr: sp.Expr, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list[str]:
     r"""The form as lines of one formula, roots as \sqrt{(x-y) (x+y)}; none if it loses digits or is the closed form."""
-    value, names = form.value, {}
+    value = form.value
     for name, definition in reversed(form.steps):
-        if isinstance(definition, opaque.Root):
-            names[name] = _root(*definition.args)
-        else:
-            value = value.subs(name, _plain(definition))
+        value = value if isinstance(definition, opaque.Root) else value.subs(name, _plain(definition))
     roots = {name: sp.sqrt(x**2 - y**2) for name, (x, y) in _lengths(form).items()}
     if form.cancels or value.has(*_KERNELS) or sp.expand(value.subs(roots) - expr) == 0:
         return []
-    return broken(f"{left}=", value, Printer(chain, names))
+    return printed(left, form, chain)
 
 
 _KERNELS = (
-    opaque.Log1p, opaque.Expm1, opaque.ArctanGap, opaque.TanhGap, opaque.GammaRatio, opaque.ArcStrips,
-    opaque.PowerPressure, opaque.PowerDisplacement, opaque.PowerPunches, opaque.PowerStrips,
+    opaque.GammaRatio, opaque.ArcStrips, opaque.PowerPressure, opaque.PowerDisplacement, opaque.PowerPunches,
+    opaque.PowerStrips,
 )  # fmt: skip
 """Functions of the generated code without a name in print."""
+GAPS = {
+    opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda x: x - sp.tanh(x),
+    opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
+}  # fmt: skip
+"""Functions that keep the digits of a difference, as that difference."""
+ANGLES, ROOTS = (r"\psi", r"\chi"), (r"\ell", "y")
+"""Letters of what is named because it comes more than once."""
+
+
+def printed(left: str, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list[str]:
+    """The value in lines that fit; an angle or a root that comes more than once by a letter, defined behind it."""
+    value, names, angles, roots = form.value, dict[sp.Symbol, str](), list(ANGLES), list(ROOTS)
+    shown: dict[sp.Symbol, sp.Expr] = {}
+    texts: dict[sp.Symbol, str] = {}
+    for name, definition in reversed(form.steps):
+        often = _uses(name, (value, *shown.values())) > 1
+        if isinstance(definition, opaque.Root) or name.name.startswith("root"):
+            texts[name] = _root(definition)
+            names[name] = roots.pop(0) if often and roots else texts[name]
+        elif often and angles:
+            names[name], shown[name] = angles.pop(0), _plain(definition)
+        else:
+            value = value.subs(name, _plain(definition))
+            shown = {own: expr.subs(name, _plain(definition)) for own, expr in shown.items()}
+    for gap, difference in GAPS.items():
+        value = value.replace(gap, difference)
+    texts |= {name: Printer(chain, names)(expr) for name, expr in shown.items()}
+    defined = [f"{names[name]}={texts[name]}" for name in (*shown, *texts) if names[name] != texts[name]]
+    lines = broken(f"{left}=", sp.factor_terms(value), Printer(chain, names))
+    for text in dict.fromkeys(defined):
+        if width(lines[-1] + r",\qquad " + text) <= LINE:
+            lines[-1] += r",\qquad " + text
+        else:
+            lines[-1] += ","
+            lines.append(r"\qquad " + text)
+    return lines
+
+
+def _uses(name: sp.Symbol, exprs: tuple[sp.Expr, ...]) -> int:
+    """How often the name is printed: a gap prints its argument twice, and a root is not raised to a power."""
+    count = 0
+    for expr in exprs:
+        count += sum(e == name for e in sp.preorder_traversal(expr))
+        count += sum(e.has(name) for e in expr.atoms(*GAPS))
+        count += any(e.base == name and abs(e.exp) != 1 for e in expr.atoms(sp.Pow))
+    return count
+
+
+def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str]) -> Rows:
+    """The integrals that Gauss rules evaluate, and the slope g'(t) under them in its evaluation form."""
+    if not suffixes or nt.coefficients in profile.parameters or nt.n in profile.parameters:
+        return []
+    compact = Compact(entries, PrivateFunctions(profile))
+    start = Printer()(profile.breaks[0]) if profile.truncated else "0"
+    rows = [
+        {
+            "half": True,
+            "comment": f"rule {entries[suffix].key}",
+            "label": "Evaluated as",
+            "small": "by Gauss rules",
+            "tex": _integral(suffix, start),
+            "remark": "",
+        }
+        for suffix in suffixes
+    ]
+    for key, (_, form) in compact.slopes.items():
+        case = compact.regimes("d")[key]
+        chain = tuple(nt.t if x == nt.a else x for x in case.chain)
+        lines = printed("g'(t)", _short(form, profile), chain)
+        if max(map(width, lines)) > LINE:
+            return []
+        where = {"tip": "t<", "beyond": "t>"}[key] + Printer()(profile.breaks[0]) if len(compact.slopes) > 1 else ""
+        rows.append(
+            {
+                "half": False,
+                "comment": f"slope {entries['d'].key}",
+                "label": "With the slope",
+                "small": where and f"${where}$",
+                "tex": Region("", tuple(lines)).tex,
+                "remark": "",
+            }
+        )
+    return rows
+
+
+def _integral(suffix: str, start: str) -> str:
+    """(11.23), (11.26) or (11.20) over the radii at which the profile is not flat."""
+    if suffix == "p":
+        low = "r" if start == "0" else rf"\max(r,{start})"
+        scale = Printer()(HOMOGENEOUS.pressure_scale)
+        return rf"p(r)={scale}\int_{{{low}}}^{{a}} \frac{{g'(t)}}{{\sqrt{{t^{{2}}-r^{{2}}}}}}\,\mathrm{{d}}t"
+    if suffix == "w":
+        scale = Printer()(HOMOGENEOUS.displacement_scale)
+        return rf"w(r)={scale}\int_{{{start}}}^{{a}} g'(t) \arcsin \frac{{t}}{{r}}\,\mathrm{{d}}t"
+    return rf"{LEFT['F']}={Printer()(HOMOGENEOUS.force_scale)}\int_{{{start}}}^{{a}} t g'(t)\,\mathrm{{d}}t"
 
 
 def _plain(definition: sp.Expr) -> sp.Expr:
@@ -90,6 +191,8 @@ def _lengths(form: EvaluationForm) -> dict[sp.Symbol, tuple[sp.Expr, sp.Expr]]:
     return {name: definition.args for name, definition in form.steps if isinstance(definition, opaque.Root)}
 
 
-def _root(x: sp.Expr, y: sp.Expr) -> str:
-    one, other = Printer()(x), Printer()(y)
+def _root(definition: sp.Expr) -> str:
+    if not isinstance(definition, opaque.Root):
+        return Printer()(definition)
+    one, other = map(Printer(), definition.args)
     return rf"\sqrt{{({one}-{other}) ({one}+{other})}}"

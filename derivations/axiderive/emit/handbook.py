@@ -16,7 +16,7 @@ from .. import __version__
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
-from . import book, spread, study
+from . import book, references, spread, study
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -72,6 +72,12 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
 def ruled(model: Model) -> frozenset[str]:
     """Keys of the normal contact that the catalogue evaluates by a quadrature rule."""
     return frozenset(f"{model['name']}.{row['suffix']}" for row in model["evidence"]["table"] if row["ruled"])
+
+
+def approached(model: Model, system: str) -> list[dict[str, Any]]:
+    """What was checked of the limits that a spread prints: key, formula, digits and points."""
+    lines = model["blocks"][system]["further"] if system in model["blocks"] else []
+    return [check for line in lines for row in line for check in row.get("checks", ())]
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
@@ -130,7 +136,9 @@ def templates() -> jinja2.Environment:
         autoescape=False,
         undefined=jinja2.StrictUndefined,
     )
-    environment.globals.update(remark=remark, shade=shade)
+    environment.globals.update(
+        remark=remark, shade=shade, numbers=numbers, chapter_source=references.label("Popov, Heß & Willert 2019")
+    )
     return environment
 
 
@@ -140,6 +148,17 @@ def remark(one: dict[str, Any]) -> str:
         return ""
     key = rf" \own{{{one['uses']}}}" if one["uses"] else ""
     return rf"\remark{{{one['remark']}{key}}}"
+
+
+def numbers(equations: Sequence[str]) -> str:
+    """(11.16), (11.18), (11.20) as (11.16, 18, 20)."""
+    found: list[str] = []
+    chapter = ""
+    for text in equations:
+        before, _, number = text.strip("()").partition(".")
+        found.append(number if before == chapter else f"{before}.{number}")
+        chapter = before
+    return f"({', '.join(found)})"
 
 
 def shade(index: int, count: int) -> str:

@@ -66,13 +66,12 @@ def limit_tex(profile: Profile, limit: Limit, entry: Entry, simpler: Entry) -> s
     """The simpler formula in the parameters of the profile, without its left side."""
     case = simpler.cases[-1]
     chain = tuple(x for x in case.chain if x in entry.profile.chain or x in (nt.a, r))
-    short = with_kappa(case.expr.subs(own_parameters(profile, limit)))
+    short = with_kappa(case.expr.subs(own_parameters(profile, limit, load(limit.target))))
     return Printer(chain, short.names)(short.expr)
 
 
-def own_parameters(profile: Profile, limit: Limit) -> dict[sp.Expr, sp.Expr]:
+def own_parameters(profile: Profile, limit: Limit, target: Profile) -> dict[sp.Expr, sp.Expr]:
     """Parameters of the simpler profile that this one does not have, from the equality of both shapes."""
-    target = load(limit.target)
     own = [symbol for symbol in target.parameters if symbol not in profile.parameters]
     if not own:
         return {}

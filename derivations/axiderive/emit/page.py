@@ -14,7 +14,6 @@ from ..contact.systems import BODIES
 from ..entry import Entry
 from ..profiles.profile import Profile
 from .printer import Printer
-from .prose import prose
 from .symbols import LETTERS
 from .values import Numbers
 from .width import width
@@ -157,122 +156,6 @@ def _functions(entries: Mapping[str, Entry]) -> list[str]:
 
 def _listed(names: list[str]) -> str:
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
-
-
-def evidence_rows(
-    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
-) -> dict[str, list[dict[str, Any]]]:
-    """Certificate and checks of every entry; nothing is claimed that is not recorded.
-
-    Those of the problem the spread begins with as a table, the others in short: the fewest digits that agreed.
-    """
-    table: list[dict[str, Any]] = []
-    grid: list[dict[str, Any]] = []
-    for key, entries in own.items():
-        records = evidence.get(key, {}).get("entries", {})
-        measured = evidence.get(key, {}).get("evaluation", {})
-        for suffix, entry in entries.items():
-            if suffix not in records:
-                continue
-            found = _evidence(entry, records[suffix], measured.get(suffix, {}), profile_id)
-            (table if key == profile_id else grid).append(found)
-    return {"table": table, "grid": grid}
-
-
-def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
-    passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
-    by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
-    for check in passed:
-        by_kind[kind_of(check["compared"])].append(check)
-    digits = [check["digits"] for check in passed if check.get("digits")]
-    return {
-        "suffix": entry.key[len(profile_id) + 1 :],
-        "certified": bool(record.get("certified")),
-        "cells": [_agreement(by_kind[kind]) for kind in KINDS],
-        "evaluation": _evaluation(measured) if measured else [],
-        "ruled": measured.get("form") == "rule",
-        "digits": str(min(digits)) if digits else "--",
-        "count": str(sum(check.get("count", 0) for check in passed if check.get("digits"))),
-    }
-
-
-KINDS = ("quadrature", "enclosure", "identity", "units")
-
-
-def kind_of(compared: str) -> str:
-    """Which column of the evidence table a check belongs to."""
-    words = compared.lower()
-    if "quadrature" in words:
-        return "quadrature"
-    if "ball" in words or "arb" in words or "enclosure" in words:
-        return "enclosure"
-    return "units" if "dimension" in words or "unit" in words else "identity"
-
-
-def missing_certificates(
-    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
-) -> list[tuple[list[str], str]]:
-    """Ends of the keys without a certificate and the reason, those of one reason together."""
-    groups: dict[str, list[str]] = {}
-    for key, entries in own.items():
-        for suffix, entry in entries.items():
-            record = evidence.get(key, {}).get("entries", {}).get(suffix, {"certified": True})
-            reason = record.get("certificate", {}).get("reason", "")
-            if not record.get("certified") and reason:
-                text = prose(reason.replace(f"{entry.key} is ", ""))
-                groups.setdefault(text, []).append(entry.key[len(profile_id) + 1 :])
-    return [(suffixes, reason) for reason, suffixes in groups.items()]
-
-
-def _agreement(checks: list[Any]) -> str:
-    """Digits / points and the worst residual; the fewest digits / all points of several identities."""
-    if not checks:
-        return "--"
-    counted = [check for check in checks if check.get("digits")]
-    if not counted:
-        return r"\ok"
-    least = min(check["digits"] for check in counted)
-    if len(checks) > 1:
-        return rf"{least}\,/\,{sum(check['count'] for check in counted)}"
-    (check,) = counted
-    worst = rf"\enspace${power_of_ten(check['worst'])}$" if check.get("worst") and float(check["worst"]) else ""
-    return rf"{least}\,/\,{check['count']}{worst}"
-
-
-FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}
-"""How a function of the catalogue evaluates its formula."""
-
-
-def _evaluation(measured: Mapping[str, Any]) -> list[str]:
-    """The way of evaluation and the worst errors in ulps: usual lengths, extreme ones, the printed formula."""
-    # bodies that rest on another module have no form of their own
-    nodes = ", ".join(str(count) for count in measured.get("nodes", ()))
-    form = FORMS.get(measured.get("form", ""), "--") + (f", {nodes} nodes" if nodes else "")
-    usual, extreme = measured["bench"], measured["extreme"]
-    return [form, *(_ulps(found) for found in (usual, extreme, usual.get("naive", {})))]
-
-
-NO_DIGIT = 2.0**52
-"""Units in the last place from which no digit is right."""
-
-
-def _ulps(found: Mapping[str, Any]) -> str:
-    """The worst error and at how many points, those lost as NaN or infinite in brackets."""
-    if not found.get("points"):
-        return "--"
-    if found.get("worst_ulp", 0.0) >= NO_DIGIT:
-        return "no digit"
-    worst = f"{found['worst_ulp']:.2g}" if "worst_ulp" in found else ""
-    lost = f" ({found['lost']} lost)" if found["lost"] else ""
-    return rf"${power_of_ten(worst)}$\,/\,{found['points']}{lost}" if worst else f"all {found['lost']} lost"
-
-
-def power_of_ten(text: str) -> str:
-    """2.7e-51 as 2.7 x 10^-51."""
-    mantissa, _, exponent = text.partition("e")
-    if exponent and float(mantissa) == 0:
-        return "0"
-    return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
 
 
 def symbols(entries: Mapping[str, Entry]) -> set[str]:

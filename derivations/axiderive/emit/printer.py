@@ -95,8 +95,8 @@ class Printer:
         scale = Product(1, parts.number, rest, parts.root)
         return parts.sign, "" if scale == Product(1, sp.S.One, ()) else self._layout(scale), self.terms(sums[0])
 
-    def _layout(self, parts: Product) -> str:
-        """One product: scale as a fraction, then root, brackets and functions."""
+    def _layout(self, parts: Product, under_root: bool = False) -> str:
+        """One product: scale as a fraction, then root, brackets and functions; under a root one fraction."""
         above: list[Factor] = []
         below: list[Factor] = []
         behind: list[Factor] = []
@@ -112,13 +112,13 @@ class Printer:
         sums = [factor for factor in behind if self._plain(*factor)]
         if (below or number.q != 1) and not (above or root_above) and number.p == 1 and len(sums) == 1:
             above, behind = sums, [factor for factor in behind if factor not in sums]
-        elif below and sums and (root_above or len(sums) < len(behind)):
+        elif (below and sums and (root_above or len(sums) < len(behind))) or (under_root and number.q + len(below) > 1):
             above, behind = above + sums, [factor for factor in behind if factor not in sums]
         alone = bool(below or below_root or number.q != 1) or not (behind or root_above)
         bare = len(above) == 1 and above[0][0].is_Add and above[0][1] == 1 and number.p == 1 and alone
         top = [self.sum(above[0][0])] if bare else self._scale(number.p, above)
         bottom = self._scale(number.q, below) + below_root
-        if parts.root and root_above and [base for base, _ in parts.root.factors] == [sp.pi]:
+        if parts.root and root_above and [base for base, _ in parts.root.factors] in ([], [sp.pi]):
             top, root_above = [*top[: number.p != 1], root_above, *top[number.p != 1 :]], ""
         out = []
         if below or below_root or (number.q != 1 and any(b.is_Add or isinstance(b, sp.gamma) for b, _ in above)):
@@ -170,12 +170,13 @@ class Printer:
         if root is None:
             return "", ""
         below = root.number.p == 1 and all(e < 0 for _, e in root.factors)
+        root = root if below else _common_out(root)
         factors = tuple((b, -e if below else e) for b, e in root.factors)
         number = 1 / root.number if below else root.number
         if len(factors) == 1 and number == 1 and factors[0][0].is_Add and factors[0][1] == 1:
             inside = self.sum(factors[0][0])
         else:
-            inside = self._layout(Product(1, number, factors))
+            inside = self._layout(Product(1, number, factors), under_root=True)
         text = (r"\sqrt{" if root.index == 2 else rf"\sqrt[{root.index}]{{") + inside + "}"
         return ("", text) if below else (text, "")
 
@@ -299,6 +300,18 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
+
+
+def _common_out(root: Root) -> Root:
+    """R (b^2/R + d/R) under a root as b^2 + d: symbols that a sum shares with its other factors."""
+    powers: dict[sp.Expr, sp.Expr] = {}
+    for base, exponent in root.factors:
+        shared = sp.Mul.make_args(sp.factor_terms(base) if base.is_Add and exponent == 1 else base)
+        for factor in shared if all(f.is_Add or f.as_base_exp()[0].is_Symbol for f in shared) else (base,):
+            own, power = factor.as_base_exp()
+            powers[own] = powers.get(own, sp.S.Zero) + power * exponent
+    kept = tuple((b, e) for b, e in powers.items() if e != 0)
+    return Root(root.index, root.number, kept) if len(kept) < len(root.factors) else root
 
 
 def _stands_behind(base: sp.Expr) -> bool:

@@ -94,13 +94,7 @@ class PrivateFunctions:
 
     def definition(self, expr: sp.Expr) -> str:
         """The text of an intermediate; sqrt(R**2 - b**2) of an abbreviated b without the subtraction."""
-        if isinstance(expr, Root):
-            length, short = expr.args
-            for symbol, definition in self.profile.abbreviations:
-                sine = definition / length
-                if short == symbol and isinstance(sine, sp.sin):
-                    return python(length * sp.cos(sine.args[0]))
-        return python(expr)
+        return python(without_subtraction(expr, self.profile.abbreviations))
 
     def needs(self, form: EvaluationForm, given: Sequence[str]) -> set[str]:
         """Parameters a form needs beyond what is given, with those behind an abbreviated root."""
@@ -110,6 +104,17 @@ class PrivateFunctions:
             if str(name) not in given and text != python(expr):
                 used |= {str(s) for _, d in self.profile.abbreviations for s in d.free_symbols}
         return used - set(given)
+
+
+def without_subtraction(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """The root of R**2 - b**2 as R cos(theta) where b is short for R sin(theta), else the expression itself."""
+    if isinstance(expr, Root):
+        length, short = expr.args
+        for symbol, definition in abbreviations:
+            sine = definition / length
+            if short == symbol and isinstance(sine, sp.sin):
+                return length * sp.cos(sine.args[0])
+    return expr
 
 
 def _generator(terms: str) -> list[str]:

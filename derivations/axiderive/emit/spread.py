@@ -8,17 +8,21 @@ from typing import Any
 
 from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import blocks, front, matrix, page, references
+from . import evidence as proven
 from .curves import curves
 from .given import axes_of
 from .panel import panel
 from .plots import plots
 from .prose import prose
 from .sketch import sketch
+from .sketch_given import load_sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
 from .worked import worked
+from .worked_given import worked_given
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
@@ -44,6 +48,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
     own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
     main = next((entries for key, entries in own.items() if key == profile_id), {})
+    shown = blocks.blocks(profile_id, derived, refusals, evidence)
     return {
         "name": profile_id,
         "title": prose(profile.title),
@@ -54,9 +59,10 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "place": "x" if pool.prefix == "plane" else "r",
         "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
-        "blocks": {key: asdict(block) for key, block in blocks.blocks(profile_id, derived, refusals, evidence).items()},
-        "evidence": page.evidence_rows(profile_id, own, evidence),
-        "uncertified": page.missing_certificates(profile_id, own, evidence),
+        "blocks": {key: asdict(block) for key, block in shown.items()},
+        "evidence": proven.evidence_rows(profile_id, own, evidence),
+        "approached": proven.approach_summary([line for block in shown.values() for line in block.further]),
+        "uncertified": proven.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
@@ -87,6 +93,7 @@ def _order(text: str) -> tuple[int, ...]:
 NOTHING: dict[str, Any] = {
     "worked": None,
     "picture": None,
+    "load_picture": None,
     "plots": None,
     "checks": None,
     "calls": [],
@@ -101,7 +108,10 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     prefix = profile_id.rpartition(".")[0]
     texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
-    if not main or "p" not in main or texts["axes"]:
+    if texts["axes"]:
+        picture = load_sketch(profile, main) if isinstance(profile, Load) else None
+        return texts | {"worked": worked_given(profile, main), "load_picture": picture}
+    if not main or "p" not in main:
         return texts
     values = sketch_values(profile)
     if prefix == "plane":

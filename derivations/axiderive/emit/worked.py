@@ -25,14 +25,14 @@ class Material:
     separation: float = 0.0
 
 
-def _plane_strain(young: float, poisson: str, bodies: int = 1) -> sp.Rational:
+def plane_strain(young: float, poisson: str, bodies: int = 1) -> sp.Rational:
     return sp.Rational(young) / (bodies * (1 - sp.Rational(poisson) ** 2))
 
 
-STEEL = Material(r"steel on steel, $E=210$\,GPa, $\nu=0.3$", _plane_strain(210e9, "0.3", 2))
-GLASS = Material(r"diamond on glass, $E=70$\,GPa, $\nu=0.22$ (diamond rigid)", _plane_strain(70e9, "0.22"))
+STEEL = Material(r"steel on steel, $E=210$\,GPa, $\nu=0.3$", plane_strain(210e9, "0.3", 2))
+GLASS = Material(r"diamond on glass, $E=70$\,GPa, $\nu=0.22$ (diamond rigid)", plane_strain(70e9, "0.22"))
 SILICONE = Material(
-    r"rigid on silicone rubber, $E=2$\,MPa, $\nu=0.5$, $\Delta\gamma=50$\,mJ/m$^2$", _plane_strain(2e6, "0.5"), 0.05
+    r"rigid on silicone rubber, $E=2$\,MPa, $\nu=0.5$, $\Delta\gamma=50$\,mJ/m$^2$", plane_strain(2e6, "0.5"), 0.05
 )
 
 
@@ -109,13 +109,16 @@ def worked(profile_id: str, profile: Profile, entries: Mapping[str, Entry], make
         shown.append(("w(2a)", numbers("w", 2 * radius), "m", "w"))
     if case.material.separation and numbers.compact and not profile.breaks:
         shown.append(("F_{\\mathrm c}", _pull_off(numbers, case), "N", "adh.Fc"))
-    given = [rf"${_latex(name)}={_given(name, text)}$" for name, text in case.parameters.items()]
+    given = [
+        rf"${_latex(name)}={given_text(name, text, _degree(name, profile, case))}$"
+        for name, text in case.parameters.items()
+    ]
     name, unit = ("P", "N/m") if plane else (r"F_{\mathrm N}", "N")
-    load = f"${name}={_quantity(mp.mpf(case.load), unit)}$"
-    modulus = rf"$E^{{*}}={_quantity(_number(case.material.modulus), 'Pa')}$"
+    load = f"${name}={quantity_text(mp.mpf(case.load), unit)}$"
+    modulus = rf"$E^{{*}}={quantity_text(_number(case.material.modulus), 'Pa')}$"
     return {
         "words": "; ".join([case.material.words, modulus, *given, load]),
-        "numbers": [(name, _quantity(value, unit), key) for name, value, unit, key in shown],
+        "numbers": [(name, quantity_text(value, unit), key) for name, value, unit, key in shown],
     }
 
 
@@ -180,17 +183,31 @@ def _pull_off(numbers: Numbers, case: Case) -> Any:
         return force((lo + hi) / 2)
 
 
-def _given(name: str, text: str) -> str:
+def given_text(name: str, text: str, degree: int = 0) -> str:
+    """A given value with its unit; that of an amplitude A of r**degree is a power of the metre."""
     notation = nt.describe(name) if nt.known(name) else None
-    if notation and notation.dimension == nt.LENGTH:
-        return _quantity(mp.mpf(text), "m")
+    if notation and notation.unit in ("m", "Pa", "N", "N/m"):
+        return quantity_text(mp.mpf(text), notation.unit)
     mantissa, _, power = text.partition("e")
     digits = (rf"{mantissa}\times" if mantissa != "1" else "") + f"10^{{{int(power)}}}" if power else mantissa
-    unit = "" if notation and notation.unit in ("1", "rad") else r"\,\text{(SI)}"
-    return digits + unit
+    return digits + (rf"\,\text{{m}}^{{{1 - degree}}}" if degree > 1 else "")
 
 
-def _quantity(value: Any, unit: str) -> str:
+def _degree(name: str, profile: Profile, case: Case) -> int:
+    """The power of r that belongs to an amplitude."""
+    if name.startswith("A_"):
+        return int(name[2:])
+    if name != "A":
+        return 0
+    shape = profile.pieces[0].expr
+    return (
+        int(case.parameters["n"])
+        if "n" in case.parameters
+        else int(sp.degree(shape, nt.x if shape.has(nt.x) else nt.r))
+    )
+
+
+def quantity_text(value: Any, unit: str) -> str:
     """Four significant digits with a prefix of the unit."""
     if value == 0:
         return rf"0\,\text{{{unit}}}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..page import power_of_ten
+from ..evidence import power_of_ten
 from ..prose import escaped
 
 

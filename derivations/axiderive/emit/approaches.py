@@ -1,0 +1,181 @@
+"""What the normal contact approaches: at the edge, far away, at the axis, for a small contact, at its onset."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from .. import notation as nt
+from ..abel.masters import C0
+from ..contact.normal import derive
+from ..entry import Case, Entry
+from ..notation import E_star, P, a, b, r, x
+from ..profiles import load
+from ..profiles.loads import Load
+from ..profiles.profile import Profile
+from .approach import NEAR, Approach, approach_row
+from .naming import LEFT
+from .printer import Printer
+
+Entries = Mapping[str, Entry]
+Rows = list[dict[str, Any]]
+
+
+def approach_rows(profile: Profile, entries: Entries) -> Rows:
+    """The rows of a profile, as far as their formulas agree with the entries next to the end of the way."""
+    if isinstance(profile, Load):
+        return _load_rows(profile, entries)
+    if nt.e in profile.parameters:
+        return []
+    place = x if "s" in entries else r
+    if place == x:
+        rows = [*_edge(profile, entries, x), *approach_row("Far field", r"x\to\infty", [_far_slope(entries)])]
+    else:
+        rows = [*_edge(profile, entries, r), *approach_row("Far field", r"r\to\infty", [_far(entries)])]
+    if profile.contact == "compact":
+        rows += _axis(entries, place) + _small(profile, entries) + _onset(profile, entries)
+    return rows
+
+
+def _far(entries: Entries) -> Approach:
+    """The displacement of the whole force in a point."""
+    cases = tuple(Case(c.chain, c.expr / (sp.pi * E_star * r)) for c in entries["F"].cases)
+    return Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), cases, rf"\frac{{{LEFT['F']}}}{{\pi E^{{*}}r}}")
+
+
+def _far_slope(entries: Entries) -> Approach:
+    """The slope beside the whole load in a line."""
+    loads = entries["P"].cases if "P" in entries else (Case((), P),)
+    cases = tuple(Case(c.chain, -2 * c.expr / (sp.pi * E_star * x)) for c in loads)
+    left = r"\frac{\mathrm{d}w}{\mathrm{d}x}"
+    return Approach(entries["s"], left, ((x, a / NEAR),), cases, r"-\frac{2 P}{\pi E^{*}x}")
+
+
+def _edge(profile: Profile, entries: Entries, place: sp.Symbol) -> Rows:
+    if profile.contact == "compact":
+        return approach_row("Edge", rf"{place}\to a", [_root_edge(entries, place)])
+    part = _sharp_edge(entries, place)
+    beyond = part.cases[0].chain[part.cases[0].chain.index(a) + 1 :]
+    small = rf"{place}\to a" + "".join(rf",\; a<{Printer()(length)}" for length in beyond)
+    return approach_row("Edge", small, [part]) or approach_row("Edge", small, [part], half=False)
+
+
+def _root_edge(entries: Entries, place: sp.Symbol) -> Approach:
+    """The last punches E* g'(a) da/pi, or strips P'(a) da/pi, stand alone next to the edge."""
+    grown, scale, named = (entries["P"], 1, "P'(a)") if place == x else (entries["d"], E_star, r"E^{*}g'(a)")
+    cases = tuple(
+        Case(c.chain, scale * sp.factor(sp.diff(c.expr, a)) / (sp.pi * a) * _face(place)) for c in grown.cases
+    )
+    text = rf"\frac{{{named}}}{{\pi}}\sqrt{{\frac{{2 (a-{place})}}{{a}}}}"
+    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases, text)
+
+
+def _sharp_edge(entries: Entries, place: sp.Symbol) -> Approach:
+    """The term of the pressure that is infinite at the edge of the face."""
+    reached = [c for c in entries["p"].cases if c.chain.index(a) == c.chain.index(place) + 1]
+    root, scale = sp.sqrt(a**2 - place**2), (E_star if place == r else 1) / sp.pi
+    cases = tuple(
+        Case(c.chain, scale * sp.expand(sp.expand(c.expr * root).subs(place, a) / scale) / _face(place))
+        for c in reached
+    )
+    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases)
+
+
+def _face(place: sp.Symbol) -> sp.Expr:
+    """sqrt(a**2 - r**2) next to the edge."""
+    return sp.sqrt(2 * a * (a - place))
+
+
+def _pressure(place: sp.Symbol) -> str:
+    return f"p({place})"
+
+
+def _axis(entries: Entries, place: sp.Symbol) -> Rows:
+    """The pressure in the middle, or its logarithm: arcosh(a/r) is ln(2 a/r) there."""
+    cases = []
+    for case in entries["p"].cases:
+        if case.chain[0] != place or case.expr.has(C0, sp.Integral, nt.n, sp.Sum):
+            continue
+        logarithm = case.expr.replace(sp.acosh, lambda u: sp.log(2 * u) if u.has(place) else sp.acosh(u))
+        kept = {e: sp.Dummy(positive=True) for e in logarithm.atoms(sp.log) if e.has(place)}
+        value = logarithm.xreplace(kept).subs(place, 0).xreplace({new: old for old, new in kept.items()})
+        cases.append(Case(case.chain, sp.factor_terms(_at_zero(value))))
+    if not cases or len(cases) < sum(case.chain[0] == place for case in entries["p"].cases):
+        return []
+    part = Approach(entries["p"], _pressure(place), ((place, a * NEAR),), tuple(cases))
+    name = "Axis" if place == r else "Middle"
+    found = approach_row(name, rf"{place}\to 0", [part])
+    return found or approach_row(name, rf"{place}\to 0", [part], half=False)
+
+
+def _at_zero(expr: sp.Expr) -> sp.Expr:
+    """The expression without functions that vanish with their argument, arcsin(sqrt(a^2 - b^2)/a) as arccos(b/a)."""
+    arc = sp.asin(sp.sqrt((a**2 - b**2) / a**2))
+    plain = expr.replace(lambda e: isinstance(e, sp.Function) and e.args == (sp.S.Zero,), lambda e: sp.S.Zero)
+    return plain.subs(arc, sp.acos(b / a))
+
+
+def _small(profile: Profile, entries: Entries) -> Rows:
+    """A smooth tip is a paraboloid of the radius 1/f''(0) to a small contact."""
+    tip = profile.pieces[0].expr
+    if "d" not in entries or "F" not in entries or tip.has(nt.n, nt.coefficients) or tip.is_polynomial(r):
+        return []
+    if sp.diff(tip, r).subs(r, 0) != 0:
+        return []
+    curvature = sp.factor_terms(sp.diff(tip, r, 2).subs(r, 0))
+    simpler = derive(load("paraboloid"))
+    least = sp.Min(*(s for s in profile.parameters if nt.describe(s).dimension == nt.LENGTH))
+    parts = [
+        Approach(
+            entries[suffix],
+            "g(a)" if suffix == "d" else LEFT[suffix],
+            ((a, least * NEAR),),
+            tuple(Case((), c.expr.subs(nt.R, 1 / curvature)) for c in simpler[suffix].cases),
+        )
+        for suffix in ("d", "F")
+    ]
+    found = approach_row("Small contact", r"a\to 0", parts)
+    both = found and len(found[0]["checks"]) == len(parts)
+    return found if both else approach_row("Small contact", r"a\to 0", parts, half=False)
+
+
+ORDERS = 6
+
+
+def _onset(profile: Profile, entries: Entries) -> Rows:
+    """A flat face takes up its first load: the leading power of t = sqrt(a^2 - b^2)/b."""
+    if not profile.truncated:
+        return []
+    parts = []
+    for suffix, left in (("d", "g(a)"), ("F", LEFT["F"]), ("P", "P")):
+        if suffix in entries and not any(nt.L in c.chain for c in entries[suffix].cases):
+            value = _leading(entries[suffix].cases[0].expr)
+            if value is not None and value != entries[suffix].cases[0].expr:
+                parts.append(Approach(entries[suffix], left, ((a, b * (1 + NEAR)),), (Case((b, a), value),)))
+    return approach_row("Onset", r"a\to b", parts, half=len(parts) == 1)
+
+
+def _leading(expr: sp.Expr) -> sp.Expr | None:
+    """The first term of the Taylor series in t, with a = b sqrt(1 + t^2) and arccos(b/a) = arctan t."""
+    t, root = sp.Symbol("t", positive=True), sp.sqrt(a**2 - b**2)
+    series = expr.subs(sp.acos(b / a), sp.atan(t)).subs(root, b * t).subs(a, b * sp.sqrt(1 + t**2))
+    for order in range(ORDERS):
+        coefficient = series.subs(t, 0)
+        if coefficient != 0:
+            return sp.cancel(coefficient / sp.factorial(order) / b**order) * root**order
+        series = sp.diff(series, t)
+    return None
+
+
+def _load_rows(profile: Load, entries: Entries) -> Rows:
+    """A prescribed pressure: its force in a point far away, the displacement in the middle."""
+    force = sp.pi * nt.p_0 * a**2 / (profile.exponent + 1)
+    (inside,) = (c.expr for c in entries["w"].cases if c.chain[0] == r)
+    far = Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
+    rows = approach_row("Far field", r"r\to\infty", [far])
+    if inside.has(r):
+        middle = Approach(entries["w"], LEFT["w"], ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
+        rows += approach_row("Middle", r"r\to 0", [middle])
+    return rows

@@ -1,0 +1,152 @@
+"""The evidence of a spread as plain data: certificates, agreement with definitions, measured errors, limits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..entry import Entry
+from .approach import DECADES
+from .prose import prose
+
+
+def evidence_rows(
+    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> dict[str, list[dict[str, Any]]]:
+    """Certificate and checks of every entry; nothing is claimed that is not recorded.
+
+    Those of the problem the spread begins with as a table, the others in short: the fewest digits that agreed.
+    """
+    table: list[dict[str, Any]] = []
+    grid: list[dict[str, Any]] = []
+    for key, entries in own.items():
+        records = evidence.get(key, {}).get("entries", {})
+        measured = evidence.get(key, {}).get("evaluation", {})
+        for suffix, entry in entries.items():
+            if suffix not in records:
+                continue
+            found = _evidence(entry, records[suffix], measured.get(suffix, {}), profile_id)
+            (table if key == profile_id else grid).append(found)
+    return {"table": table, "grid": grid}
+
+
+def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
+    passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
+    by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
+    for check in passed:
+        by_kind[kind_of(check["compared"])].append(check)
+    digits = [check["digits"] for check in passed if check.get("digits")]
+    return {
+        "suffix": entry.key[len(profile_id) + 1 :],
+        "certified": bool(record.get("certified")),
+        "cells": [_agreement(by_kind[kind]) for kind in KINDS],
+        "evaluation": _evaluation(measured) if measured else [],
+        "ruled": measured.get("form") == "rule",
+        "digits": str(min(digits)) if digits else "--",
+        "count": str(sum(check.get("count", 0) for check in passed if check.get("digits"))),
+    }
+
+
+def approach_summary(lines: Sequence[Sequence[Mapping[str, Any]]]) -> dict[str, int]:
+    """How many limits were compared with their entries close to them: least digits, all points."""
+    checks = [check for line in lines for row in line for check in row.get("checks", ())]
+    if not checks:
+        return {}
+    return {
+        "formulas": len(checks),
+        "digits": min(check["digits"] for check in checks),
+        "points": sum(check["count"] for check in checks),
+        "distance": DECADES,
+    }
+
+
+KINDS = ("quadrature", "enclosure", "identity", "units")
+
+
+def kind_of(compared: str) -> str:
+    """Which column of the evidence table a check belongs to."""
+    words = compared.lower()
+    if "quadrature" in words:
+        return "quadrature"
+    if "ball" in words or "arb" in words or "enclosure" in words:
+        return "enclosure"
+    return "units" if "dimension" in words or "unit" in words else "identity"
+
+
+def missing_certificates(
+    profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> list[tuple[list[str], str]]:
+    """Ends of the keys without a certificate and the reason, those of one reason together."""
+    groups: dict[str, list[str]] = {}
+    for key, entries in own.items():
+        for suffix, entry in entries.items():
+            record = evidence.get(key, {}).get("entries", {}).get(suffix, {"certified": True})
+            reason = record.get("certificate", {}).get("reason", "")
+            if not record.get("certified") and reason:
+                groups.setdefault(_reason(reason, entry.key, profile_id), []).append(entry.key[len(profile_id) + 1 :])
+    return [(suffixes, reason) for reason, suffixes in groups.items()]
+
+
+_RESTS = re.compile(r"rests on (\S+), which is not proved|(\S+) is ((?:the root|an integral).*)")
+
+
+def _reason(text: str, key: str, profile_id: str) -> str:
+    """The reason in words; another entry of the spread by the end of its key."""
+    plain = text.removeprefix(f"{key} is ")
+    found = _RESTS.fullmatch(plain)
+    base = (found[1] or found[2]) if found else ""
+    if not base.startswith(f"{profile_id}."):
+        return prose(plain)
+    return rf"as they rest on \own{{{base.removeprefix(f'{profile_id}.')}}}"
+
+
+def _agreement(checks: list[Any]) -> str:
+    """Digits / points and the worst residual; the fewest digits / all points of several identities."""
+    if not checks:
+        return "--"
+    counted = [check for check in checks if check.get("digits")]
+    if not counted:
+        return r"\ok"
+    least = min(check["digits"] for check in counted)
+    if len(checks) > 1:
+        return rf"{least}\,/\,{sum(check['count'] for check in counted)}"
+    (check,) = counted
+    worst = rf"\enspace${power_of_ten(check['worst'])}$" if check.get("worst") and float(check["worst"]) else ""
+    return rf"{least}\,/\,{check['count']}{worst}"
+
+
+FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}
+"""How a function of the catalogue evaluates its formula."""
+
+
+def _evaluation(measured: Mapping[str, Any]) -> list[str]:
+    """The way of evaluation and the worst errors in ulps: usual lengths, extreme ones, the printed formula."""
+    # bodies that rest on another module have no form of their own
+    nodes = ", ".join(str(count) for count in measured.get("nodes", ()))
+    form = FORMS.get(measured.get("form", ""), "--") + (f", {nodes} nodes" if nodes else "")
+    usual, extreme = measured["bench"], measured["extreme"]
+    return [form, *(_ulps(found) for found in (usual, extreme, usual.get("naive", {})))]
+
+
+NO_DIGIT = 2.0**52
+"""Units in the last place from which no digit is right."""
+
+
+def _ulps(found: Mapping[str, Any]) -> str:
+    """The worst error and at how many points, those lost as NaN or infinite in brackets."""
+    if not found.get("points"):
+        return "--"
+    if found.get("worst_ulp", 0.0) >= NO_DIGIT:
+        return "no digit"
+    worst = f"{found['worst_ulp']:.2g}" if "worst_ulp" in found else ""
+    lost = f" ({found['lost']} lost)" if found["lost"] else ""
+    return rf"${power_of_ten(worst)}$\,/\,{found['points']}{lost}" if worst else f"all {found['lost']} lost"
+
+
+def power_of_ten(text: str) -> str:
+    """2.7e-51 as 2.7 x 10^-51."""
+    mantissa, _, exponent = text.partition("e")
+    if exponent and float(mantissa) == 0:
+        return "0"
+    return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text

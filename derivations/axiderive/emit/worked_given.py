@@ -1,0 +1,64 @@
+"""Worked examples of what has no profile: prescribed pressures, and the punch that an eccentric load tilts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry
+from ..profiles.loads import Load
+from ..profiles.profile import Profile
+from .values import Values, evaluated
+from .worked import DIGITS, Material, given_text, plane_strain, quantity_text
+
+BLOCK = Material(r"steel, $E=210$\,GPa, $\nu=0.3$", plane_strain(210e9, "0.3"))
+PRESSED: Mapping[sp.Symbol, str] = {nt.p_0: "500e6", nt.a: "2e-3", nt.sigma: "2"}
+TILTED: Mapping[sp.Symbol, str] = {nt.P: "1e6", nt.a: "2e-3", nt.e: "5e-4"}
+
+
+def worked_given(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:
+    """Heading, and the numbers with the key of their formula."""
+    pressed = isinstance(profile, Load)
+    known = {
+        symbol: text for symbol, text in (PRESSED if pressed else TILTED).items()
+        if symbol in profile.parameters or symbol == nt.P
+    }  # fmt: skip
+    values: Values = {symbol: sp.Rational(text) for symbol, text in known.items()}
+    values[nt.E_star] = BLOCK.modulus
+    with mp.workdps(DIGITS):
+        numbers = _displacements(profile, entries, values) if isinstance(profile, Load) else _tilt(entries, values)
+    modulus = rf"$E^{{*}}={quantity_text(mp.mpf(int(BLOCK.modulus.p)) / int(BLOCK.modulus.q), 'Pa')}$"
+    given = [f"${nt.describe(symbol).latex}={given_text(symbol.name, text)}$" for symbol, text in known.items()]
+    return {"words": "; ".join([BLOCK.words, modulus, *given]), "numbers": numbers}
+
+
+def _displacements(load: Load, entries: Mapping[str, Entry], values: Values) -> list[tuple[str, str, str]]:
+    force = sp.pi * nt.p_0 * nt.a**2 / (load.exponent + 1)
+    near = values[nt.a] * sp.Rational(1, 10**12)  # the middle itself is the border of the first range
+    places = (("w(0)", near), ("w(a/2)", values[nt.a] / 2), ("w(2a)", 2 * values[nt.a]), ("w(10a)", 10 * values[nt.a]))
+    found = [("F", quantity_text(evaluated(force, values), "N"), "")]
+    return found + [(name, _at(entries["w"], values | {nt.r: place}, "m"), "w") for name, place in places]
+
+
+def _tilt(entries: Mapping[str, Entry], values: Values) -> list[tuple[str, str, str]]:
+    places = (("p(-a/2)", -values[nt.a] / 2), ("p(0)", sp.S.Zero), ("p(a/2)", values[nt.a] / 2))
+    found = [(name, _at(entries["p"], values | {nt.x: place}, "Pa"), "p") for name, place in places]
+    return [
+        (r"\varphi", _at(entries["phi"], values, "rad"), "phi"),
+        (r"\ell", _at(entries["cw"], values, "m"), "cw"),
+        *found,
+    ]
+
+
+def _at(entry: Entry, values: Values, unit: str) -> str:
+    case = next(case for case in entry.cases if _holds(case.chain, values))
+    return quantity_text(evaluated(case.expr, values), unit)
+
+
+def _holds(chain: tuple[sp.Expr, ...], values: Values) -> bool:
+    known = [length.xreplace(values) for length in chain]
+    return all(bool(low < high) for low, high in zip(known, known[1:], strict=False))
