@@ -92,3 +92,47 @@ def _moved_brackets(tex: str, start: int) -> Iterator[str]:
             yield tex[: match.start()] + tex[match.end() : cut] + match[0] + tex[cut:]
     for match in RADICAL.finditer(tex, start):
         yield tex[: match.start()] + match[1] + "}" + match[2] + tex[match.end() :]
+
+
+NAMES = ("a", "b", "c", "d", "g", "p", "r", "u", "w", "x", "F", "P", "R")
+"""Letters that a name may be misprinted as."""
+RELATIONS = {"<": ">", ">": "<", r"\le": r"\ge", r"\ge": r"\le"}
+"""< and \\le are not told apart: on a border the value is that of either side."""
+PART = re.compile(r"\\[A-Za-z]+|\d|[A-Za-z]|[-+<>]")
+
+
+def left_misprints(tex: str) -> list[str]:
+    """What stands before the first equals sign with one letter changed, subscripts too."""
+    left, _, right = tex.partition("=")
+    found = []
+    for match in re.finditer(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", left):
+        upright = left[: match.start()].endswith((r"\mathrm ", r"\mathrm{")) and match[0] == "d" and "frac" in left
+        others = [name for name in (*NAMES, "m", "N") if name != match[0]] if not upright else []
+        found += [left[: match.start()] + name + left[match.end() :] for name in others]
+    found += [text for text in (left.replace(r"\mu", r"\nu"), left.replace(r"\tau", "p")) if text != left]
+    return [f"{text}={right}" for text in found if _is_readable(f"{text}={right}")]
+
+
+def range_misprints(condition: str, names: tuple[str, ...] = ()) -> list[str]:
+    """A printed range with one letter, digit, sign or relation changed, and those that can still be read."""
+    hidden = [m.span() for m in LAYOUT.finditer(condition)] + [m.span() for m in re.finditer(r"\\[A-Za-z]+", condition)]
+    letters = sorted({m[0] for m in re.finditer(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", condition)} | {*names, "a"})
+    found = []
+    for match in PART.finditer(condition):
+        token, inside = match[0], any(lo <= match.start() < hi for lo, hi in hidden)
+        others: list[str] = []
+        if token in RELATIONS:
+            others = [RELATIONS[token]]
+        elif not inside and token.isdigit():
+            others = [str(int(token) % 9 + 1)]
+        elif not inside and token in letters:
+            others = [name for name in letters if name != token]
+        elif not inside and token in "+-":
+            others = ["-" if token == "+" else "+"]
+        found += [condition[: match.start()] + other + condition[match.end() :] for other in others]
+    return [text for text in found if _range_is_readable(text)]
+
+
+def _range_is_readable(condition: str) -> bool:
+    parts = [part for chain in condition.split(r",\; ") for part in re.split(r"<|>|\\[lg]e(?![a-z])", chain)]
+    return all(part.strip() and _is_readable(part) for part in parts)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 from functools import cache
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 from axiderive.contact.systems import BY_NAME, Problem, problem, problems
 from axiderive.emit.blocks import rows_of
 from axiderive.emit.readback import front
+from axiderive.emit.readback.borders import Place, misplaced, places_of
 from axiderive.emit.readback.compare import residuals, worst_residual
 from axiderive.emit.readback.front import Reading
 from axiderive.emit.rows import Region, Row
@@ -59,6 +61,23 @@ def changed(one: Row, region: Region, tex: str) -> Row:
     """The row with other LaTeX in one of its regions."""
     own = tuple(dataclasses.replace(r, lines=(tex,)) if r is region else r for r in one.regions)
     return dataclasses.replace(one, regions=own)
+
+
+@cache
+def ranged(key: str) -> tuple[Row, ...]:
+    """The rows of a problem that are printed with a range."""
+    return tuple(one for one in rows(key) if any(region.condition for region in one.regions))
+
+
+@cache
+def _places(key: str, index: int) -> list[Place]:
+    one = ranged(key)[index]
+    return places_of(one.entry, one.kind, stored(key))
+
+
+def range_faults(key: str, index: int, conditions: list[str]) -> list[str]:
+    """Where ranges in place of those of a row do not tell the cases of its entry apart."""
+    return list(itertools.islice(misplaced(ranged(key)[index].entry, conditions, _places(key, index)), 1))
 
 
 @cache

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -79,6 +80,8 @@ def _rank(symbol: sp.Symbol) -> int:
     return ORDER.index(symbol.name) if symbol.name in ORDER else len(ORDER)
 
 
+# a formula is set several times over until it fits, and the text of an expression is slow to make
+@lru_cache(maxsize=65536)
 def factor_key(factor: Factor) -> tuple[int, int, str]:
     base = factor[0]
     if base.is_Number:
@@ -97,6 +100,7 @@ def factor_key(factor: Factor) -> tuple[int, int, str]:
     return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, str(base))
 
 
+@lru_cache(maxsize=65536)
 def term_key(term: sp.Expr) -> tuple[Any, ...]:
     """Integrals last, plain numbers before them, then by falling powers in the order of the symbols."""
     powers = term.as_powers_dict()

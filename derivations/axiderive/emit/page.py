@@ -52,7 +52,9 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         force = "P" if numbers.place("p") == nt.x else r"F_{\mathrm N}"
         heads = [("d", spaced(depth)), (force, spaced(numbers("F"))), (r"\bar p", spaced(mean))]
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
-    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in (nt.N, nt.P)]
+    # the depth of a strip goes with the load, so that of the sketch is none of its parameters
+    left_out = (nt.N, nt.d) if force == "P" else (nt.N,)
+    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
     if force == "P":
         where.append("L=2.7\\,a")
     return {

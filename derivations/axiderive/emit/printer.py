@@ -68,7 +68,8 @@ class Printer:
     def terms(self, expr: sp.Expr) -> list[tuple[int, str]]:
         """Sign and text of each term, the first one positive if any is."""
         rows = [(*self.product(term), term) for term in sp.Add.make_args(expr)]
-        rows.sort(key=lambda row: (row[0] < 0, term_key(row[2])))
+        if len(rows) > 1:
+            rows.sort(key=lambda row: (row[0] < 0, term_key(row[2])))
         return [(sign, text) for sign, text, _ in rows]
 
     def sum(self, expr: sp.Expr) -> str:

@@ -28,9 +28,13 @@ class StripNumbers(Numbers):
             self.values[nt.P] = self._load()
 
     def _load(self) -> Any:
-        """A load under which the whole face presses: the depth of the sketch says how far beyond the least load."""
+        """A load under which the whole face presses: the depth of the sketch says how far beyond the least load.
+
+        Of three digits, so that it is printed as it is.
+        """
         share = sp.Rational(str(self.profile.sketch.d or 1)) + 1
-        return share * (self.least if "Pmin" in self.entries else sp.Rational(1, 2))
+        load = share * (self.least if "Pmin" in self.entries else sp.Rational(1, 2))
+        return sp.Rational(f"{float(load):.3g}")
 
     @property
     def least(self) -> sp.Rational:

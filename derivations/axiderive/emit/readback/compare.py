@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import mpmath as mp
@@ -17,7 +17,8 @@ from ..naming import system_of
 from ..rows import Row, row
 from ..values import evaluated
 from .grammar import read
-from .nodes import environment
+from .left import bound, name_of
+from .nodes import Node, environment
 from .points import points_of
 from .printed import Printed, holding
 
@@ -80,8 +81,16 @@ def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Valu
     return _inverse(one, printed, case, values)
 
 
-def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+def _environment(entry: Entry, printed: Printed, values: Values) -> dict[str, Any]:
+    """The names a row may use; of the two radii of pull-off only that of its own control."""
     env = printed.environment(values)
+    other = {"c": "a_m", "m": "a_c"}.get(entry.suffix[-1]) if system_of(entry).endswith("adhesive") else None
+    env.pop(other or "", None)
+    return env
+
+
+def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+    env = _environment(one.entry, printed, values)
     statements = read(holding(one, env).tex)
     env = environment(statements[1:], env)
     first = statements[0].members
@@ -90,8 +99,13 @@ def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any
         return [difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
     if one.suffix == "pm":
         env["F_N"] = env["F_N()"](env["a"])
-    want = _value(case.expr, values)
-    return [difference(member(env), want) for member in first[1:]]
+    return _stated(first, env, one.entry, _value(case.expr, values))
+
+
+def _stated(members: Sequence[Node], env: Mapping[str, Any], entry: Entry, want: Any) -> list[Any]:
+    """The members of left = ... = right: the first is the quantity itself, and the others are its value."""
+    own = bound(name_of(entry), want, env)
+    return [difference(members[0](own), want), *(difference(member(env), want) for member in members[1:])]
 
 
 def _inverse(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
@@ -105,7 +119,8 @@ def _inverse(one: Row, printed: Printed, case: Case, values: Values) -> list[Any
     env[argument] = value
     if one.kind == "root":
         return [difference(first[0](env), first[1](env))]
-    return [difference(first[1](env), _inverse_value(one.entry, printed.entries, values, argument, value, result))]
+    want = _inverse_value(one.entry, printed.entries, values, argument, value, result)
+    return _stated(first, env, one.entry, want)
 
 
 def _inverse_value(entry: Entry, entries: Entries, values: Values, argument: str, value: Any, result: str) -> Any:
@@ -129,14 +144,14 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
     statements = read(one.regions[0].tex)
     if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
         _balance(entry, case, values)
-        env = printed.environment(values)
+        env = _environment(entry, printed, values)
         left, right = (member(env) for member in statements[0].members)
         return [difference(left, right)]
     if system.endswith("adhesive") and entry.suffix[-1] in "cm":
         _pull_off(entry, printed.entries, case, values)
-    env = printed.environment(values)
+    env = _environment(entry, printed, values)
     want = _value(case.expr, values)
-    return [difference(statements[0].members[-1](environment(statements[1:], env)), want)]
+    return _stated(statements[0].members, environment(statements[1:], env), entry, want)
 
 
 def _balance(entry: Entry, case: Case, values: Values) -> None:
@@ -171,7 +186,7 @@ def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -
     values[nt.E_star] = sp.Integer(3)
     if nt.a not in values and entry.suffix.startswith("step") and "ad" in printed.base:
         values[nt.a] = evaluate(case_at(printed.base["ad"], values).expr, values, DIGITS + 15)
-    env = printed.environment(values)
+    env = _environment(entry, printed, values)
     statements = read(one.regions[0].tex)
     env = environment(statements[1:], env)
     env |= {name: _function(text, env) for name, text in law.functions().items()}
@@ -181,7 +196,7 @@ def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -
     expr = case.expr.rhs if isinstance(case.expr, sp.Equality) else case.expr
     if "Fd" not in printed.base:
         env["F_N()"] = lambda depth: printed.at("F", {**env, "d": depth})
-    return [difference(first[-1](env), _value(expr, values))]
+    return _stated(first, env, one.entry, _value(expr, values))
 
 
 def _function(text: str, env: Mapping[str, Any]) -> Any:

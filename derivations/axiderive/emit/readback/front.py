@@ -26,7 +26,8 @@ from .. import panel as panels
 from ..printer import Printer
 from .compare import DIGITS, difference
 from .grammar import read
-from .printed import Printed, named
+from .left import NORMAL, bound
+from .printed import Printed, name_in_print, named
 from .printed import holds as in_range
 
 Entries = Mapping[str, Entry]
@@ -47,12 +48,18 @@ class Reading:
         return self.residual(self.tex)
 
 
-def _against(env: Mapping[str, Any], want: Any) -> Callable[[str], Any]:
-    """The right side of a statement against a value."""
+def against(env: Mapping[str, Any], want: Any, name: str = "") -> Callable[[str], Any]:
+    """Every member of a statement against a value, the quantity on its left by name; a lone term has no left side."""
 
     def residual(tex: str) -> Any:
         with mp.workdps(WORKING):
-            return difference(read(tex)[0].members[-1](env), want)
+            members = read(tex)[0].members
+            if bool(name) != (len(members) > 1):
+                message = f"{tex} is not of the form {name or 'value'} = value"
+                raise SyntaxError(message)
+            own = bound(name, want, env) if name else env
+            first = difference(members[0](own), want)
+            return max([first, *(difference(member(env), want) for member in members[1:])])
 
     return residual
 
@@ -78,7 +85,7 @@ def definitions(compact: Entries, complete: Entries) -> list[Reading]:
         want = evaluate(case_at(entries[suffix], values).expr, values, DIGITS)
         with mp.workdps(WORKING):
             env = _with_functions(entries, values)
-        found.append(Reading(f"definition: {label}", tex, _against(env, want)))
+        found.append(Reading(f"definition: {label}", tex, against(env, want, NORMAL[suffix])))
     return found
 
 
@@ -118,14 +125,18 @@ SAMPLES = {
 
 
 def functions() -> list[Reading]:
-    """The special functions: the printed integral against what mpmath says about the name."""
-    found = []
-    for one in front.master_rows():
-        with mp.workdps(WORKING):
-            env = {name: mp.mpf(text) for name, text in SAMPLES.items()}
-            want = read(one["name"])[0].members[0](env)
-        found.append(Reading(f"special function: {one['name']}", one["definition"], _against(env, want)))
-    return found
+    """The special functions: the printed integral against what mpmath says about the name, in any text of both."""
+    return [
+        Reading(f"special function: {one['name']}", f"{one['name']}={one['definition']}", _both_sides)
+        for one in front.master_rows()
+    ]
+
+
+def _both_sides(tex: str) -> Any:
+    with mp.workdps(WORKING):
+        env = {name: mp.mpf(text) for name, text in SAMPLES.items()}
+        left, right = read(tex)[0].members
+        return difference(left(env), right(env))
 
 
 def laws_of_materials() -> list[Reading]:
@@ -137,9 +148,9 @@ def laws_of_materials() -> list[Reading]:
     with mp.workdps(WORKING):
         env = named(values) | {"m": number(exponent)}
     for law, text in zip(viscoelastic.LAWS, laws.laws(), strict=True):
-        for tex, expr in zip(text.functions().values(), (law.relaxation, law.creep, law.ramp), strict=True):
+        for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
             want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
-            found.append(Reading(f"law: {text.name}", tex, _against(env, want)))
+            found.append(Reading(f"law: {text.name}", tex, against(env, want, name.replace("()", "(t)"))))
     return found
 
 
@@ -149,28 +160,30 @@ def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
         return [_pressure(profile_id, profile)]
     place = nt.x if profile_id.startswith("plane.") else nt.r
     found = []
-    texts = re.findall(r"\$f\([rx]\)=(.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place)))
+    texts = re.findall(r"\$(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place)))
     for piece, (tex, condition) in zip(profile.pieces, texts, strict=True):
         values = _panel_point(profile, place, piece is profile.pieces[-1])
-        found.append(_at(f"{profile_id}.f", tex, values, piece.expr, condition))
+        found.append(_at(f"{profile_id}.f", tex, values, piece.expr, f"f({place})", condition))
     for symbol, expr in profile.abbreviations:
         values = {s: v for s, v in _panel_point(profile, place, True).items() if s in expr.free_symbols}
         values |= {s: sp.Rational(2, 7) for s in expr.free_symbols - set(values)}
         printer = Printer()
-        found.append(_at(f"{profile_id}: {symbol}", f"{printer(symbol)}={printer(expr)}", values, expr))
-    slope = re.search(r"slope \$f'\(r\)=(.*?)\$", page.derivation(profile_id, profile, entries))
+        found.append(
+            _at(f"{profile_id}: {symbol}", f"{printer(symbol)}={printer(expr)}", values, expr, name_in_print(symbol))
+        )
+    slope = re.search(r"slope \$(f'\(r\)=.*?)\$", page.derivation(profile_id, profile, entries))
     if slope:
         values = _panel_point(profile, place, True)
-        found.append(_at(f"{profile_id}: f'", slope[1], values, sp.diff(profile.pieces[-1].expr, nt.r)))
+        found.append(_at(f"{profile_id}: f'", slope[1], values, sp.diff(profile.pieces[-1].expr, nt.r), "f'(r)"))
     return found
 
 
 def _pressure(profile_id: str, profile: Load) -> Reading:
     ((_, content),) = [line for line in panels.panel(profile, {}) if line[0] == "Pressure"]
-    tex = re.search(r"p\(r\)=(.*?)\$ for \$r<a\$", content)
+    tex = re.search(r"(p\(r\)=.*?)\$ for \$r<a\$", content)
     assert tex
     values = _panel_point(profile, nt.r, True)
-    return _at(f"{profile_id}: p", tex[1], values, nt.p_0 * (1 - nt.r**2 / nt.a**2) ** profile.exponent)
+    return _at(f"{profile_id}: p", tex[1], values, nt.p_0 * (1 - nt.r**2 / nt.a**2) ** profile.exponent, "p(r)")
 
 
 def _panel_point(profile: Profile, place: sp.Symbol, last: bool) -> Values:
@@ -180,14 +193,14 @@ def _panel_point(profile: Profile, place: sp.Symbol, last: bool) -> Values:
     return point.values
 
 
-def _at(place: str, tex: str, values: Values, expr: sp.Expr, condition: str = "") -> Reading:
+def _at(place: str, tex: str, values: Values, expr: sp.Expr, name: str, condition: str = "") -> Reading:
     with mp.workdps(WORKING):
         env = named(values)
         if condition and not in_range(condition, env):
             message = f"{place}: {condition} does not hold where the piece does"
             raise LookupError(message)
     want = evaluate(expr, values, DIGITS)
-    return Reading(place, tex, _against(env, want))
+    return Reading(place, tex, against(env, want, name))
 
 
 def master_table(profile_id: str, entries: Entries) -> list[Reading]:
@@ -204,5 +217,5 @@ def master_table(profile_id: str, entries: Entries) -> list[Reading]:
         with mp.workdps(WORKING):
             env = Printed(entries, entries).environment(point.values)
         want = evaluate(case.expr, point.values, DIGITS)
-        found.append(Reading(f"table of profiles: {profile_id}", tex[1], _against(env, want)))
+        found.append(Reading(f"table of profiles: {profile_id}", tex[1], against(env, want)))
     return found

@@ -14,11 +14,13 @@ import mpmath as mp
 
 from . import nodes
 from .functions import BRACKETED, FUNCTIONS, STRUVE, Value
-from .nodes import Node, Statement
+from .nodes import Environment, Node, Statement
 from .tokens import SEPARATORS, Tokens
 
 _CLOSING = {"(": ")", "[": "]", r"\{": r"\}"}
-CALLABLE = ("f", "g", "P", "F_N", "p", "w", "w_1D", "F_adh", "d_adh", "E", "J", "Phi_m")
+CALLABLE = (
+    "f", "g", "P", "F_N", "p", "w", "w_1D", "F_adh", "d_adh", "p_adh", "w_adh", "tau", "F", "E", "J", "Phi_m",
+)  # fmt: skip
 """Names that are functions when a bracket follows; every other symbol before a bracket is a factor."""
 _STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", r"\rvert", "<", *SEPARATORS}
 _DIFFERENTIAL = "differential"
@@ -104,6 +106,8 @@ class _Parser(Tokens):
         if token[0].isdigit():
             return Node(lambda env: mp.mpf(token))
         if token in (r"\frac", r"\tfrac"):
+            if not self.differentials and (derivative := self.derivative()):
+                return derivative
             above, below = self.argument(), self.argument()
             return Node(lambda env: above(env) / below(env))
         if token == r"\lvert":
@@ -122,6 +126,19 @@ class _Parser(Tokens):
             lower, upper, variable = self.limits()
             return nodes.series(lower, upper, self.product(), variable)
         return self.named(token)
+
+    def derivative(self) -> Node | None:
+        r"""A quotient of differentials, \frac{\mathrm{d}w}{\mathrm{d}x}, which is one name: dw/dx."""
+        start, names = self.at, []
+        for _ in range(2):
+            if not (self.comes("{", r"\mathrm", "{", "d", "}") or self.comes("{", r"\mathrm", "d")):
+                self.at = start
+                return None
+            self.take()
+            self.named(self.take())
+            names.append(self.sum().name)
+            self.take("}")
+        return nodes.symbol(f"d{names[0]}/d{names[1]}")
 
     def root(self) -> Node:
         index = 2
@@ -193,9 +210,19 @@ class _Parser(Tokens):
         while self.peek() == "'":
             primes += self.take()
         if name in CALLABLE and self.peek() == "(":
-            arguments = self.arguments()
-            return Node(lambda env: env[f"{name}{primes}()"](*(argument(env) for argument in arguments)))
+            return self.called(name, f"{name}{primes}()")
         return nodes.symbol(name)
+
+    def called(self, name: str, function: str) -> Node:
+        """A function of the row; the letter of a traction is that of a relaxation time too, before a bracket."""
+        arguments = self.arguments()
+
+        def value(env: Environment) -> Value:
+            if name == "tau" and function not in env:
+                return env[name] * arguments[0](env)
+            return env[function](*(argument(env) for argument in arguments))
+
+        return Node(value)
 
     def hypergeometric(self) -> Node:
         """{}_2F_1(p, q; c; z) and {}_1F_1(p; c; z), from the subscript on."""

@@ -12,7 +12,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-Kind = Literal["row", "definition", "function", "cell", "panel", "slope"]
+Kind = Literal["row", "definition", "function", "cell", "panel", "slope", "further"]
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Formula:
 _BOXED = re.compile(r"\\labelbox\{[^}]*\}\{\}\\hspace\{2mm\}\$\\displaystyle (.*?)\$\\hfill")
 _NAMED = re.compile(r"\\hbox to\\textwidth\{\$\\displaystyle (.*?)\$\\hfill\\parbox")
 _CELL = re.compile(r"& \$\\displaystyle (.*?)\$(?= &|\\\\)")
-_SHAPE = re.compile(r"\$(?:\\displaystyle )?[fp]\([rx]\)=(.*?)\$")
+_SHAPE = re.compile(r"\$(?:\\displaystyle )?([fp]\([rx]\)=.*?)\$")
 _SHORTHAND = re.compile(r"\$(?:\\displaystyle )?([^$]*?=[^$]*?)\$")
-_SLOPE = re.compile(r"slope \$f'\(r\)=(.*?)\$")
+_SLOPE = re.compile(r"slope \$(f'\(r\)=.*?)\$")
 
 
 def formulas(text: str) -> list[Formula]:
@@ -52,6 +52,11 @@ def formulas(text: str) -> list[Formula]:
             for half in arguments(line.removeprefix(r"\fpair")):
                 *_, tex, suffix = arguments(half)
                 found.append(Formula("row", without_remark(tex), suffix))
+        elif line.startswith(r"\furtherpair"):
+            halves = [arguments(half) for half in arguments(line.removeprefix(r"\furtherpair"))]
+            found += [Formula("further", half[2]) for half in halves if len(half) > 2]
+        elif line.startswith(r"\further"):
+            found.append(Formula("further", without_remark(arguments(line.removeprefix(r"\further"))[2])))
     return found
 
 
@@ -61,7 +66,7 @@ def without_remark(tex: str) -> str:
 
 
 def arguments(text: str) -> list[str]:
-    """The groups in braces that follow one another, without the optional argument before them."""
+    """The groups in braces that follow one another, without the optional argument or the macro before them."""
     found, depth, start = [], 0, 0
     for i, letter in enumerate(text):
         escaped = i > 0 and text[i - 1] == "\\"

@@ -1,0 +1,162 @@
+r"""Rows without a key of their own in the compiled source: evaluation forms, limits, universal curves.
+
+Which entries they are about stands in the comment above them: `%% limit cone.d`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from ... import notation as nt
+from ...entry import Entry
+from ...proof.evaluate import case_at, decades, evaluate
+from ...proof.unevaluated import evaluate_case
+from .borders import Place, misplaced, places_of
+from .compare import DIGITS, difference
+from .grammar import read
+from .left import bound, name_of
+from .nodes import Node, environment
+from .points import points_of
+from .printed import holds, named
+from .source import arguments, without_remark
+from .statements import CLOSE, approach
+
+Entries = Mapping[str, Entry]
+Stored = Callable[[str], Entries]
+"""The entries of a problem by its key."""
+GAP = r",\enspace "
+NEAR = sp.Rational(1, 10**60)
+"""How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
+KINDS = ("evaluation", "limit", "universal")
+
+
+@dataclass(frozen=True)
+class Further:
+    """A row as TeX sets it: its kind, the keys it is about, its range or approach, its formula."""
+
+    kind: str
+    keys: tuple[str, ...]
+    small: str
+    tex: str
+
+
+def further(text: str) -> Iterator[Further]:
+    """The rows of one source file in their order."""
+    comment = ""
+    for line in text.splitlines():
+        if line.startswith("%% "):
+            comment = line.removeprefix("%% ")
+        elif line.startswith(r"\further"):
+            whole = arguments(line)
+            halves = [arguments(half) for half in whole] if line.startswith(r"\furtherpair") else [whole]
+            kinds = re.findall(rf"({'|'.join(KINDS)})((?: (?!{'|'.join(KINDS)})\S+)+)", comment)
+            for half, (kind, keys) in zip((half for half in halves if len(half) > 2), kinds, strict=True):
+                yield Further(kind, tuple(keys.split()), half[1].strip("$"), without_remark(half[2]))
+
+
+def wrong(one: Further, stored: Stored) -> bool:
+    """Whether a row says something else than the entries it is about."""
+    return {"evaluation": _evaluation, "limit": _limit, "universal": _universal}[one.kind](one, stored)
+
+
+def _differs(members: Sequence[Node], env: Mapping[str, Any], own: Mapping[str, Any], want: Any) -> bool:
+    return len(members) < 2 or any(
+        difference(member(own if i == 0 else env), want) > CLOSE for i, member in enumerate(members)
+    )
+
+
+def _named(entry: Entry, want: Any, env: Mapping[str, Any]) -> dict[str, Any]:
+    """The quantity under its name; a depth is also that of the function g."""
+    own = bound(name_of(entry), want, env)
+    return bound("g(a)", want, own) if entry.suffix == "d" and "a" in own else own
+
+
+def _evaluation(one: Further, stored: Stored) -> bool:
+    (key,) = one.keys
+    problem, _, suffix = key.rpartition(".")
+    entries = stored(problem)
+    entry, met = entries[suffix], False
+    for case, values in points_of(entry, "formula", entries, 2, 7):
+        with mp.workdps(2 * DIGITS + decades(values)):
+            env = named(values)
+            if not holds(one.small, env):
+                continue
+            met = True
+            want = evaluate(case.expr, values, DIGITS)
+            statements = read(one.tex)
+            if _differs(statements[0].members, environment(statements[1:], env), _named(entry, want, env), want):
+                return True
+    return not met or bool(one.small and _misplaced(entry, entries, one.small))
+
+
+def _misplaced(entry: Entry, entries: Entries, condition: str) -> bool:
+    places: list[Place] = places_of(entry, "formula", entries)
+    return any(misplaced(entry, [condition], places, partial=True))
+
+
+def _limit(one: Further, stored: Stored) -> bool:
+    parts = one.tex.split(GAP)
+    if len(parts) != len(one.keys):
+        return True
+    profile = stored(one.keys[0].rpartition(".")[0])[one.keys[0].rpartition(".")[2]].profile
+    aims = [(x.symbol, sp.sympify(x.value)) for x in profile.limits]
+    aim = next((aim for aim in aims if not approach(*aim)(one.small)), None)
+    return aim is None or any(
+        _limit_differs(key, part, *aim, stored) for key, part in zip(one.keys, parts, strict=True)
+    )
+
+
+def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, stored: Stored) -> bool:
+    problem, _, suffix = key.rpartition(".")
+    entry = stored(problem)[suffix]
+    left, _, right = part.partition(r"\to ")
+    near = {sp.S.Zero: NEAR, sp.oo: 1 / NEAR}.get(value, value)
+    # the case that holds next to the limit, at points of any case
+    for _, values in points_of(entry, "formula", stored(problem), 1, 11):
+        at = values | {symbol: near}
+        try:
+            case = case_at(entry, at)
+        except LookupError:
+            continue
+        with mp.workdps(DIGITS + 20):
+            want = evaluate_case(case, at, DIGITS)
+            # a printed limit is a formula of the simpler profile, which does not know the symbol
+            env = {name: number for name, number in named(at).items() if name not in named({symbol: near})}
+            own = _named(entry, want, env)
+            return any(difference(read(text)[0].members[0](own), want) > CLOSE for text in (left, right))
+    message = f"{key}: no point is near {symbol} = {value}"
+    raise LookupError(message)
+
+
+CURVE = (sp.Rational(3, 10), sp.S.One, sp.Rational(27, 10))
+"""Radii over that of pull-off at which a universal curve is compared."""
+
+
+def _universal(one: Further, stored: Stored) -> bool:
+    problem = one.keys[0] if one.keys[0].endswith("adh") else one.keys[0].rpartition(".")[0]
+    entries = stored(problem)
+    fields = {s for suffix in ("ac", "Fc", "dc", "F", "d") for s in entries[suffix].cases[0].expr.free_symbols}
+    values = {s: sp.Rational(11 + 2 * i, 7 + 3 * i) for i, s in enumerate(sorted(fields, key=str))}
+    values |= {nt.theta: sp.Rational(2, 5), nt.k: sp.Rational(3, 8), nt.n: sp.Rational(17, 10)}
+    with mp.workdps(2 * DIGITS):
+        pulled = evaluate(entries["ac"].cases[0].expr, values, DIGITS)
+        for ratio in CURVE:
+            at = values | {nt.a_c: pulled, nt.a: pulled * mp.mpf(ratio.p) / ratio.q}
+            env = named(at) | {"x": mp.mpf(ratio.p) / ratio.q}
+            for name, suffix in (("F_adh", "F"), ("d_adh", "d"), ("F_c", "Fc"), ("d_c", "dc")):
+                env[name] = evaluate(entries[suffix].cases[0].expr, at, DIGITS)
+            if any(_unequal(statement.members, env) for statement in read(one.tex)):
+                return True
+    wanted = {f"{suffix}_adh" for suffix in ("F", "d") if f"{problem}.{suffix}" in one.keys}
+    return not all(name.replace("_adh", r"_{\mathrm{adh}}") in one.tex for name in wanted)
+
+
+def _unequal(members: Sequence[Node], env: Mapping[str, Any]) -> bool:
+    first, *others = [member(env) for member in members]
+    return not others or any(abs(other - first) > CLOSE * (1 + abs(first)) for other in others)

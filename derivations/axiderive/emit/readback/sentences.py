@@ -1,0 +1,197 @@
+"""What the sentences of the book state in formulas: compared with the engine where they can be, listed where not.
+
+A statement that is neither compared nor listed is unaccounted for, and so is
+every misprint of a listed one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from ... import notation as nt
+from ...abel.masters import MASTERS
+from ...contact import viscoelastic
+from ...entry import Entry
+from ...proof.evaluate import evaluate
+from .compare import DIGITS, difference
+from .front import SAMPLES
+from .grammar import read
+from .printed import holds, name_in_print, named
+from .statements import CLOSE, Said
+
+Entries = Mapping[str, Entry]
+LISTED = {
+    "definition of a name": (
+        r"c_{\mathrm N}(x)=H\,|x|^k", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x\,|x|^k",
+        r"c_{\mathrm T}(x)=H_x|x|^k", r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
+        r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\pi/2-\theta", r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
+    ),
+    "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
+    "where the contact is, or the edge of it": (
+        r"0\le r\le a", r"|x|\le a", "r=a", r"x=\pm a", "r=0", "x=e", "r<b<a", "a>b", "r<a", "r<c", "r>c",
+        "p(r;c)=0", "t<b", "g(t)=0",
+    ),
+    "a place or a case that a sketch or a note points to": (
+        "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2", r"4\,|e|-3\,a",
+        "n>1",
+    ),
+    "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
+    "an order of magnitude": (
+        r"a \ll  R", r"a \ll  R_1", r"a \ll  R_2", r"a \ll", r"h \ll  s", r"a-b \ll  R", r"a-b \ll  R_2",
+        r"\tan \theta \ll  1", r"n\,A\,a^{n-1} \ll  1", r"4\,A\,a^3 \ll  1", r"6\,A\,a^5 \ll  1", "a^2/R^2", "r^2",
+        r"P \sim  a^n", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim  d^{1+1/n}",
+    ),
+    "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
+    "an axis, a legend or a case of a study": (
+        r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
+        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"k\to -1", r"k\to 0", r"k\to 1",
+    ),
+    "a condition of the derivation": (r"g' \ge  0", "g'=0"),
+}  # fmt: skip
+"""Formulas in sentences that name, order or point, letter by letter."""
+
+
+def _equal(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
+    """Every member of the statement against a value."""
+
+    def wrong(tex: str) -> bool:
+        with mp.workdps(2 * DIGITS):
+            members = read(tex)[0].members
+            return any(difference(member(env), want) > CLOSE for member in members)
+
+    return wrong
+
+
+def in_front(bodies: Entries) -> Iterator[Said]:
+    """Of the notation, the definitions, the special functions and the laws."""
+    with mp.workdps(2 * DIGITS):
+        values = {s: sp.Rational(7 + 2 * i, 5 + 3 * i) for i, s in enumerate(_symbols(bodies))}
+        values |= {nt.nu_1: sp.Rational(2, 7), nt.nu_2: sp.Rational(3, 11)}
+        env = named(values)
+        for suffix, texts in MODULI.items():
+            modulus = evaluate(bodies[suffix].cases[0].expr, values, DIGITS)
+            name = name_in_print(bodies[suffix].quantity.symbol)
+            for tex in texts:
+                yield Said(tex, _modulus(1 / modulus, env | {name: modulus}))
+        force, radius = mp.mpf("1.7"), mp.mpf("0.6")
+        yield Said(r"F_{\mathrm N}/(\pi a^2)", _equal(force / (mp.pi * radius**2), {"F_N": force, "a": radius}))
+        yield from _laws()
+        samples = {name: mp.mpf(text) for name, text in SAMPLES.items()}
+    for tex in ("p>0", r"0\le z<1", "c>q>0", "z<1", "c>p>0", "b<a", "b<R"):
+        yield Said(tex, lambda text: not holds(text, samples))
+
+
+MODULI = {
+    "E_star": (r"1/E^{*}=\sum_i(1-\nu_i^2)/E_i", r"1/E^{*}=(1-\nu_1^2)/E_1+(1-\nu_2^2)/E_2"),
+    "G_star": (r"1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)",),
+}  # fmt: skip
+
+
+def _symbols(bodies: Entries) -> list[sp.Symbol]:
+    return sorted({s for suffix in MODULI for s in bodies[suffix].cases[0].expr.free_symbols}, key=str)
+
+
+def _modulus(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
+    """A sum over both bodies is written out before it is read."""
+
+    def wrong(tex: str) -> bool:
+        left, summed, term = tex.partition(r"\sum_i")
+        parts = [re.sub(r"_i(?![a-z])", f"_{body}", term) for body in (1, 2)] if summed else []
+        plain = re.sub(r"G_(\d)", r"\\tfrac{E_\1}{2(1+\\nu_\1)}", left + "+".join(parts)) if summed else tex
+        return _equal(want, env)(plain)
+
+    return wrong
+
+
+def _laws() -> Iterator[Said]:
+    exponent, time = mp.mpf("1.75"), mp.mpf("0.8")
+    law = viscoelastic.LAWS[-1]
+    values = {s: sp.Rational(4 + i, 3 + 2 * i) for i, s in enumerate(sorted(law.creep.free_symbols, key=str))}
+    creep = evaluate(law.creep, values, DIGITS)
+    yield Said(r"J=(t/t_0)^\alpha/E", _equal(creep, named(values) | {"J": creep}))
+    moduli = {"E()": lambda t: mp.exp(-t) + mp.mpf("0.3"), "m": exponent, "t": time}
+    with mp.workdps(2 * DIGITS):
+        ramp = exponent * mp.quad(lambda x: x ** (exponent - 1) * moduli["E()"](time * (1 - x)), [0, 1])
+    yield Said(
+        r"\Phi_m(t)=\int_0^1 m\,\xi^{m-1}E\bigl(t(1-\xi)\bigr)\,\mathrm d\xi",
+        _equal(ramp, moduli | {"Phi_m()": lambda t: ramp if t == time else mp.mpf(0)}),
+    )
+
+
+def stable_branch(adhesive: Entries) -> Iterator[Said]:
+    """The branch that the rules of pull-off are solved on: where force or depth grows with the radius."""
+    radii = (sp.Rational(2, 3), sp.Rational(99, 100), sp.Rational(101, 100), sp.Rational(3, 2))
+    for suffix, letter in (("d", "m"), ("F", "c")):
+        expr, pulled = adhesive[suffix].cases[0].expr, adhesive[f"a{letter}"].cases[0].expr
+        values = {s: sp.Rational(3 + i, 4 + i) for i, s in enumerate(sorted(pulled.free_symbols, key=str))}
+        values[nt.theta] = sp.Rational(2, 5)
+        least = evaluate(pulled, values, DIGITS)
+        slope = sp.diff(expr, nt.a)
+        points = [(evaluate(slope, values | {nt.a: sp.Float(str(least), DIGITS) * x}, 15) > 0, x * 1) for x in radii]
+
+        def wrong(tex: str, name: str = f"a_{letter}", least: Any = least, points: Any = points) -> bool:
+            return any(holds(tex, {"a": least * x.p / x.q, name: least}) != grows for grows, x in points)
+
+        yield Said(rf"a\ge a_{{\mathrm {letter}}}", wrong)
+
+
+def derivations(entries: Mapping[str, Entries]) -> Iterator[Said]:
+    """The pressures that the words on the derivations start from, by what the engine has for them."""
+    values = {nt.E_star: sp.Integer(3), nt.d: sp.Rational(2, 7), nt.a: sp.Rational(7, 5), nt.r: sp.Rational(3, 4)}
+    with mp.workdps(2 * DIGITS):
+        env = named(values) | {"w_1D()": lambda t: named(values)["d"] if t == named(values)["a"] else mp.mpf(0)}
+        punch = evaluate(entries["flat_punch"]["p"].cases[0].expr, values, DIGITS)
+        for tex in (r"E^{*}d/(\pi\sqrt{a^2-r^2})", r"E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})"):
+            yield Said(tex, _equal(punch, env))
+        strip = {nt.P: sp.Rational(5, 3), nt.a: sp.Rational(7, 5), nt.x: sp.Rational(3, 4)}
+        flat = evaluate(entries["plane.flat_punch"]["p"].cases[0].expr, strip, DIGITS)
+        known = named(strip)
+        yield Said(r"P/(\pi\sqrt{t^2-x^2})", _equal(flat, {"P": known["P"], "t": known["a"], "x": known["x"]}))
+        yield _sunk_profile()
+
+
+def _sunk_profile() -> Said:
+    """2/E* times the integral of r p(r)/sqrt(r^2 - x^2) over (x, a) for a pressure that goes with a power."""
+    pressure, radius, modulus, power, x = map(mp.mpf, ("1.3", "1.7", "2.5", "0.75", "0.6"))
+    wide = mp.sqrt(radius**2 - x**2)
+    integral = mp.quad(lambda y: pressure * (1 - (x * x + y * y) / radius**2) ** power, [0, wide])
+    want = 2 / modulus * integral
+    env = {"p_0": pressure, "a": radius, "E*": modulus, "s": power, "x": x}
+    return Said(
+        r"w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\frac12,s+1)\,(1-x^2/a^2)^{s+1/2}",
+        _equal(want, env | {"w_1D": want}),
+    )
+
+
+def of_profiles(entries: Mapping[str, Entries]) -> Iterator[Said]:
+    """Lengths in the words on single profiles."""
+    for key, bound, near in (("gaussian", "1.50198", 0), ("gaussian.fgm", "1.2286", -1), ("gaussian.fgm", "1.8788", 1)):
+        yield Said(rf"{bound}\,s", _bound(entries[key]["d"], bound, sp.Rational(near, 2)))
+    (shape,) = entries["hyperboloid"]["d"].profile.pieces
+    curvature = sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0)
+    values = {nt.b: sp.Rational(3, 4), nt.theta: sp.Rational(2, 5)}
+    with mp.workdps(2 * DIGITS):
+        yield Said(r"b/\tan \theta", _equal(evaluate(1 / curvature, values, DIGITS), named(values)))
+        values = {nt.a: sp.Rational(3, 4), nt.R: sp.Rational(9, 5)}
+        edge = next(x for case in entries["capped_cylinder"]["F"].cases for x in case.chain if x.has(nt.d))
+        depth = mp.findroot(sp.lambdify(nt.d, (edge - nt.a).subs(values), "mpmath"), mp.mpf("0.3"))
+        yield Said("a^2/R", _equal(depth, named(values)))
+
+
+def _bound(depth: Entry, text: str, exponent: sp.Rational) -> Callable[[str], bool]:
+    """The contact radius at which the depth no longer grows, to the digits printed."""
+    one = depth.cases[0].expr.subs({nt.k: exponent, nt.s: 1, nt.h: 1})
+    slope = sp.lambdify(nt.a, sp.diff(one, nt.a), [{master.__name__: master.numeric for master in MASTERS}, "mpmath"])
+
+    def wrong(tex: str) -> bool:
+        printed, _, unit = tex.partition(r"\,")
+        with mp.workdps(DIGITS):
+            half = mp.mpf(10) ** -len(printed.partition(".")[2]) / 2
+            return unit != "s" or abs(mp.findroot(slope, mp.mpf(text)) - mp.mpf(printed)) > half
+
+    return wrong

@@ -1,0 +1,196 @@
+"""What the words and tables of the compiled book state in formulas, accounted for one by one."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections import Counter
+from functools import cache
+
+import pytest
+from misprints import misprints, range_misprints
+from stored_book import HANDBOOK, KEYS, PROFILES, stored
+from test_misprints import NOT_A_NUMBER
+
+from axiderive.emit.readback import sentences, statements
+from axiderive.emit.readback.further import KINDS, further, wrong
+from axiderive.emit.readback.inline import Inline, inline
+from axiderive.emit.readback.numbers import Printout, check_values, number, worked_example
+from axiderive.emit.readback.sentences import LISTED
+from axiderive.emit.readback.statements import Said
+from axiderive.emit.spread import pool_of
+
+SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PROFILES))
+SPREADS = ("cone", "sphere", "capped_cylinder", "polynomial", "plane.rounded_punch", "plane.concave_power")
+"""Spreads with numbers of every kind: adhesion, places on a border, given depth, coefficients, given load."""
+FOUND = ("flat_punch", "plane.flat_punch", "gaussian", "gaussian.fgm", "hyperboloid", "capped_cylinder")
+
+
+@cache
+def text_of(path: str) -> str:
+    return (HANDBOOK / path).read_text(encoding="utf-8")
+
+
+@cache
+def said() -> tuple[Said, ...]:
+    """The statements of the words that are compared, whichever page they stand on."""
+    entries = {key: stored(key) for key in FOUND}
+    return (
+        *sentences.in_front(stored("materials")),
+        *sentences.stable_branch(stored("cone.adh")),
+        *sentences.derivations(entries),
+        *sentences.of_profiles(entries),
+    )
+
+
+@cache
+def domains() -> tuple[Said, ...]:
+    return tuple(statements.domains())
+
+
+def _rules(path: str) -> list[Said]:
+    if not path.startswith("profiles/"):
+        return []
+    name = path[9:-4]
+    return list(statements.rules(pool_of(name).load(name.rpartition(".")[2]), name.startswith("plane.")))
+
+
+def _right(one: Said, tex: str) -> bool:
+    try:
+        return not one.wrong(tex)
+    except NOT_A_NUMBER:
+        return False
+
+
+@cache
+def _is_a_domain(tex: str) -> bool:
+    return any(_right(one, tex) for one in domains())
+
+
+def _stated(path: str) -> list[Inline]:
+    """The statements of a source outside of its rows: figures and tables of numbers are looked at elsewhere."""
+    return [
+        one for one in inline(text_of(path)) if one.kind != "symbol" and one.where in ("sentence", "domain", "approach")
+    ]
+
+
+def test_statements_that_are_compared_are_right() -> None:
+    for one in said():
+        assert not one.wrong(one.tex), one.tex
+
+
+def test_every_statement_of_a_sentence_is_compared_or_listed() -> None:
+    listed = {tex for texts in LISTED.values() for tex in texts}
+    by_text = {one.tex for one in said()}
+    count, met = Counter[str](), set()
+    for path in SOURCES:
+        rules = _rules(path)
+        for one in _stated(path):
+            met.add(one.tex)
+            if one.tex in listed or one.tex in by_text:
+                count["listed" if one.tex in listed else "compared"] += 1
+                continue
+            meant = any(_right(rule, one.tex) for rule in rules) or _is_a_domain(one.tex)
+            assert meant, f"{path}: {one.tex} in {one.line[:80]}"
+            count["compared"] += 1
+    assert listed | by_text <= met  # nothing is excused that the book does not say
+    assert count["compared"] > 200
+    assert count["listed"] > 200
+
+
+def test_domains_are_those_of_their_own_symbols() -> None:
+    """In the table of the notation every symbol has the domain of its record, in a panel every parameter its own."""
+    rows = [one for one in inline(text_of("handbook.tex")) if one.where == "domain"]
+    assert len(rows) > 35
+    for one in rows:
+        symbol = one.line.rpartition(" of ")[2]
+        assert symbol in one.tex, one.line
+    for path in SOURCES[1:]:
+        own = [one.tex for one in inline(text_of(path)) if one.where == "domain"]
+        assert len(set(own)) == len(own), path
+
+
+def test_a_misprint_of_a_statement_does_not_survive() -> None:
+    rng = random.Random("statements")
+    count = 0
+    for one in (*said(), *domains()[:12], *_rules("profiles/capped_paraboloid.tex"), *_rules("profiles/sphere.tex")):
+        printed = _printed_as(one)
+        texts = [text for _, text in misprints(printed, rng)][:4] + range_misprints(printed)[:6] if printed else []
+        changed = {text for text in texts if text != printed and not re.search(r"\\le|\\ge", text) or "=" in text}
+        for text in changed:
+            assert not _right(one, text), f"{printed} as {text}"
+        count += len(changed)
+    assert count > 80
+
+
+@cache
+def _relations() -> frozenset[str]:
+    return frozenset(one.tex for path in SOURCES for one in _stated(path) if one.kind == "relation")
+
+
+def _printed_as(one: Said) -> str:
+    """The text of a statement; for those that are found by their meaning the one in print."""
+    return one.tex if "\\" in one.tex or one in said() else next((t for t in _relations() if _right(one, t)), "")
+
+
+def _numbers(name: str) -> list[Printout]:
+    text = text_of(f"profiles/{name}.tex")
+    adhesive = stored(f"{name}.adh") if f"{name}.adh" in KEYS else None
+    return [*check_values(text, stored(name)), *worked_example(text, stored(name), adhesive)]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        name if name in SPREADS else pytest.param(name, marks=pytest.mark.slow)
+        for name in PROFILES
+        if r"{Check values}" in text_of(f"profiles/{name}.tex")
+    ],
+)
+def test_printed_numbers_follow_from_the_printed_formulas(name: str) -> None:
+    found = _numbers(name)
+    assert len(found) >= 15
+    for one in found:
+        assert not one.wrong(one.tex), f"{one.place}: {one.tex}, and not {one.want}"
+        digits = [m.start() for m in re.finditer(r"\d(?!\d*\})", one.tex.partition(r"\times")[0])]
+        for at in (digits[0], digits[-1]):
+            changed = one.tex[:at] + str(int(one.tex[at]) % 9 + 1) + one.tex[at + 1 :]
+            assert changed == one.tex or one.wrong(changed), changed
+
+
+@pytest.mark.parametrize(
+    ("tex", "value"),
+    [(r"0.288\,785", "0.288785"), (r"2\times10^{13}\,\text{(SI)}", "2e13"), (r"291.0\,\text{\textmu{}m}", "2.91e-4"),
+     (r"-5.758\,\text{\textmu{}N}", "-5.758e-6"), (r"10^{4}\,\text{(SI)}", "1e4"), (r"2.000\,\text{mm}", "2e-3"),
+     (r"100.0\,\text{kN/m}", "1e5"), (r"0.500\,\text{m}", "0.5")],
+)  # fmt: skip
+def test_numbers_are_read_in_the_units_of_the_si(tex: str, value: str) -> None:
+    assert abs(number(tex).value / float(value) - 1) < 1e-14
+    with pytest.raises(SyntaxError, match="is not a number"):
+        number(tex + "x")
+
+
+def test_rows_without_a_key_say_what_their_entries_are() -> None:
+    """Evaluation forms, limits and universal curves, in the source that TeX sets."""
+    rng = random.Random("further rows")
+    count, mutants = Counter[str](), 0
+    for path in SOURCES[1:]:
+        for one in further(text_of(path)):
+            assert not wrong(one, stored), f"{path}: {one}"
+            count[one.kind] += 1
+            if count[one.kind] % 3:
+                continue
+            texts = [tex for _, tex in misprints(one.tex, rng)][:2]
+            for other in [type(one)(one.kind, one.keys, one.small, tex) for tex in texts]:
+                assert not _passes(other), other
+                mutants += 1
+    assert set(count) == set(KINDS)
+    assert sum(count.values()) >= 33
+    assert mutants >= 15
+
+
+def _passes(one: object) -> bool:
+    try:
+        return not wrong(one, stored)  # type: ignore[arg-type]
+    except NOT_A_NUMBER:
+        return False
