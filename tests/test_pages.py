@@ -49,7 +49,7 @@ def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> N
     assert figure.panels[-1].key == "cone.fgm.adh.p"
     assert figure.methods[-1][1] == r"a\_method \& more"
     assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= figure.width
-    assert figures({}, frozenset()) == {"error": None, "maps": None, "extremes": None}
+    assert figures({}, frozenset()) == {"error": None, "speed": None, "maps": None, "extremes": None}
 
 
 RECTANGLE = re.compile(r"\(([\d.]+),([\d.]+)\) rectangle \+\(([\d.]+),([\d.]+)\)")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import math
 
@@ -12,7 +13,7 @@ import pytest
 from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.exits import USAGE
-from axiderive.study import accuracy, bem, error, extremes, limits, maps, rivals, rule
+from axiderive.study import accuracy, bem, error, extremes, limits, maps, rivals, rule, speed
 from axiderive.study.methods import QUICK, methods, skipped
 from axiderive.study.points import DIGITS, arguments, exact
 from axiderive.study.report import relative, rounded, to_json
@@ -154,6 +155,36 @@ def test_map_sees_a_wrong_function(monkeypatch, factor, share, lost):
     assert (maps.LOST in pressure["emitted"]["worst"][0]) == bool(lost)
 
 
+def test_speed_compares_with_the_formula_itself():
+    record = speed.measure(("cone", "paraboloid"), quick=True)
+    found = {row["key"]: row for row in record["rows"]}
+    assert set(found) == {f"{name}.{suffix}" for name in ("cone", "paraboloid") for suffix in ("d", "F", "p", "w")}
+    numbers = [x for row in found.values() for x in (row["scalar"], *row["arrays"], row["copy"])]
+    assert min(numbers) > 0.0
+    assert all(row["ratio"] > 0.0 for row in record["imports"])
+    assert "cone.p" in speed.text(record)
+
+
+@pytest.mark.parametrize(
+    ("key", "field"), [("cone.p", nt.r), ("cone.w", nt.r), ("rounded_punch.F", nt.a), ("power_law.d", nt.a)]
+)
+def test_what_speed_compares_with_gives_the_same_number(key, field):
+    name, _, suffix = key.rpartition(".")
+    entry = subject(name).entries[suffix]
+    values = {symbol: PARAMETERS.get(symbol, RADIUS) for symbol in (*entry.parameters, *entry.quantity.arguments)}
+    x = 3.0 if suffix == "w" else 1.25
+    bare = speed.in_math(entry, values | {field: x})
+    own = getattr(importlib.import_module(f"axicontact.normal.{name}"), entry.quantity.function)
+    got, expected = (speed.called(function, entry, values)(x) for function in (bare, own))
+    assert got == pytest.approx(expected, rel=1e-13)
+
+
+def test_speed_leaves_out_what_math_cannot_do():
+    entry = subject("truncated_cone").entries["p"]
+    values = {symbol: PARAMETERS.get(symbol, RADIUS) for symbol in (*entry.parameters, nt.r)}
+    assert speed.in_math(entry, values | {nt.r: 1.5}) is None
+
+
 def test_extremes_hold_every_limit():
     record = extremes.measure(quick=True)
     assert json.loads(to_json(record)) == record
@@ -199,7 +230,13 @@ def test_values_that_are_lost_or_refused_count_as_such():
 
 def test_study_alone_lists_its_topics(capsys):
     assert main(["study"]) == 0
-    assert [line.split()[2] for line in capsys.readouterr().out.splitlines()] == ["corpus", "error", "maps", "extremes"]
+    assert [line.split()[2] for line in capsys.readouterr().out.splitlines()] == [
+        "corpus",
+        "error",
+        "speed",
+        "maps",
+        "extremes",
+    ]
 
 
 def test_a_part_of_a_record_is_never_kept(capsys):

@@ -43,7 +43,7 @@ def handbook_sources(
     models : mapping, optional
         What `page_models` gives, where it is at hand.
     studies : mapping, optional
-        Records of `axicontact study` by name: error, maps, extremes.
+        Records of `axicontact study` by name: error, speed, maps, extremes.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Comparisons that are not part of a build: `axicontact study corpus | error | maps | extremes`."""
+"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes`."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ SEED = 17
 TOPICS = {
     "corpus": "63 Abel integrals of contact mechanics: the engine beside SymPy's integrate",
     "error": "error against run time of p(r), F(d), w(r): the emitted functions beside other methods",
+    "speed": "what a call costs: the emitted functions beside `math`, lambdify and a mere copy",
     "maps": "stability maps: worst error over the dimensionless ratios, emitted beside naive",
     "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
 }
@@ -26,12 +27,18 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     topics = study.add_subparsers(metavar="topic")
     parsers = {name: topics.add_parser(name, help=text) for name, text in TOPICS.items()}
     add_corpus_arguments(parsers["corpus"])
-    for name, run in (("corpus", _corpus), ("error", _error), ("maps", _maps), ("extremes", _extremes)):
+    for name, run in (
+        ("corpus", _corpus),
+        ("error", _error),
+        ("speed", _speed),
+        ("maps", _maps),
+        ("extremes", _extremes),
+    ):
         parsers[name].set_defaults(run=run)
-    for name in ("error", "maps"):
+    for name in ("error", "speed", "maps"):
         parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these problems only")
     parsers["maps"].add_argument("--seed", type=int, default=SEED, help="seed of the points (%(default)s)")
-    for name in ("error", "maps", "extremes"):
+    for name in ("error", "speed", "maps", "extremes"):
         add_record_arguments(parsers[name])
 
 
@@ -82,6 +89,14 @@ def _error(arguments: argparse.Namespace) -> int:
     from .subject import NAMES, OTHERS
 
     return _finish(arguments, error.measure(_names(arguments, (*NAMES, *OTHERS)), quick=arguments.quick), error.text)
+
+
+def _speed(arguments: argparse.Namespace) -> int:
+    _ready(arguments)
+    from . import speed
+    from .subject import NAMES
+
+    return _finish(arguments, speed.measure(_names(arguments, NAMES), quick=arguments.quick), speed.text)
 
 
 def _maps(arguments: argparse.Namespace) -> int:

@@ -46,7 +46,7 @@ def html_sources(
     modules : mapping, optional
         Generated modules by path, from which the calls are read, where they are at hand.
     studies : mapping, optional
-        Records of `axicontact study` by name: error, maps, extremes.
+        Records of `axicontact study` by name: error, speed, maps, extremes.
 
     Returns
     -------

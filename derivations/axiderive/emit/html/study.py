@@ -34,7 +34,7 @@ def timing(record: Mapping[str, Any], keys: frozenset[str]) -> dict[str, Any] | 
 
 def model(figures: Mapping[str, Any]) -> dict[str, Any]:
     """What the page of the studies shows, from `emit.study.figures`; each part may be missing."""
-    shown: dict[str, Any] = {"error": None, "maps": None, "extremes": None}
+    shown: dict[str, Any] = {"error": None, "speed": figures["speed"], "maps": None, "extremes": None}
     if figures["error"]:
         whole = figures["error"]
         shown["error"] = {"panels": [_panel(one, whole) for one in whole.panels], "methods": whole.methods}

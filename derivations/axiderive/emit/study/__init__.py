@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from . import error, extremes, maps
+from . import error, extremes, maps, speed
 
 Records = Mapping[str, Mapping[str, Any]]
-"""What was measured, by name of the study: error, maps, extremes; a study may be missing."""
+"""What was measured, by name of the study: error, speed, maps, extremes; a study may be missing."""
 
 
 def timing(record: Mapping[str, Any], keys: frozenset[str]) -> error.Figure:
@@ -20,9 +20,11 @@ def timing(record: Mapping[str, Any], keys: frozenset[str]) -> error.Figure:
 
 def figures(records: Records, keys: frozenset[str]) -> dict[str, Any]:
     """What the template of the studies draws; `keys` are those that the book prints and a panel may refer to."""
-    found: dict[str, Any] = {"error": None, "maps": None, "extremes": None}
+    found: dict[str, Any] = {"error": None, "speed": None, "maps": None, "extremes": None}
     if "error" in records:
         found["error"] = error.figure(records["error"], keys)
+    if "speed" in records:
+        found["speed"] = speed.table(records["speed"], keys)
     if "maps" in records:
         found["maps"] = maps.figure(records["maps"], keys)
     if "extremes" in records:

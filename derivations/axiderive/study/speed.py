@@ -1,0 +1,151 @@
+"""What a call costs: the emitted functions beside the printed formula in `math` and NumPy, and beside a mere copy."""
+
+from __future__ import annotations
+
+import math
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..contact import systems
+from ..entry import Entry
+from .naive import naive
+from .points import arguments
+from .report import Record, rounded, table, versions
+from .subject import NAMES, PARAMETERS, RADIUS, Subject, subject
+
+SUFFIXES = ("d", "F", "p", "w")
+POINTS = 24
+SIZES = (10_000, 1_000_000)
+LARGEST = 10_000_000
+"""Points of the array that is copied: far more than the caches hold."""
+ROUNDS = 7
+SHORTEST, LONGEST = 4e-3, 0.5
+"""Seconds that one timing takes at least, shorter calls are repeated; longer ones are timed three times."""
+IMPORTS = ("axicontact.normal.cone", "axicontact.normal.sphere", "axicontact.graded.normal.power_law")
+SCRIPT = """
+import sys, time
+start = time.process_time()
+import numpy
+between = time.process_time()
+import {module}
+print((time.process_time() - between) / (between - start))
+"""
+NOTE = (
+    "Medians over interleaved repeats in one run of ratios of processor times, two digits. scalar: a call with plain "
+    "numbers over that of a function with the same signature that returns the printed formula in `math`; arrays: over "
+    "the printed formula by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; imports: over the "
+    "import of NumPy, in a process of its own. Functions whose printed formula `math` can evaluate."
+)
+
+
+def measure(names: Sequence[str] = NAMES, *, quick: bool = False) -> Record:
+    """The record of the study."""
+    rounds, sizes, largest = (1, (100, 200), 1000) if quick else (ROUNDS, SIZES, LARGEST)
+    rows = [row for name in names for row in _rows(subject(name), rounds, sizes, largest)]
+    return {
+        "study": "speed",
+        "note": NOTE,
+        "settings": {"rounds": rounds, "sizes": list(sizes), "largest": largest, "versions": versions()},
+        "rows": rows,
+        "imports": [{"module": module, "ratio": rounded(_import(module, rounds))} for module in IMPORTS],
+    }
+
+
+def _rows(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> Iterator[Record]:
+    found = systems.problem(subject.name)
+    module = import_module(f"{found.system.package}.{found.name}")
+    for suffix in SUFFIXES:
+        entry = subject.entries[suffix]
+        field = entry.quantity.arguments[0]
+        values = {symbol: PARAMETERS.get(symbol, RADIUS) for symbol in (*entry.parameters, *entry.quantity.arguments)}
+        points = arguments(subject, suffix, POINTS) if suffix in "pw" else np.linspace(0.75, 1.25, POINTS) * RADIUS
+        middle = float(points[POINTS // 2])
+        bare = in_math(entry, values | {field: middle})
+        if bare is None:
+            continue
+        own, plain = called(getattr(module, entry.quantity.function), entry, values), naive(entry, subject.entries)
+        naively = partial(_naively, plain, values, field)
+        yield {
+            "key": entry.key,
+            "scalar": rounded(ratio(own, called(bare, entry, values), middle, rounds)),
+            "arrays": [rounded(ratio(own, naively, np.resize(points, size), rounds)) for size in sizes],
+            "copy": rounded(_copy(own, np.resize(points, largest), rounds)),
+        }
+
+
+def _naively(plain: Callable[..., Any], values: dict[sp.Symbol, float], field: sp.Symbol, x: Any) -> Any:
+    return plain({**values, field: x})
+
+
+def called(function: Callable[..., Any], entry: Entry, values: dict[sp.Symbol, float]) -> Callable[[Any], Any]:
+    """The function of its first argument; a call costs the same whatever the function does."""
+    _, *others = entry.quantity.arguments
+    rest = [values[symbol] for symbol in others]
+    keywords = {str(symbol): values[symbol] for symbol in entry.parameters if symbol not in entry.quantity.arguments}
+    return lambda x: function(x, *rest, **keywords)
+
+
+def in_math(entry: Entry, point: dict[sp.Symbol, float]) -> Callable[..., float] | None:
+    """The region of the printed formula at a point as a function with the signature of the emitted one.
+
+    None where the formula has a function that `math` lacks.
+    """
+    expr = next(own for pairs, own in entry.regions() if all(low.subs(point) < high.subs(point) for low, high in pairs))
+    try:
+        text = sp.pycode(expr, fully_qualified_modules=True)
+    except NotImplementedError:
+        return None
+    if "Not supported" in text:
+        return None
+    fields = [str(symbol) for symbol in entry.quantity.arguments]
+    keywords = [str(symbol) for symbol in entry.parameters if str(symbol) not in fields]
+    names: dict[str, Any] = {"math": math}
+    exec(f"def bare({', '.join([*fields, '*', *keywords])}):\n    return {text}", names)  # a formula of the catalogue
+    bare: Callable[..., float] = names["bare"]
+    return bare
+
+
+def ratio(own: Callable[[Any], Any], other: Callable[[Any], Any], x: Any, rounds: int) -> float:
+    """Median of the ratios of two timings that follow each other."""
+    first = [_seconds(call, x, 1) for call in (own, other)]
+    first = [min(once, _seconds(call, x, 1)) for once, call in zip(first, (own, other), strict=True)]
+    counts = [max(1, int(SHORTEST / max(once, 1e-7))) if rounds > 1 else 1 for once in first]
+    rounds = min(rounds, 3) if max(first) > LONGEST else rounds
+    return statistics.median(_seconds(own, x, counts[0]) / _seconds(other, x, counts[1]) for _ in range(rounds))
+
+
+def _seconds(call: Callable[[Any], Any], x: Any, repeats: int) -> float:
+    start = time.process_time()
+    for _ in range(repeats):
+        call(x)
+    return (time.process_time() - start) / repeats
+
+
+def _copy(own: Callable[[Any], Any], x: Any, rounds: int) -> float:
+    out = np.empty_like(x)
+    return ratio(own, lambda values: np.copyto(out, values), x, rounds)
+
+
+def _import(module: str, rounds: int) -> float:
+    """What the module adds to the import of NumPy."""
+    text = SCRIPT.format(module=module)
+    runs = [subprocess.run([sys.executable, "-c", text], check=True, capture_output=True) for _ in range(rounds)]
+    return statistics.median(float(run.stdout) for run in runs)
+
+
+def text(record: Record) -> str:
+    """One line for each function, one for each import."""
+    sizes = [f"naive, {size} points" for size in record["settings"]["sizes"]]
+    head = ("key", "scalar/math", *sizes, f"np.copyto, {record['settings']['largest']} points")
+    rows = [(row["key"], row["scalar"], *row["arrays"], row["copy"]) for row in record["rows"]]
+    imports = [f"import {row['module']}: {row['ratio']} of the import of NumPy more" for row in record["imports"]]
+    return "\n".join([table(head, rows), *imports])
