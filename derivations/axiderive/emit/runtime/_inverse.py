@@ -19,7 +19,6 @@ def inverse(
     exponents: tuple[float, float],
     largest: Array | float = np.inf,
     share: Callable[[Array], Array] | None = None,
-    *,
     smooth: bool = False,
     noise: Array | float = 0.0,
 ) -> Array:
