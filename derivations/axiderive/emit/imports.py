@@ -61,7 +61,8 @@ def _names(text: str) -> set[str]:
 def imports(module: ModuleText) -> list[str]:
     text = "\n".join([*(str(line) for function in module.private for line in function["lines"])])  # type: ignore[attr-defined]
     text += "\n".join(line for function in module.public for line in function.body)
-    blocks = ["from functools import partial"] if "partial(" in text else []
+    tools = [name for name in ("partial", "reduce") if f"{name}(" in text]
+    blocks = [f"from functools import {', '.join(tools)}"] if tools else []
     blocks += ["from typing import TYPE_CHECKING", ""]
     if "np." in text:
         blocks.append("import numpy as np")
@@ -81,7 +82,7 @@ def imports(module: ModuleText) -> list[str]:
         line = f"from .._integrals import {', '.join(rules)}"
         split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
         blocks += [line] if len(line) <= 120 else split
-    roots = [name for name in ("inverse", "inverse_across") if f"{name}(" in text]
+    roots = [name for name in ("between", "inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 
-import mpmath as mp
 import sympy as sp
 
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
-from ..notation import a
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
 from .code import python
 from .compact import Compact
-from .example import NUMERIC
+from .growth import ends, exponents
 from .private import Private
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
@@ -117,7 +114,8 @@ class Inverses:
             f"    value = {target.call('a', 'root')}",
             f"    return value, {rate} / value",
             "",
-            f"t = inverse(curve, {field}, np.ones_like({field}), {self._exponents(suffix)})",
+            f"start = between(np.log({field} / curve(1.0)[0]), {self._ends(suffix)})",
+            f"t = inverse(curve, {field}, start, {self._exponents(suffix)}, smooth=True)",
             f"return {place}",
         ]
         doc = "Contact radius a and its root" + (
@@ -135,8 +133,8 @@ class Inverses:
             rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
             needs = needs | {"E_star"}
         largest = self.profile.largest
-        start = f"np.full_like({field}, {self._start()})"
-        options = "" if largest is None else ", largest"
+        start = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
+        options = ", smooth=True" if self.compact.b is None else ""
         lines = [
             "def curve(a: Array) -> tuple[Array, Array]:",
             f"    value = {target.call('a')}",
@@ -148,14 +146,25 @@ class Inverses:
             lines.append(f"return inverse_across(curve, {field}, {self.compact.b}, {self._exponents(suffix)})")
             needs = needs | {str(self.compact.b)}
         elif largest is None:
-            lines.append(f"return {call}")
+            needs = needs | {str(s) for s in self._start().free_symbols}
+            lines += [*self._least_start(suffix), f"return {call}"]
         else:
             needs = needs | {str(s) for s in largest.free_symbols}
             lines.append(f"largest = {python(largest)} * np.ones_like({field})")
-            lines.append(f"a = {call}")
-            # the largest depth and the argument are both rounded
-            lines.append(f"return np.where({target.call('largest')} * {1 + 2**-50!r} >= {field}, a, np.nan)")
-        return self.functions.add(name, (field,), lines, needs | set(target.needs) | self._start_needs())
+            lines.append(f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)})")
+        return self.functions.add(name, (field,), lines, needs | set(target.needs))
+
+    def _least_start(self, suffix: str) -> list[str]:
+        """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
+        if not self.compact.summed:
+            return []
+        curve, field = TARGET[suffix]
+        alone = re.sub(r"\bA\b", "(0.0,) * (j - 1) + (A_j,)", self.functions.functions[curve].call("1.0"))
+        degree = "j" if suffix == "ad" else "(j + 1)"
+        return [
+            f"terms = (np.log({field} / {alone}) / {degree} for j, A_j in enumerate(A, 1))",
+            "start = np.exp(reduce(np.minimum, terms))",
+        ]
 
     def _bends_freely(self) -> bool:
         """Whether g' has a parameter of its own beyond the break, so that it may outgrow the tip at will."""
@@ -164,21 +173,12 @@ class Inverses:
         tip, beyond = (self.compact.slopes[key][1].needs() for key in ("tip", "beyond"))
         return bool({str(symbol) for symbol in beyond - tip} - {"t", "root", str(self.compact.b)})
 
-    def _start(self) -> str:
-        """A length of the profile, small against the largest contact radius."""
-        if self.compact.summed:
-            return "1.0"
+    def _start(self) -> sp.Expr:
+        """The break, or a length of the profile that is small against the largest contact radius."""
+        if self.compact.b is not None:
+            return dict(self.profile.abbreviations).get(self.compact.b, self.compact.b)
         lengths = [p for p in self.profile.parameters if p.name in ("b", "s", "wavelength")]
-        return (
-            f"{lengths[-1]} / 1000.0"
-            if lengths and self.compact.b is None
-            else "1.0"
-            if not lengths
-            else str(lengths[0])
-        )
-
-    def _start_needs(self) -> set[str]:
-        return set(re.findall(r"[A-Za-z]\w*", self._start()))
+        return lengths[-1] / 1000 if lengths else sp.S.One
 
     def _slope_of_radius(self) -> tuple[str, set[str]]:
         """Text of g'(a) in all regimes."""
@@ -211,59 +211,11 @@ class Inverses:
         )
 
     def _exponents(self, suffix: str) -> str:
-        """Whole numbers between which d ln value/d ln t lies, from the exact formula over twelve decades."""
+        """Whole numbers between which d ln value/d ln t lies."""
         low, high = exponents(self.compact, suffix)
         return f"({low}, {high})"
 
-
-def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
-    if compact.summed:
-        return ("1.0", "len(A)") if suffix == "ad" else ("2.0", "len(A) + 1.0")
-    quantity = "d" if suffix == "ad" else "F"
-    values = {symbol: sp.Float(str(value), 60) for symbol, value in compact.profile.sketch.values}
-    values[sp.Symbol("E_star", positive=True)] = sp.Float(1, 60)
-    slopes = [
-        s
-        for k in range(-24, 25)
-        if (s := _slope_at(compact, quantity, mp.mpf(10) ** (mp.mpf(k) / 4), values)) is not None
-    ]
-    if compact.scale("tip")[0] == "waves":
-        # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
-        return "0.0", f"{math.ceil(max(slopes)) + 3}.0"
-    low, high = min(slopes), max(slopes)
-    if compact.b is not None and not compact.profile.truncated:
-        # beyond the break the depth may rise as steeply as the parameters let it
-        return f"{math.floor(low + 1e-6)}.0", "np.inf"
-    if compact.profile.largest is not None:
-        low = 0.0
-    return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"
-
-
-def _slope_at(compact: Compact, quantity: str, t: mp.mpf, values: dict[sp.Symbol, sp.Expr]) -> float | None:
-    """d ln value/d ln t by a central difference at 60 digits."""
-    profile, regimes = compact.profile, compact.regimes(quantity)
-    short = {symbol: expr.subs(values) for symbol, expr in profile.abbreviations}
-    known = values | {symbol: sp.N(expr, 60) for symbol, expr in short.items()}
-
-    curves = {
-        key: sp.lambdify(a, case.expr.subs({s: v for s, v in known.items()}), NUMERIC) for key, case in regimes.items()
-    }
-
-    def log_value(t: mp.mpf) -> mp.mpf | None:
-        kind, length = compact.scale("tip")
-        if profile.truncated:
-            radius = mp.mpf(str(known[compact.b])) * mp.sqrt(1 + t * t)
-        elif kind == "tanh" and compact.b is None:
-            radius = mp.mpf(str(known[length])) * mp.tanh(t)
-        else:
-            radius = t
-        if profile.largest is not None and radius > mp.mpf(str(sp.N(profile.largest.subs(known), 60))):
-            return None
-        key = "tip" if compact.b is None or ("tip" in regimes and radius < mp.mpf(str(known[compact.b]))) else "beyond"
-        value = curves[key](radius)
-        return mp.log(value) if value > 0 else None
-
-    with mp.workdps(60):
-        step = mp.mpf(10) ** -12
-        low, high = log_value(t * (1 - step)), log_value(t * (1 + step))
-        return None if low is None or high is None else float((high - low) / (2 * step))
+    def _ends(self, suffix: str) -> str:
+        """What `between` asks for: the curve at both ends, and how to join them."""
+        small, large, blend = ends(self.compact, suffix)
+        return f"{small}, {large}, {blend}"

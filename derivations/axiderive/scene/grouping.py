@@ -2,14 +2,15 @@
 
 `in_groups` takes what the integrand needs apart, to select it point by point.
 Here the rule integrates all points with the nodes of the widest interval, which
-costs time and no accuracy, and takes an integrand of its lengths alone.
+costs time and no accuracy, and takes an integrand of its lengths alone.  Nor does it
+need the short way for many radii of one contact.
 """
 
 from __future__ import annotations
 
 import ast
 
-MARK = "in_groups"
+MARK, SHORT_WAY = "in_groups", "at_many_radii"
 Edit = tuple[int, int, str]
 
 
@@ -45,12 +46,14 @@ def rules(text: str) -> dict[str, int]:
 
 def ungrouped(text: str, known: dict[str, int]) -> str:
     """The module with these rules, and calls of them, written plainly."""
-    if not any(name in text for name in known):
+    if not any(name in text for name in (*known, SHORT_WAY)):
         return text
     own, edits = _Text(text), []
     for node in ast.walk(own.tree):
         if isinstance(node, ast.FunctionDef) and _marked(node):
             edits += _plain_rule(own, node)
+        elif isinstance(node, ast.FunctionDef) and _has_short_way(node):
+            edits.append((own.span(node.decorator_list[0])[0] - 1, own.starts[node.lineno - 1], ""))
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in known:
             edits += _plain_call(own, node, known[node.func.id])
     return own.edited(edits)
@@ -58,6 +61,10 @@ def ungrouped(text: str, known: dict[str, int]) -> str:
 
 def _marked(node: ast.FunctionDef) -> bool:
     return any(isinstance(d, ast.Name) and d.id == MARK for d in node.decorator_list)
+
+
+def _has_short_way(node: ast.FunctionDef) -> bool:
+    return any(ast.unparse(d).startswith(SHORT_WAY) for d in node.decorator_list)
 
 
 def _arity(rule: ast.FunctionDef) -> int:

@@ -216,7 +216,7 @@ def _nodes(module: Module, counts: Sequence[int]) -> str:
 
 
 def _imports(text: str) -> str:
-    functools = [name for name in ("cache", "partial", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
+    functools = [name for name in ("cache", "partial", "reduce", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
     lines = [f"from functools import {', '.join(functools)}"] if functools else []
     lines = ["from collections import namedtuple", *lines] if "namedtuple(" in text else lines
     lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 PACKAGE = "axicontact"
 RULES = ("integral", "panels")
-ITERATIONS = frozenset(("inverse", "inverse_across"))
+ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below"))
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "power_displacement",

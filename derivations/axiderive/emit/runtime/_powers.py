@@ -8,14 +8,23 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._along import Course, at_many_radii
 from ._elementwise import Array
-from ._integrals import integral
+from ._integrals import integral, of_displacement
 
 NODES = 64
+STEEP = 6.0
+"""Exponents from here on bend the pressure too much for a panel of `_along`."""
 _DECAY = 42.0
 """exp(-42) = 6e-19: what is left of a power beyond it does not count."""
 
 
+def of_pressure(a: float, n: float) -> tuple[list[Course], float, float]:
+    """Up to the axis, for powers that panels resolve."""
+    return ([Course(0.0, True, a * a, True, a)] if n < STEEP else []), 0.0, a
+
+
+@at_many_radii(of_pressure)
 def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
     depth = _log_ratio(a, r)
@@ -34,6 +43,7 @@ def power_pressure(r: Array, a: Array, n: Array) -> Array:
     return np.where(r > 0.0, largest * integral(integrand, reach, NODES), centre)
 
 
+@at_many_radii(of_displacement)
 def power_displacement(r: Array, a: Array, n: Array) -> Array:
     """Integral of n t**(n - 1) arcsin(t/r) dt from 0 to a < r, over a**n."""
     start, reach = _span(r, a, n)

@@ -1,0 +1,111 @@
+"""How depth and force of a compact contact grow, measured on the exact formulas for the starts of their inverses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import mpmath as mp
+import sympy as sp
+
+from ..notation import a
+from .compact import Compact
+from .example import NUMERIC
+
+DIGITS = 60
+QUANTITY = {"ad": "d", "aF": "F"}
+Power = tuple[float, float]
+"""c and e of c t**e."""
+
+
+class Growth:
+    """ln d or ln F over the unknown t of its inverse, with the parameters of the sketch.
+
+    t is the contact radius, sqrt(a**2/b**2 - 1) beyond a flat face of radius b, or artanh(a/R) below an end of the
+    profile; where the curve ends with slope zero, it is the shortfall of the radius over the radius, and the value
+    that of the value.
+    """
+
+    def __init__(self, compact: Compact, suffix: str) -> None:
+        self.compact, self.profile = compact, compact.profile
+        values = {symbol: sp.Float(str(value), DIGITS) for symbol, value in self.profile.sketch.values}
+        values[sp.Symbol("E_star", positive=True)] = sp.Float(1, DIGITS)
+        short = {symbol: sp.N(expr.subs(values), DIGITS) for symbol, expr in self.profile.abbreviations}
+        self.known = values | short
+        regimes = compact.regimes(QUANTITY[suffix])
+        self.curves = {key: sp.lambdify(a, case.expr.subs(self.known), NUMERIC) for key, case in regimes.items()}
+
+    @property
+    def places(self) -> list[mp.mpf]:
+        """Twelve decades of t; up to an end of the profile as far as the radius is told from it."""
+        last = 6 if self.compact.scale("tip")[0] == "tanh" and self.compact.b is None else 24
+        return [mp.mpf(10) ** (mp.mpf(k) / 4) for k in range(-24, last + 1)]
+
+    def number(self, expr: sp.Expr) -> mp.mpf:
+        return mp.mpf(str(sp.N(expr.subs(self.known), DIGITS)))
+
+    def __call__(self, t: mp.mpf) -> mp.mpf:
+        if self.profile.largest is not None:
+            largest = self.number(self.profile.largest)
+            return mp.log(self._value(largest) / self._value(largest / (1 + t)) - 1)
+        kind, length = self.compact.scale("tip")
+        if self.profile.truncated:
+            return mp.log(self._value(self.number(self.compact.b) * mp.sqrt(1 + t * t)))
+        if kind == "tanh" and self.compact.b is None:
+            return mp.log(self._value(self.number(length) * mp.tanh(t)))
+        return mp.log(self._value(t))
+
+    def _value(self, radius: mp.mpf) -> mp.mpf:
+        b = self.compact.b
+        key = "tip" if b is None or ("tip" in self.curves and radius < self.number(b)) else "beyond"
+        return self.curves[key](radius)
+
+    def slope(self, t: mp.mpf) -> mp.mpf:
+        """d ln value/d ln t by a central difference."""
+        step = mp.mpf(10) ** -12
+        return (self(t * (1 + step)) - self(t * (1 - step))) / (2 * step)
+
+
+def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
+    """Whole numbers between which the slope lies."""
+    if compact.summed:
+        return ("1.0", "len(A)") if suffix == "ad" else ("2.0", "len(A) + 1.0")
+    with mp.workdps(DIGITS):
+        growth = Growth(compact, suffix)
+        slopes = [float(growth.slope(t)) for t in growth.places]
+    low, high = min(slopes), max(slopes)
+    if compact.scale("tip")[0] == "waves":
+        # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
+        return "0.0", f"{math.ceil(high) + 3}.0"
+    if compact.b is not None and not compact.profile.truncated:
+        # beyond the break the depth may rise as steeply as the parameters let it
+        return f"{math.floor(low + 1e-6)}.0", "np.inf"
+    return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"
+
+
+def ends(compact: Compact, suffix: str) -> tuple[Power, Power, float]:
+    """The curve over its value at t = 1 for small and for large t, and the power by which they are joined best."""
+    with mp.workdps(DIGITS):
+        growth = Growth(compact, suffix)
+        places = growth.places
+        first, last = (_power(growth, t) for t in (places[0], places[-1]))
+        curve = [(float(mp.log(t)), float(growth(t) - growth(mp.mpf(1)))) for t in places]
+    blends = [k / 4 for k in range(-24, 25) if k]
+    return first, last, min(blends, key=lambda blend: _miss(curve, first, last, blend))
+
+
+def _power(growth: Growth, t: mp.mpf) -> Power:
+    """Half an exponent is the least step there is; the factor is a start and needs four digits."""
+    exponent = round(float(2 * growth.slope(t))) / 2
+    factor = float(mp.exp(growth(t) - growth(mp.mpf(1)) - exponent * mp.log(t)))
+    return float(f"{factor:.4g}"), exponent
+
+
+def _miss(curve: Sequence[tuple[float, float]], first: Power, last: Power, blend: float) -> float:
+    """The largest error of ln t."""
+
+    def joined(x: float) -> float:
+        one, other = (blend / e * (x - math.log(c)) for c, e in (first, last))
+        return (max(one, other) + math.log1p(math.exp(-abs(one - other)))) / blend
+
+    return max(abs(joined(x) - t) for t, x in curve)
