@@ -89,6 +89,17 @@ def test_programs_do_what_the_bodies_say(name: str) -> None:
     assert count >= 4
 
 
+def scaled(x: Any, p: Any) -> Any:
+    return (x / p) * 4.0 + (p * x) / 8.0 + (x * p) / -2.0 + (p / x) / 0.5 - x / 3.0 + (x / p) / 16.0
+
+
+def test_powers_of_two_change_places_exactly() -> None:
+    x, p = 10 ** np.random.default_rng(3).uniform(-3, 3, (2, 500))
+    for arrays in ([True, False], [False, True], [True, True]):
+        values = [value if more else np.full(500, value[0]) for value, more in zip((x, p), arrays, strict=True)]
+        np.testing.assert_array_equal(run(scaled, arrays, values), scaled(*values))
+
+
 def test_a_branch_that_holds_nowhere_is_not_evaluated(monkeypatch: pytest.MonkeyPatch) -> None:
     found = program(cone._pressure, 2, ("theta", "E_star"), (True, False, False, False))
     assert found is not None

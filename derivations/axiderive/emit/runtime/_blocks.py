@@ -7,13 +7,12 @@ a branch that holds nowhere in it is not evaluated.
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ._rewriting import depending, numbers_first
-from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, places, trace, used_at
+from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, of_a_module, places, trace, used_at
 
 NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
 NAMES |= {"inf": np.inf, "nan": np.nan}
@@ -51,7 +50,7 @@ def program(
     """The program of a function of a module for `count` fields and keywords, by which of all of them are arrays."""
     key = (function, count, keywords, arrays)
     if key not in _programs:
-        if not isinstance(function, FunctionType) or function.__globals__.get(function.__name__) is not function:
+        if not of_a_module(function):
             return None
         fields = tuple(f"x{i}" for i in range(count))
         result = trace(function, fields, keywords)

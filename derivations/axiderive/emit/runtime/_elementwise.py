@@ -45,10 +45,11 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
     several = tuple([type(value) is not float and value.size != 1 for value in values])
     if any(several):
         return _evaluated(function, len(fields), tuple(parameters), values, several)
-    points = [np.reshape(value, 1) for value in values]
-    fields_only = tuple(place < len(fields) for place in range(len(values)))
-    result = _evaluated(function, len(fields), tuple(parameters), points, fields_only)
-    dimensions = max((np.ndim(value) for value in values), default=0)
+    # one point: its fields as arrays
+    count = len(fields)
+    points = [np.array([_number(value)]) for value in values[:count]] + [_number(value) for value in values[count:]]
+    result = _evaluated(function, count, tuple(parameters), points, (True,) * count + (False,) * len(parameters))
+    dimensions = max([0 if type(value) is float else value.ndim for value in values], default=0)
     return result.reshape((1,) * dimensions) if dimensions else float(result[0])
 
 
@@ -109,7 +110,8 @@ def _by_body(
     function: Callable[..., Array], count: int, keywords: tuple[str, ...], given: list[Array], part: Array
 ) -> None:
     """A block by the function itself."""
-    fields = [np.broadcast_to(value, part.shape) for value in given[:count]]
+    # np.broadcast_to would leave strides of zero, which NumPy's loops are slower for
+    fields = [value if np.ndim(value) else np.full(part.shape, value) for value in given[:count]]
     parameters = dict(zip(keywords, given[count:], strict=True))
     try:
         part[...] = function(*fields, **parameters)

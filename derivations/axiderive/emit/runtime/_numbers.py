@@ -53,7 +53,7 @@ def _first_call(*fields: Any, **keywords: Any) -> Any:
     return function(*fields, **keywords)  # noqa: F821
 
 
-def _text(code: CodeType, private: Callable[..., Any]) -> tuple[str, dict[str, Any]]:
+def _text(code: CodeType, private: FunctionType) -> tuple[str, dict[str, Any]]:
     """The short way before the function, and the names it uses."""
     from ._plain import indented, lines
 

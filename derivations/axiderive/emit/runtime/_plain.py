@@ -14,7 +14,7 @@ from typing import Any
 from ._bounds import Bound, bounds
 from ._elementwise import LARGE, SMALL
 from ._scalar import scalar
-from ._trace import Node, Path, needed, places, trace
+from ._trace import Node, Path, needed, of_a_module, places, trace
 
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
@@ -45,7 +45,7 @@ _formulas: dict[Callable[..., Any], Callable[..., float | None] | None] = {}
 def plain(function: Callable[..., Any]) -> Callable[..., float | None] | None:
     """The function over plain numbers: a result or None where it may be wrong; None if it needs arrays."""
     if function not in _formulas:
-        if not isinstance(function, FunctionType) or function.__globals__.get(function.__name__) is not function:
+        if not of_a_module(function):
             return None
         names = function.__code__.co_varnames[: function.__code__.co_argcount]
         found = lines(function, dict.fromkeys(names, (SMALL, LARGE)))
@@ -58,9 +58,7 @@ def plain(function: Callable[..., Any]) -> Callable[..., float | None] | None:
     return _formulas[function]
 
 
-def lines(
-    function: Callable[..., Any], ranges: Mapping[str, tuple[float, float]]
-) -> tuple[list[str], dict[str, Any]] | None:
+def lines(function: FunctionType, ranges: Mapping[str, tuple[float, float]]) -> tuple[list[str], dict[str, Any]] | None:
     """The lines that return the value of a private function for arguments in `ranges`, and the names they use."""
     space = {name: value for name, value in vars(math).items() if not name.startswith("_")}
     space |= {"abs": abs, "LEAST": LEAST, "GREATEST": GREATEST}
@@ -79,6 +77,8 @@ def indented(text: list[str], depth: int) -> str:
 
 
 class _Lines:
+    """Lines of one function: what occurs once is written where it is used, the rest has a name."""
+
     def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]]) -> None:
         self.nodes = needed(result)
         self.paths = places(self.nodes)

@@ -8,7 +8,8 @@ once whether a rare branch is needed at all, the graph is that without this bran
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, TypeAlias
+from types import FunctionType
+from typing import Any, TypeAlias, TypeGuard
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -142,6 +143,11 @@ class Traced(NDArrayOperatorsMixin):
         if not isinstance(x, (bool, int, float, np.bool_, np.number)):
             raise UntraceableError
         return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
+
+
+def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:
+    """Whether compiling pays: a function inside another one is a new one every time."""
+    return isinstance(function, FunctionType) and function.__globals__.get(function.__name__) is function
 
 
 def trace(function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str]) -> Node | None:
