@@ -66,21 +66,28 @@ def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted
 
 
 def _ring(entry: Entry, values: Floats) -> arb:
-    """Zero, or the root of the equation of `rz`: bisected in decades, then by Newton's iteration."""
+    """Zero, or the root of the equation of `rz`."""
     with _precision(4 * BITS):
-        point = _balls(entry, values)
-        equation = _case(entry, point).expr
+        equation = _case(entry, _balls(entry, values)).expr
         if not isinstance(equation, sp.Equality):
             return arb(0)
-        a, rest = arb(values[nt.a]), _plain(equation.lhs - equation.rhs)
+        n = values[nt.n]
+        find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
+        return arb(values[nt.a]) * find(_plain(equation.lhs - equation.rhs), n)
 
-        def missed(share: arb) -> arb:
-            return Ball(point | {nt.r_zero: acb(a * share)}, False)(rest).real
 
+@lru_cache(maxsize=256)
+def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
+    """r_0/a: bisected in decades, then by Newton's iteration; all entries of a point ask for the same."""
+
+    def missed(share: arb) -> arb:
+        return Ball({nt.n: acb(n), nt.a: acb(1), nt.r_zero: acb(share)}, False)(rest).real
+
+    with _precision(4 * BITS):
         # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation infinite
-        low, high = arb(-80), (1 - 1 / arb(values[nt.n])).sqrt().log()
+        low, high = arb(-80), (1 - 1 / arb(n)).sqrt().log()
         positive = missed(low.exp()) > 0
-        for _ in range(60):
+        for _ in range(40):
             middle = ((low + high) / 2).mid()
             low, high = (middle, high) if (missed(middle.exp()) > 0) == positive else (low, middle)
         share = ((low + high) / 2).exp().mid()
@@ -89,10 +96,10 @@ def _ring(entry: Entry, values: Floats) -> arb:
             here = missed(share)
             share = (share - here * step / (missed(share + step) - here)).mid()
         before, beyond = (missed(share * (1 + side * arb(2) ** -BITS)) for side in (-1, 1))
-        if not before * beyond < 0:
-            message = f"{entry.key}: no ring of zero pressure at {values}"
-            raise UnknownError(message)
-        return a * share
+    if not before * beyond < 0:
+        message = f"no ring of zero pressure for n = {n}"
+        raise UnknownError(message)
+    return share
 
 
 def _is_inverse(entry: Entry) -> bool:
