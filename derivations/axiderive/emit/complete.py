@@ -16,6 +16,8 @@ from ..stable.slopes import slope_form
 from .code import python
 from .private import Private, PrivateFunctions
 
+ZETA = sp.Symbol("zeta", positive=True)
+"""1 - (r_0/a)**2 with r_0 the radius where the pressure vanishes first."""
 COMPLETE_FROM = "complete = {least} * (1.0 - 1e-15) <= {field}"
 
 
@@ -78,15 +80,17 @@ class Complete:
             )
         for suffix in ("dmin", "Fmin"):
             expr = self.entries[suffix].cases[0].expr
+            if ring.status == "root":
+                # in what is left of a**2 outside the ring: next to the edge the difference of the squares is lost
+                expr = sp.factor(sp.expand(expr.subs(r_zero, a * sp.sqrt(1 - ZETA))))
             form = evaluation_form(expr, facts_of(()))
             lines, needs = [], self.functions.needs(form, ())
-            if expr.has(r_zero):
-                radius = self.functions.functions["zero_radius"]
-                lines.append(f"r_zero = {radius.call()}")
-                needs = (needs - {"r_zero"}) | set(radius.needs)
+            if expr.has(ZETA):
+                lines.append(f"{ZETA} = outside_zero_pressure(n)")
+                needs = needs - {str(ZETA)} | {"n"}
             lines += self.functions.steps(form)
             top, bottom = sp.fraction(form.value)
-            if bottom.has(r_zero):
+            if bottom.has(ZETA):
                 lines.append(f"drop = {python(bottom)}")
                 self._add(suffix, f"{python(top)} / drop", lines, needs)
             else:

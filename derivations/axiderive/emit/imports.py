@@ -25,6 +25,13 @@ class Public:
 
 
 WITH_MATH = "with_math"
+POWERS = (
+    "outside_zero_pressure",
+    "power_displacement",
+    "power_pressure",
+    "power_punches",
+    "ring_of_zero_pressure",
+)
 RATES = ("_slope", "_slope_beyond")
 
 
@@ -90,9 +97,7 @@ def imports(module: ModuleText) -> list[str]:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
     if any(function.decorator for function in module.public):
         blocks.append(f"from .._numbers import {WITH_MATH}")
-    powers = [
-        n for n in ("power_displacement", "power_pressure", "power_punches", "ring_of_zero_pressure") if f"{n}(" in text
-    ]
+    powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
     return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]

@@ -20,11 +20,11 @@ RULES = ("integral", "panels")
 ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below"))
 KERNELS = frozenset(
     (
-        "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "power_displacement",
-        "power_pressure", "power_punches", "power_strips", "struve_h0", "struve_h1", "tanh_gap",
+        "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
+        "power_displacement", "power_pressure", "power_punches", "power_strips", "struve_h0", "struve_h1", "tanh_gap",
     )
 )  # fmt: skip
-ARRAYS = frozenset(("power_displacement", "power_pressure", "power_strips"))
+ARRAYS = frozenset(("outside_zero_pressure", "power_displacement", "power_pressure", "power_strips"))
 """Kernels that are rules themselves."""
 
 

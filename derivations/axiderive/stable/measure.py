@@ -16,7 +16,7 @@ from flint import arb, ctx
 from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
-from .reference import CURVES, UnknownError, enclosed, reference
+from .reference import CURVES, UnknownError, of_contact, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
 
@@ -44,7 +44,7 @@ class Errors:
 
 
 def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: int, seed: int = 17) -> Iterator[Sample]:
-    """Calls whose exact value is a normal number."""
+    """Calls whose exact value is a normal number, or zero everywhere."""
     entry = entries[suffix]
     like = CURVES[suffix][0] if _inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
     for values in floats(entries[like], domain, count, seed, entry.parameters):
@@ -53,7 +53,7 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
             arguments, exact = reference(dict(entries), suffix, values)
         except UnknownError:
             continue
-        if SMALLEST < abs(float(exact)) < LARGEST:
+        if SMALLEST < abs(float(exact)) < LARGEST or exact == 0:
             yield Sample(*_call(entry, arguments), exact, arguments)
 
 
@@ -68,7 +68,7 @@ def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
     """Raise depth and force above the threshold of complete contact, by their own size over that of the contact."""
     for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F)):
         if suffix in entries and symbol in values:
-            least = float(enclosed(entries[suffix], values, ()))
+            least = float(of_contact(entries, suffix, values))
             if not SMALLEST < least < LARGEST:
                 message = f"{suffix} = {least} is no normal number"
                 raise UnknownError(message)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
@@ -33,7 +33,7 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
     """
     entry = entries[suffix]
     if not _is_inverse(entry):
-        return values, enclosed(entry, values, ())
+        return values, of_contact(entries, suffix, values)
     target = float(enclosed(entries[CURVES[suffix][0]], values, ()))
     if not 2.3e-308 < target < 1.7e308:
         message = f"{entry.key}: the argument {target} is no normal number"
@@ -56,6 +56,52 @@ def condition(entries: dict[str, Entry], suffix: str, arguments: Floats) -> floa
     return float(total)
 
 
+def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted: int = WANTED) -> arb:
+    """The value of an entry, with the ring on which the pressure vanishes first where it depends on that."""
+    entry = entries[suffix]
+    if suffix == "rz" and entry.status == "root":
+        return _ring(entry, values)
+    rests = any(case.expr.has(nt.r_zero) for case in entry.cases)
+    return enclosed(entry, values, ((nt.r_zero, _ring(entries["rz"], values)),) if rests else (), wanted)
+
+
+def _ring(entry: Entry, values: Floats) -> arb:
+    """Zero, or the root of the equation of `rz`."""
+    with _precision(4 * BITS):
+        equation = _case(entry, _balls(entry, values)).expr
+        if not isinstance(equation, sp.Equality):
+            return arb(0)
+        n = values[nt.n]
+        find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
+        return arb(values[nt.a]) * find(_plain(equation.lhs - equation.rhs), n)
+
+
+@lru_cache(maxsize=256)
+def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
+    """r_0/a: bisected in decades, then by Newton's iteration; all entries of a point ask for the same."""
+
+    def missed(share: arb) -> arb:
+        return Ball({nt.n: acb(n), nt.a: acb(1), nt.r_zero: acb(share)}, False)(rest).real
+
+    with _precision(4 * BITS):
+        # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation infinite
+        low, high = arb(-80), (1 - 1 / arb(n)).sqrt().log()
+        positive = missed(low.exp()) > 0
+        for _ in range(40):
+            middle = ((low + high) / 2).mid()
+            low, high = (middle, high) if (missed(middle.exp()) > 0) == positive else (low, middle)
+        share = ((low + high) / 2).exp().mid()
+        for _ in range(4):
+            step = share * arb(2) ** (-2 * BITS)
+            here = missed(share)
+            share = (share - here * step / (missed(share + step) - here)).mid()
+        before, beyond = (missed(share * (1 + side * arb(2) ** -BITS)) for side in (-1, 1))
+    if not before * beyond < 0:
+        message = f"no ring of zero pressure for n = {n}"
+        raise UnknownError(message)
+    return share
+
+
 def _is_inverse(entry: Entry) -> bool:
     return entry.suffix in CURVES and entry.profile.contact != "complete"
 
@@ -63,7 +109,7 @@ def _is_inverse(entry: Entry) -> bool:
 def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:
     entry = entries[suffix]
     if not _is_inverse(entry):
-        return enclosed(entry, arguments, (), wanted)
+        return of_contact(entries, suffix, arguments, wanted)
     given, asked = CURVES[suffix]
     radius = _root(entries[given], arguments, arguments[entry.quantity.arguments[0]])
     return radius if asked is None else enclosed(entries[asked], arguments, ((nt.a, radius),), wanted)
