@@ -74,7 +74,7 @@ SHAPES: dict[str, Any] = {
     "rounding": lambda r, term, known: max(float(r) - _lengths(term, known)[0], 0.0) ** 2 / 2,
     "rounded": lambda r, term, known: _rounded(float(r), *_lengths(term, known)),
     "sphere": lambda r, term, known: _sphere(float(r), *_lengths(term, known)),
-    "tipped": lambda r, term, known: _tipped(float(r), *_lengths(term, known)),
+    "tipped": lambda r, term, known: _tipped(float(r), *_lengths(term, known)[:2]),
     "hyperboloid": lambda r, term, known: math.hypot(float(r), *_lengths(term, known)) - _lengths(term, known)[0],
     "gaussian": lambda r, term, known: -math.expm1(-((float(r) / _lengths(term, known)[0]) ** 2)),
     "waves": lambda r, term, known: 1 - math.cos(float(r) * _lengths(term, known)[0]),

@@ -162,7 +162,8 @@ def rim_sag(r: Array, a: Array, b: Array, k: Array) -> Array:
 def _sag_beyond(shape: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
     q, end = difference_root(r, a), difference_root(a, b)
     near = _from_edge(shape, a, q, q, np.arcsinh(np.minimum(end, a / 2.0) / q), k)
-    return _scale(k) * (near + _to(shape, a, q, np.maximum(np.arctan2(end, b), SPLIT), k))
+    value = _scale(k) * (near + _to(shape, a, q, np.maximum(np.arctan2(end, b), SPLIT), k))
+    return np.where(a > b, value, 0.0)
 
 
 def _cap_sag(shape: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
