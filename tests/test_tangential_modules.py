@@ -105,6 +105,15 @@ def test_close_to_full_stick(name: str) -> None:
                 assert error(name, entry, close(name, entry, gap, share)) <= limit, (suffix, gap, share)
 
 
+@pytest.mark.parametrize("name", ["rounded_cone", "capped_paraboloid", "rounded_curved_punch"])
+def test_close_to_full_stick_across_a_break(name: str) -> None:
+    entries, b = derived()["tangential"][name], float(values(load(name))[nt.b])
+    for entry in (entries["F"], entries["u"]):
+        for gap in GAPS:
+            across = {nt.a: b * (1.0 + gap), nt.c: b * (1.0 - gap)}
+            assert error(name, entry, close(name, entry, gap) | across) <= ELEMENTARY, (entry.key, gap)
+
+
 def test_a_difference_would_lose_the_digits() -> None:
     """The same points tell: written as a difference, all but the first digits are lost."""
     entry, normal = derived()["tangential"]["sphere"]["F"], emitted("normal.sphere")

@@ -141,8 +141,8 @@ def _across(
 
     def gain(close: Array) -> Array:
         outside = growth_beyond_cap(lambda t, root: slope(t, root) * t**power, start, a, b, k)
-        beyond = _grown(quantity, slope, r, c, a, b, k, close & (c >= b))
-        return np.where(c < b, tip(close) + outside, beyond)
+        beyond = _grown(quantity, slope, r, c, a, b, k, close & (c > b))
+        return np.where(c <= b, tip(close) + outside, beyond)
 
     return _chosen(*_values(quantity, whole, lengths, b, r, c, a, k), gain)
 
