@@ -9,8 +9,18 @@ import sympy as sp
 from physics_package import CLOSED, derived, emitted, exact, keywords, positional, public, radius, values
 
 from axiderive import notation as nt
+from axiderive.entry import Entry
 from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.profiles.loads import LOADS
+from axiderive.stable.measure import ulps
+from axiderive.stable.reference import enclosed
+from axiderive.stable.samples import Floats
+
+GAPS = (1e-3, 1e-9, 2.0**-45)
+"""1 - c/a, down to a few units of the last place of a."""
+ELEMENTARY, GAMMA = 5.0, 45.0
+"""Units of the last place: of elementary formulas, and 1e-14 where a Gamma function or a power with any exponent is."""
+SPECIAL = ("power_law", "polynomial")
 
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
@@ -61,3 +71,66 @@ def test_traction_on_the_axis_of_a_cone(ratio: float) -> None:
     found = emitted("tangential.cone").traction(0.0, 1.0, ratio, **given)
     assert found == pytest.approx(0.4 * math.tan(0.3) * -math.log(ratio), rel=1e-15)
     assert emitted("tangential.cone").traction(0.0, 1.0, 0.0, **given) == math.inf
+
+
+def close(name: str, entry: Entry, gap: float, share: float = 0.6) -> Floats:
+    """Doubles with a stick radius close to the contact radius, and a place within."""
+    profile = load(name)
+    known: Floats = {symbol: float(value) for symbol, value in values(profile).items()}
+    known |= {nt.a: float(radius(profile)), nt.coefficients: (0.4, 0.3, 0.2)}
+    known[nt.c] = known[nt.a] * (1.0 - gap)
+    known[nt.r] = known[nt.c] * share
+    return {symbol: known[symbol] for symbol in (*entry.quantity.arguments, *entry.parameters)}
+
+
+def error(name: str, entry: Entry, point: Floats) -> float:
+    """Of the emitted function at a point, in units of the last place."""
+    fields = entry.quantity.arguments
+    keys = {str(getattr(symbol, "label", symbol)): value for symbol, value in point.items() if symbol not in fields}
+    found = getattr(emitted(f"tangential.{name}"), entry.quantity.function)(
+        *(point[symbol] for symbol in fields), **keys
+    )
+    return ulps(found, enclosed(entry, point, ()))
+
+
+@pytest.mark.parametrize("name", COMPACT_NAMES)
+def test_close_to_full_stick(name: str) -> None:
+    """What two contacts of nearly the same radius leave of their difference, for the doubles as they are given."""
+    for suffix, entry in derived()["tangential"][name].items():
+        if suffix not in ("F", "u", "tau") or any(case.expr.has(sp.Integral) for case in entry.cases):
+            continue
+        for gap in GAPS:
+            for share in (0.6, 1.0 - 1e-6) if suffix == "tau" else (0.6,):
+                limit = GAMMA if name in SPECIAL else ELEMENTARY
+                assert error(name, entry, close(name, entry, gap, share)) <= limit, (suffix, gap, share)
+
+
+@pytest.mark.parametrize("name", ["rounded_cone", "capped_paraboloid", "rounded_curved_punch"])
+def test_close_to_full_stick_across_a_break(name: str) -> None:
+    entries, b = derived()["tangential"][name], float(values(load(name))[nt.b])
+    for entry in (entries["F"], entries["u"]):
+        for gap in GAPS:
+            across = {nt.a: b * (1.0 + gap), nt.c: b * (1.0 - gap)}
+            assert error(name, entry, close(name, entry, gap) | across) <= ELEMENTARY, (entry.key, gap)
+
+
+def test_a_difference_would_lose_the_digits() -> None:
+    """The same points tell: written as a difference, all but the first digits are lost."""
+    entry, normal = derived()["tangential"]["sphere"]["F"], emitted("normal.sphere")
+    point = close("sphere", entry, GAPS[1])
+    given = {"R": point[nt.R], "E_star": point[nt.E_star]}
+    forces = [normal.force(point[symbol], **given) for symbol in (nt.a, nt.c)]
+    assert ulps(point[nt.mu] * (forces[0] - forces[1]), enclosed(entry, point, ())) > 1e5
+
+
+@pytest.mark.parametrize("suffix", ["F", "u", "tau"])
+@pytest.mark.parametrize("name", ["cone", "paraboloid", "capped_paraboloid", "truncated_paraboloid"])
+def test_close_to_full_stick_at_the_ends_of_the_range(name: str, suffix: str) -> None:
+    """Lengths whose squares are no doubles; values that are."""
+    entry = derived()["tangential"][name][suffix]
+    lengths, point = {nt.R, nt.R1, nt.R2, nt.b, nt.a, nt.c, nt.r}, close(name, entry, 1e-12)
+    for scale in (2.0**-500, 2.0**500):
+        moved = {symbol: value * scale if symbol in lengths else value for symbol, value in point.items()}
+        if suffix == "F":
+            moved[nt.E_star] = point[nt.E_star] / scale
+        assert error(name, entry, moved) <= ELEMENTARY, scale

@@ -94,6 +94,8 @@ def _loss(module: NormalModule, function: str, scale: str) -> list[str]:
     if module.summed:
         share = f"gained_share(c, a, {'j' if order == 1 else 'j + 1'})"
         return [*_by_terms(module, function, share), f"return {scale} * sum(gains)"]
+    if not _has_slopes(module):
+        return [f"return {scale} * ({whole} - {sticking})"]
     return [
         f"whole, sticking = {whole}, {sticking}",
         "close = sticking >= CLOSE * whole",
@@ -113,6 +115,9 @@ def _traction(module: NormalModule) -> list[str]:
     if module.summed:
         gains = _by_terms(module, "_slope", "power_gain(r, c, a, j)")
         return [f"sliding = {sliding}", *gains, "return mu * np.where(r < c, E_star / np.pi * sum(gains), sliding)"]
+    if not _has_slopes(module):
+        stuck = module.call("_pressure", "r", "c")
+        return [f"return mu * np.where(r < c, {sliding} - {stuck}, {sliding})"]
     if power is not None:
         rule, at = {1: ("arc_gain(r, c, a)", "1.0"), 2: ("root_gain(r, c, a)", "1.0")}.get(power, ("", "a"))
         if not rule and power.is_Integer and power % 2 == 0:
@@ -127,6 +132,11 @@ def _traction(module: NormalModule) -> list[str]:
         *_gain(module, "E_star / np.pi * ", "0", "r"),
         "return mu * np.where(close, gain, sliding - stuck)",
     ]
+
+
+def _has_slopes(module: NormalModule) -> bool:
+    """Whether g' is at hand; a profile outside the normal form has it piece by piece only, and keeps the difference."""
+    return not {"_slope", "_slope_beyond"}.isdisjoint(module.functions)
 
 
 def _gain(module: NormalModule, scale: str, order: str, r: str) -> list[str]:

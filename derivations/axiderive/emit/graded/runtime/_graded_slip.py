@@ -37,7 +37,9 @@ def _power_growth(r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
     """The integral of t**(n - 1) (t**2 - r**2)**((k - 1)/2), from the end where it is larger far from r."""
     inner, outer = difference_root(c, r), difference_root(a, r)
     falls = n + (k - 1.0) >= 0.0
-    end, start, side = np.where(falls, a, c), np.where(falls, outer, inner), np.where(falls, -1.0, 1.0)
+    end = np.where(falls, a, c)
+    start: Array = np.where(falls, outer, inner)
+    side = 1.0 - 2.0 * falls
     # of a steep power only the upper end counts
     lost = (a / outer) ** 2 * -np.expm1(-2.0 * DECAY / np.maximum(n - 2.0, 1e-3))
     cut = -0.5 * np.log1p(-np.minimum(lost, 1.0 - 1e-16))
@@ -84,10 +86,10 @@ def _beyond(
 
 def _values(
     quantity: str, whole: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array
-) -> tuple[Array, ...]:
+) -> tuple[Array, Array]:
     if quantity == "pressure":
         return whole(r, a, *lengths, k), whole(r, c, *lengths, k)
-    return tuple(whole(x, difference_root(x, b), *lengths, k) for x in (a, c))
+    return whole(a, difference_root(a, b), *lengths, k), whole(c, difference_root(c, b), *lengths, k)
 
 
 def below_gain(
@@ -98,7 +100,7 @@ def below_gain(
     if quantity == "pressure":
         values = whole(r, a, R, k), whole(r, c, R, k)
     else:
-        values = tuple(whole(x, difference_root(R, x), k) for x in (a, c))
+        values = whole(a, difference_root(R, a), k), whole(c, difference_root(R, c), k)
     return _chosen(*values, lambda close: _grown_below(quantity, rate, r, c, a, R, k, close))
 
 
@@ -139,8 +141,8 @@ def _across(
 
     def gain(close: Array) -> Array:
         outside = growth_beyond_cap(lambda t, root: slope(t, root) * t**power, start, a, b, k)
-        beyond = _grown(quantity, slope, r, c, a, b, k, close & (c >= b))
-        return np.where(c < b, tip(close) + outside, beyond)
+        beyond = _grown(quantity, slope, r, c, a, b, k, close & (c > b))
+        return np.where(c <= b, tip(close) + outside, beyond)
 
     return _chosen(*_values(quantity, whole, lengths, b, r, c, a, k), gain)
 

@@ -60,8 +60,8 @@ def power_gain(r: Array, c: Array, a: Array, n: Array) -> Array:
     steep, rate = n > 1.0, np.abs(n - 1.0)
     end = DECAY / np.maximum(rate, 1e-3)
     # counted from the end where the power is largest, so that the difference to it is exact
-    start = np.where(steep, outer, inner)
-    side = np.where(steep, -1.0, 1.0)
+    start: Array = np.where(steep, outer, inner)
+    side = 1.0 - 2.0 * steep
     cut = np.sqrt(np.maximum(start * start + side * end, 0.0))
     reach = np.where(growth > end, end / (start + cut), growth / (outer + inner))
 
