@@ -34,6 +34,8 @@ FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
 """Radii over the contact radius at which fields are compared."""
 DIGITS = 20
+MOST_POWERS = 5
+"""Ten powers took 9 s for a displacement without cancellation."""
 PAST, LARGER = 2.2, 8
 """A profile that ends before this multiple of its last break is drawn with its other lengths that much larger."""
 
@@ -242,7 +244,9 @@ def _plain(profile: Profile) -> bool:
     powers = [atom.n for atom in atoms if isinstance(atom, PowerAtom)]
     if len(powers) == len(atoms):
         # the pressure of a root of r is an elliptic integral
-        return all(n.is_Integer for n in powers) or (len(powers) == 1 and powers[0] != sp.S.Half)
+        return (all(n.is_Integer for n in powers) and len(powers) <= MOST_POWERS) or (
+            len(powers) == 1 and powers[0] != sp.S.Half
+        )
     first = atoms[0]
     length = first.R if isinstance(first, SphereAtom) else first.b if isinstance(first, HyperboloidAtom) else sp.S.Zero
     return len(atoms) == 1 and bool(length.is_Symbol)

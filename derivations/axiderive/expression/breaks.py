@@ -56,6 +56,9 @@ def joined(pieces: Sequence[tuple[sp.Expr, sp.Symbol | None]], node: ast.AST) ->
     for piece in pieces[1:]:
         added, b = sp.expand(piece[0] - before[0]), before[1]
         jump = sp.expand(added.subs(r, b))
+        if any(str(symbol).startswith("[") for symbol in jump.free_symbols):
+            message = f"a piece has a break of its own; {PIECES} for each break in turn"
+            raise BreakError(message, node)
         if jump != 0:
             message = f"f jumps by {sp.sstr(jump)[:60]} at the break r = {b}; write pieces that agree there"
             raise BreakError(message, node)

@@ -138,6 +138,8 @@ class _Reader:
                 return self._pieces(arguments, node, depth)
             case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in CALLS:
                 return CALLS[name](self._walk(inner, depth))
+            case ast.Call(func=ast.Name(id="Max" | "Piecewise")):
+                self._refuse(f"keywords have no place here; {FORM}", node)
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
                 self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):

@@ -28,10 +28,13 @@ def excess(expr: sp.Expr) -> str:
 
 
 def finite(number: sp.Expr) -> bool:
+    """Whether a number is in the range of doubles."""
+    value = number.evalf(15)
     try:
-        return math.isfinite(abs(complex(number.evalf(15))))
+        size = abs(complex(value))
     except OverflowError:
         return False
+    return math.isfinite(size) and (size > 0.0 or value == 0)
 
 
 def terms(expr: sp.Expr) -> int:

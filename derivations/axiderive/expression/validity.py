@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import mpmath as mp
 import numpy as np
 import sympy as sp
+from sympy.polys.polyerrors import BasePolynomialError
 
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
@@ -65,6 +66,9 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
         If the indenter does not touch with its apex first, or its slope falls at a break.
     """
     where = drawn(values)
+    if any(piece.expr.xreplace(dict(values)).has(sp.zoo, sp.nan, sp.oo, sp.I) for piece in profile.pieces):
+        message = f"f is no real number for any r ({where}); put numbers for parameters"
+        raise ExpressionError(message, text)
     if all(_rises(layer.shape, layer.start) for layer in layers(profile)):
         ends = None if all(piece.expr.is_polynomial(r) for piece in profile.pieces) else _end(profile, values)
         return Validity(True, None, where, ends=ends)
@@ -84,6 +88,9 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
     usable = np.isfinite(height) & np.isfinite(rate)
     if not usable[0]:
         message = f"f or its slope is no real number at r = {radii[0]:.3g} ({where}); choose other values"
+        raise ExpressionError(message, text)
+    if not height[usable].any():
+        message = f"f is 0 for every r ({where}); put numbers for parameters"
         raise ExpressionError(message, text)
     last = len(radii) if usable.all() else int(np.argmin(usable))
     beyond_it = float(radii[min(last, len(radii) - 1)])
@@ -177,7 +184,7 @@ def _round(shape: sp.Expr) -> bool:
     """A sphere, an ellipsoid or a hyperboloid: f' and r f'' are positive."""
     try:
         (atom,) = parse((Piece(None, shape),)).atoms
-    except (NotReducibleError, ValueError, AssertionError):
+    except (NotReducibleError, ValueError, AssertionError, BasePolynomialError):
         return False
     return isinstance(atom, (SphereAtom, HyperboloidAtom)) and bool(atom.c.is_positive)
 
