@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 import subprocess
 import sys
@@ -10,43 +9,19 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from own_profiles import AGREEMENT, ALL, ROUNDING, RULES, answer_to, errors_of, module_of
 
 from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.contact import normal
 from axiderive.contact.medium import HOMOGENEOUS
 from axiderive.emit import python
-from axiderive.expression import ExpressionError, own_profile, routes, undetermined
-from axiderive.expression.answer import Answer, answered
+from axiderive.expression import own_profile, routes, undetermined
 from axiderive.expression.definition import Definition
 from axiderive.expression.routes import Route
-from axiderive.expression.validity import examine
 from axiderive.notation import R, a, b, theta
-from axiderive.scene import interface
-from axiderive.scene.compose import Request, Result, composed
+from axiderive.scene.compose import Request, composed
 from axiderive.scene.worker import LimitError, limited
-
-ALL = list(interface.functions("normal"))
-AGREEMENT = 1e-20
-ROUNDING = 1e-12
-"""Measured: 4e-15 for the rules, 1e-13 for inverses near a break."""
-RULES = 1e-14
-
-
-def answer_to(text: str) -> Answer:
-    own = own_profile(text)
-    with nt.extended(own.notation):
-        return answered(own)
-
-
-def module_of(text: str, values: dict[str, float] | None = None, names: list[str] = ALL) -> Result:
-    own = own_profile(text)
-    return composed(Request("Own", "own.py", None, own, "normal", names, values or {}, ("python", "json")))
-
-
-def errors_of(result: Result) -> list[float]:
-    """How far the functions of a module are from the definition."""
-    return [float(x) for x in json.loads(result.files["evidence.json"])["module against 20-digit quadrature"].values()]
 
 
 @pytest.mark.parametrize(
@@ -137,37 +112,6 @@ def test_a_new_polynomial_profile_is_derived_and_compared_once(monkeypatch):
     module_of("r**2/(2*R) + c*r**4 + q*r**6")
     assert calls.count("derive") <= 2
     assert calls.count("quantity") <= 24
-
-
-@pytest.mark.parametrize(
-    ("text", "where"),
-    [("r**2/(2*R) - c*r**4", 0.4330127018922193), ("h*(1 - exp(-r**2/q**2))", 1.5019752682)],
-    ids=["polynomial", "gaussian"],
-)
-def test_where_a_profile_stops_being_compact_is_found(text, where):
-    """g' = 2 a/R - 32/3 c a**3 vanishes at sqrt(3)/4; the gaussian of the catalogue ends at the same 1.50198 s."""
-    found = answer_to(text).validity
-    assert found.compact_to == pytest.approx(where, rel=1e-9)
-    assert "no longer one circle" in found.sentence
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("r*tan(theta) - Max(0, r - b)*tan(theta)/2", "the slope of f falls by"),
-        ("-r**2/(2*R)", "f < 0 already"),
-        ("c*r**4 - r**2/(2*R)", "f < 0 already"),
-    ],
-)
-def test_a_profile_that_does_not_touch_with_its_apex_is_refused(text, message):
-    own = own_profile(text)
-    with nt.extended(own.notation), pytest.raises(ExpressionError, match=message):
-        examine(own.profile, dict(own.profile.sketch.values), text)
-
-
-def test_a_sphere_that_ends_before_a_break_is_refused():
-    with pytest.raises(ExpressionError, match="f is no real number at r = 2.1"):
-        answer_to("R - sqrt(R**2 - r**2) + c*Max(0, r - b)")
 
 
 @pytest.mark.parametrize("text", ["A*r**(n + 1) + c*r", "h*(1 - exp(-r/s)) + c*r**(1/3)"])

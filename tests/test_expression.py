@@ -22,11 +22,27 @@ GOLDEN = {
     ),
     "c*r**25": ("exponent 25 is outside -24 ... 24 in 12ths; use a parameter as r**n for others\n  c*r**25\n       ^^"),
     "cosq(r)": (
-        "cosq is no function of an expression; did you mean cos?; there are Max, sqrt, exp, log, sin, cos, tan, sinh, "
-        "cosh, asinh, atan\n  cosq(r)\n  ^^^^"
+        "cosq is no function of an expression; did you mean cos?; there are Max, Piecewise, sqrt, exp, log, sin, "
+        "cos, tan, sinh, cosh, tanh, asinh, atan\n  cosq(r)\n  ^^^^"
     ),
     "Max(0, b - r)": (
         "'b - r' is not r - b; write breaks as Max(0, r - b) with a parameter b\n  Max(0, b - r)\n  ^^^^^^^^^^^^^"
+    ),
+    "(r**24)**24": (
+        "'(r**24)**24' holds r**576, whose exponent is too large or too fine; use exponents up to 24 in 12ths\n"
+        "  (r**24)**24\n  ^^^^^^^^^^^"
+    ),
+    "log(r)": (
+        "f has no value at r = 0, where a profile starts with f(0) = 0: powers of r below 0, log(r) and quotients by r "
+        "have no place at the apex\n  log(r)\n  ^^^^^^"
+    ),
+    "Piecewise((r**2, r < b), (r, True))": (
+        "f jumps by -b**2 + b at the break r = b; write pieces that agree there\n"
+        "  Piecewise((r**2, r < b), (r, True))\n  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^"
+    ),
+    "Max(0, r - 0.5)": (
+        "'r - 0.5' is not r - b; write breaks as Max(0, r - b) with a parameter b; a number is named and given in a "
+        "scene\n  Max(0, r - 0.5)\n  ^^^^^^^^^^^^^^^"
     ),
     "r/0": "the denominator is 0; divide by something else\n  r/0\n    ^",
 }

@@ -15,7 +15,10 @@ from axiderive.scene.compose import composed
 
 QUANTITIES = '["depth", "force", "pressure", "displacement", "mean_pressure", "stiffness"]'
 SCENES = {
-    "outside the normal form": ('profile = "h*log(cosh(r/q))"\n', f"[want]\nquantities = {QUANTITIES}\n"),
+    "outside the normal form": (
+        'profile = "h*log(cosh(r/q)) + c*Max(0, r - b)*sqrt(r)"\n',
+        f"[want]\nquantities = {QUANTITIES}\n",
+    ),
     "breaks": ('profile = "q*r**3 + c*Max(0, r - b)**2"\n', f"[want]\nquantities = {QUANTITIES}\n"),
     "partial slip": (
         'profile = "h*log(cosh(r/q))"\n',
@@ -36,16 +39,20 @@ def files_of(source: tuple[str, str]) -> tuple[str, str]:
     return files["scene.py"].decode(), files["test_scene.py"].decode()
 
 
+def _exchangeable(node: ast.AST) -> bool:
+    return isinstance(node, ast.BinOp) and type(node.op) in EXCHANGED
+
+
 def mutants(source: str) -> Iterator[tuple[str, str]]:
     """The function and the text of the module for every exchanged operator."""
     for function in (n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef)):
         if not function.name.lstrip("_").startswith(CHECKED):
             continue
-        count = sum(isinstance(n, ast.BinOp) for n in ast.walk(function))
+        count = sum(_exchangeable(n) for n in ast.walk(function))
         for i in range(count):
             tree = ast.parse(source)
             own = next(n for n in tree.body if isinstance(n, ast.FunctionDef) and n.name == function.name)
-            node = [n for n in ast.walk(own) if isinstance(n, ast.BinOp)][i]
+            node = [n for n in ast.walk(own) if isinstance(n, ast.BinOp) and _exchangeable(n)][i]
             before = ast.unparse(node)
             if before in ("sliding + 0.0 * c", "0.0 * c"):  # carries a NaN and nothing else
                 continue

@@ -48,7 +48,10 @@ def _invert(expr: sp.Expr, value: sp.Symbol) -> sp.Expr | None:
     roots = [e for e in expr.atoms(sp.Pow) if e.exp == sp.S.Half and e.has(a)]
     if len(roots) != 1 or any(fn.has(a) for fn in expr.atoms(sp.Function)):
         return None
-    b = sp.sqrt(sp.expand(a**2 - roots[0].base))
+    square = sp.expand(a**2 - roots[0].base)
+    if square.has(a):
+        return None
+    b = sp.sqrt(square)
     polynomial = sp.Poly(sp.expand(expr.subs(roots[0], _S)), a, _S)
     terms = dict(polynomial.terms())
     if set(terms) <= {(2, 0), (1, 1)}:

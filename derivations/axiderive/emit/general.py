@@ -1,8 +1,8 @@
 """Private functions of a profile with several breaks or without closed forms: rules over the profile.
 
-Depth, force and displacement are integrals of f' times a positive weight, the
-pressure one of g'; g' of each layer is closed where the engine has it in a form
-without cancellation, else an integral of (s f')'.
+Depth, force and displacement are integrals of f' times a positive weight.  The
+pressure is one of g' where f is a polynomial, whose g' is closed without
+cancellation, else one of (s f')' times an elliptic integral.
 """
 
 from __future__ import annotations
@@ -10,29 +10,26 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
 import sympy as sp
 
-from ..abel.order import Order
-from ..abel.reduce import NotReducibleError, parse
 from ..contact.general import Layer, beyond, excess, layers
-from ..notation import E_star, a, r
+from ..notation import E_star, r
 from ..profiles.profile import Piece, Profile
-from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.signs import facts_of
-from ..stable.slopes import slope_form
 from .code import HELPERS, python
+from .layers import closed, radius_text, reach, text
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
 
-LEAST_POWER = sp.Rational(1, 12)
-"""The least exponent a profile may have; a parameter may be as small."""
 COUNT = 64
 """Nodes over a closed g'."""
 
 
 def library_source(
-    profile: Profile, exponents: tuple[float, float], reach: float | None = None, floor: float = 0.0
+    profile: Profile,
+    exponents: tuple[float, float],
+    reach: float | None = None,
+    floor: float = 0.0,
+    end: str = "",
 ) -> str:
     """The functions as text, for the linker.
 
@@ -46,10 +43,12 @@ def library_source(
         Contact radius up to which the contact is compact, for frozen parameters; beyond it there are no inverses.
     floor : float
         Radius of the flat face of a truncated profile, for the same parameters.
+    end : str
+        Radius at which the profile ends, a parameter or a number.
     """
     functions = PrivateFunctions(profile)
     _profile_function(functions)
-    _General(functions, reach, floor).add_all(exponents)
+    _General(functions, reach, floor, end).add_all(exponents)
     lines = [
         "import numpy as np",
         "",
@@ -72,6 +71,7 @@ class _General:
     functions: PrivateFunctions
     reach: float | None = None
     floor: float = 0.0
+    end: str = ""
 
     def __post_init__(self) -> None:
         self.profile = self.functions.profile
@@ -108,16 +108,16 @@ class _General:
         if not own:
             return None
         if index == 0:
-            return self._add("steepness_0", ("r",), [f"return {_text(own[0].slope)}"], "Slope f'(r).")
+            return self._add("steepness_0", ("r",), [f"return {text(own[0].slope)}"], "Slope f'(r).")
         start = starts[-1]
         inner = [layer.slope.subs(r, start + excess) for layer in own if layer.start != start]
         slope = sp.Add(*inner, *(beyond(layer.slope, start) for layer in own if layer.start == start))
         doc = f"Slope f'(r) at r = {start} + excess."
-        return self._add(f"steepness_{index}", ("excess",), [f"return {_text(slope)}"], doc)
+        return self._add(f"steepness_{index}", ("excess",), [f"return {text(slope)}"], doc)
 
     def _growth(self, index: int, layer: Layer) -> Private | None:
         """g'(t) of a layer in closed form, if it is a polynomial and the form does not cancel."""
-        form = _closed(layer)
+        form = closed(layer)
         if form is None:
             return None
         fields = ("t",) if layer.start == 0 else ("t", "root")
@@ -128,9 +128,9 @@ class _General:
 
     def _bend(self, index: int, layer: Layer) -> Private:
         if layer.start == 0:
-            return self._add(f"bend_{index}", ("r",), [f"return {_text(layer.bend)}"], "(r f')'.")
+            return self._add(f"bend_{index}", ("r",), [f"return {text(layer.bend)}"], "(r f')'.")
         bend, doc = beyond(layer.bend, layer.start), f"(r f')' of what begins at {layer.start}."
-        return self._add(f"bend_{index}", ("excess",), [f"return {_text(bend)}"], doc)
+        return self._add(f"bend_{index}", ("excess",), [f"return {text(bend)}"], doc)
 
     def _whole(self, weight: str) -> list[str]:
         """Lines that add up the integrals over the pieces; `weight` in x and z."""
@@ -140,7 +140,7 @@ class _General:
             if steep is not None:
                 factor = "" if weight == "1.0" else f" * {weight}"
                 place = "x" if low == 0 else "excess"
-                limits = f"a, {_radius(low)}, {high}{self._reach(low)}"
+                limits = f"a, {radius_text(low)}, {high}{reach(self.layers, low)}"
                 found.append((f"lambda x, z, excess, within: {steep.call(place)}{factor}", limits))
         lines: list[str] = []
         for integrand, limits in found:
@@ -155,16 +155,6 @@ class _General:
         lines.append(f"return {self._reached(f'{scale} * whole')}")
         self._add(name, ("a",), lines)
 
-    def _reach(self, start: sp.Expr) -> str:
-        """How far a rule goes towards a start where f is a power below 1 of the distance, as its last argument."""
-        shapes = (beyond(layer.shape, start) for layer in self.layers if layer.start == start)
-        powers = [p for shape in shapes for p in shape.atoms(sp.Pow) if p.base in (r, excess)]
-        if any(not p.exp.is_number for p in powers):
-            least = LEAST_POWER
-        else:
-            least = min((p.exp for p in powers if p.exp > 0), default=sp.S.One)
-        return "" if least >= 1 else f", {float(far(least)):.1f}"
-
     def _reached(self, value: str) -> str:
         return f"np.where(a >= {self.start}, {value}, np.nan)" if self.start is not None else value
 
@@ -172,14 +162,14 @@ class _General:
         lines, value = [], "E_star / np.pi * pressed"
         for i, (layer, growth, bend) in enumerate(zip(self.layers, self.growths, self.bends, strict=True)):
             if growth and layer.start == 0:
-                text = f"pressure_integral({growth.growth('t')}, r, a, {COUNT})"
+                rule = f"pressure_integral({growth.growth('t')}, r, a, {COUNT})"
             elif growth:
-                text = f"pressure_integral_beyond({growth.with_parameters()}, r, a, {layer.start})"
+                rule = f"pressure_integral_beyond({growth.with_parameters()}, r, a, {layer.start})"
             else:
                 assert bend is not None
-                limits = f"{_radius(layer.start)}, {_text(layer.kink)}{self._reach(layer.start)}"
-                text = f"pressure_over_profile({bend.growth(*bend.fields)}, r, a, {limits})"
-            lines.append(f"pressed = {'pressed + ' if i else ''}{text}")
+                limits = f"{radius_text(layer.start)}, {text(layer.kink)}{reach(self.layers, layer.start)}"
+                rule = f"pressure_over_profile({bend.growth(*bend.fields)}, r, a, {limits})"
+            lines.append(f"pressed = {'pressed + ' if i else ''}{rule}")
         for layer in self.layers:
             if layer.kink != 0:
                 at = f"(r == {layer.start}) & (a > {layer.start})"
@@ -209,9 +199,9 @@ class _General:
             else:
                 assert bend is not None
                 place = "x" if layer.start == 0 else "excess"
-                limits = f"a, {_radius(layer.start)}, np.inf{self._reach(layer.start)}"
+                limits = f"a, {radius_text(layer.start)}, np.inf{reach(self.layers, layer.start)}"
                 value = f"over_profile(lambda x, z, excess, within: {bend.call(place)}, {limits})"
-                value += f" + {_text(layer.start * layer.kink)} / root_{i}" if layer.kink != 0 else ""
+                value += f" + {text(layer.start * layer.kink)} / root_{i}" if layer.kink != 0 else ""
             value = value if layer.start == 0 else f"np.where(a > {layer.start}, {value}, 0.0)"
             lines.append(f"rate = {before}{value}")
         return self._add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
@@ -228,6 +218,8 @@ class _General:
         else:
             place, step, start = "t", "a", self._length()
         largest, found = "", place
+        if self.end and self.start is None:
+            start, largest = f"0.5 * {self.end}", f", {self.end}"
         if self.reach is not None:
             far = math.sqrt((self.reach / self.floor) ** 2 - 1.0) if self.floor else self.reach
             start, largest = repr(0.5 * far), f", {far!r}"
@@ -252,36 +244,3 @@ class _General:
 
         lengths = [p.name for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
         return lengths[0] if lengths else "1.0"
-
-
-def far(power: sp.Expr) -> float:
-    """The t with power*(t + t**3/75) = 46, where the integral of a power has lost its last digit."""
-    wanted = 46.0 / float(power)
-    return float(max(root.real for root in np.roots([1.0 / 75.0, 0.0, 1.0, -wanted]) if abs(root.imag) < 1e-9))
-
-
-def _text(expr: sp.Expr) -> str:
-    form = evaluation_form(expr, facts_of(()))
-    return python(expr) if form.cancels or form.steps else python(form.value)
-
-
-def _radius(start: sp.Expr) -> str:
-    return "0.0" if start == 0 else str(start)
-
-
-def _closed(layer: Layer) -> EvaluationForm | None:
-    """g' of a layer by the engine, if it is a polynomial and its form does not cancel."""
-    b = layer.start
-    if not layer.shape.is_polynomial(r):
-        return None
-    pieces = (Piece(None, layer.shape),) if b == 0 else (Piece(b, sp.S.Zero), Piece(None, layer.shape))
-    chain = (a,) if b == 0 else (b, a)
-    try:
-        depth = parse(pieces).depth(Order(chain)).expr()
-        form = slope_form(depth, facts_of(chain))
-    except (NotReducibleError, ValueError, AssertionError):
-        return None
-    rooted = {str(name) for name, _ in form.steps}
-    allowed = set() if b == 0 else {"root"}
-    plain = {name for name in rooted if name.startswith("root")} <= allowed
-    return form if plain and not form.cancels else None

@@ -28,12 +28,16 @@ from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
 from .routes import Derived, Route, derived
-from .validity import Validity, examine
+from .validity import Validity, drawn, examine
 
 FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
 """Radii over the contact radius at which fields are compared."""
 DIGITS = 20
+MOST_POWERS = 5
+"""Ten powers took 9 s for a displacement without cancellation."""
+PAST, LARGER = 2.2, 8
+"""A profile that ends before this multiple of its last break is drawn with its other lengths that much larger."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,12 @@ class Answer:
     values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
     """Exponent of the graded half space; the entries hold for any."""
+
+    @property
+    def bounded(self) -> bool:
+        """Whether the contact ends at a radius that is known at numbers only."""
+        ends = self.validity.ends is not None and not self.profile.chain and bool(self.profile.parameters)
+        return self.validity.compact_to is not None or ends
 
     @property
     def worst(self) -> float:
@@ -101,12 +111,18 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
         Exponent of a graded half space.
     """
     profile = own.profile
-    drawn = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values}
-    known = drawn | dict(values or {})
-    profile = _placed(profile, known)
+    known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | dict(values or {})
+    if not _real(profile, known):
+        known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *(values or {}))}
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
+    profile = _placed(profile, known, min(validity.ends or np.inf, validity.compact_to or np.inf))
     medium = HOMOGENEOUS if k == 0 else GRADED
-    _require_real(profile, known, own.expression.text)
+    if not _real(profile, known):
+        where = drawn({s: float(v) for s, v in known.items()})
+        message = (
+            f"f ends before or soon after its last break ({where}); put numbers for parameters, so that it ends later"
+        )
+        raise ExpressionError(message, own.expression.text)
     found = derived(profile, medium)
     profile, entries = found.profile, found.entries
     compared = () if k != 0 else _compared(found, known)
@@ -117,25 +133,23 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     return Answer(own, profile, entries, found.route, found.certificates, validity, compared, module, known, k)
 
 
-def _require_real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], text: str) -> None:
-    """A slope at the radii of the comparisons: a sphere may end before the breaks."""
+def _real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> bool:
+    """Whether there is a slope at the places beyond the breaks: a sphere may end before."""
+    if not profile.breaks:
+        return True
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
-    for radius in (1.5 * float(radii(profile, known)[-1]) if profile.breaks else profile.sketch.a,):
-        if not np.isfinite(numeric.slope(np.array([radius]))).all():
-            where = ", ".join(f"{s.name} = {float(v):g}" for s, v in known.items())
-            message = (
-                f"f is no real number at r = {radius:.3g} ({where}); put numbers for parameters, so that it ends later"
-            )
-            raise ExpressionError(message, text)
+    return bool(np.isfinite(numeric.slope(np.array([PAST * numeric.breaks[-1]]))).all())
 
 
-def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> Profile:
-    """The profile drawn at the values at hand: beyond its breaks, else at its own length."""
+def _lengths(profile: Profile) -> list[sp.Symbol]:
+    return [p for p in profile.parameters if nt.describe(p).dimension == nt.LENGTH]
+
+
+def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], end: float) -> Profile:
+    """The profile drawn at the values at hand: beyond its breaks, else at its own length, before its end."""
     breaks = [float(known[b]) for b in profile.breaks]
-    radius = 1.4 * breaks[-1] if breaks else profile.sketch.a
-    lengths = [float(known[p]) for p in profile.parameters if nt.describe(p).dimension == nt.LENGTH]
-    if not breaks and lengths:
-        radius = min(lengths) * 0.8
+    lengths = [float(known[p]) for p in _lengths(profile)]
+    radius = 1.4 * breaks[-1] if breaks else min([0.8 * min(lengths) if lengths else profile.sketch.a, 0.8 * end])
     return replace(profile, sketch=Sketch(tuple((s, float(v)) for s, v in known.items()), a=radius))
 
 
@@ -203,7 +217,15 @@ def _module(
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
     reach = validity.compact_to if frozen else None
     floor = numeric.breaks[0] if profile.truncated else 0.0
-    return library_source(profile, numeric.exponents(validity.compact_to), reach, floor)
+    least = numeric.exponents(validity.compact_to or validity.ends)
+    return library_source(profile, least, reach, floor, _end(profile, validity, frozen=frozen))
+
+
+def _end(profile: Profile, validity: Validity, *, frozen: bool) -> str:
+    """The radius at which f ends as text, where it is known."""
+    if profile.chain and profile.chain[-1] != a:
+        return str(profile.chain[-1])
+    return repr(validity.ends) if validity.ends is not None and frozen else ""
 
 
 def _with_numbers(entry: Entry) -> Entry:
@@ -222,7 +244,9 @@ def _plain(profile: Profile) -> bool:
     powers = [atom.n for atom in atoms if isinstance(atom, PowerAtom)]
     if len(powers) == len(atoms):
         # the pressure of a root of r is an elliptic integral
-        return all(n.is_Integer for n in powers) or (len(powers) == 1 and powers[0] != sp.S.Half)
+        return (all(n.is_Integer for n in powers) and len(powers) <= MOST_POWERS) or (
+            len(powers) == 1 and powers[0] != sp.S.Half
+        )
     first = atoms[0]
     length = first.R if isinstance(first, SphereAtom) else first.b if isinstance(first, HyperboloidAtom) else sp.S.Zero
     return len(atoms) == 1 and bool(length.is_Symbol)

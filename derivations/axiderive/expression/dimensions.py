@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from .. import notation as nt
+from .breaks import step
 from .names import latex
-from .reading import step
 
 SHARED = frozenset(["theta", "R", "R1", "R2", "b", "n", "h", "s", "wavelength"])
 """Letters that keep the unit, the domain and the meaning of the notation where these fit."""

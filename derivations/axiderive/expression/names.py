@@ -125,7 +125,7 @@ INTERNAL = frozenset(
     ]
 )
 """Names of the generated code and of integration variables."""
-FUNCTIONS = ("Max", "sqrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "asinh", "atan")
+FUNCTIONS = ("Max", "Piecewise", "sqrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "asinh", "atan")
 
 
 def refusal(name: str) -> str:

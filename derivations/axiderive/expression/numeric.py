@@ -1,4 +1,4 @@
-"""A profile in floating point at given parameter values: g, g' and F by Gauss-Legendre rules over the profile."""
+"""A profile in floating point at given parameter values: g, g' and F by a trapezoidal rule over the profile."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..contact.general import Layer, layers, steepness
+from ..contact.general import Layer, beyond, excess, layers, steepness
 from ..notation import r
 from ..profiles.profile import Profile
 
 Array = Any
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(96)
-"""Signs and starting values are asked for, not the last digits."""
+STEP = 0.125
+PLACES = np.arange(-14.0, 14.0, STEP)[:, None]
+RISE = np.exp(PLACES + PLACES**3 / 75.0)
+NEAR, SPEED = np.hypot(1.0, RISE), STEP * (1.0 + PLACES**2 / 25.0)
+"""Distances from both ends as powers of a radius: signs are asked for, whatever the lengths of the profile are."""
 
 
 class Numeric:
@@ -27,13 +30,13 @@ class Numeric:
         self.slopes = [self._function(steepness(piece.expr)) for piece in profile.pieces]
         self.layers = [self._layer(layer) for layer in layers(profile)]
 
-    def _function(self, expr: sp.Expr) -> Callable[[Array], Array]:
-        numeric = sp.lambdify(r, expr.xreplace(self.values), "numpy")
+    def _function(self, expr: sp.Expr, variable: sp.Symbol = r) -> Callable[[Array], Array]:
+        numeric = sp.lambdify(variable, expr.xreplace(self.values), "numpy")
         return lambda x: numeric(x) + np.zeros_like(x)
 
     def _layer(self, layer: Layer) -> tuple[float, Callable[[Array], Array], float]:
         start, kink = (float(sp.sympify(x).xreplace(self.values)) for x in (layer.start, layer.kink))
-        return start, self._function(layer.bend), kink
+        return start, self._function(beyond(layer.bend, layer.start), excess), kink
 
     def _piecewise(self, functions: list[Callable[[Array], Array]], x: Array) -> Array:
         x = np.asarray(x, dtype=float)
@@ -52,35 +55,43 @@ class Numeric:
     def kinks(self) -> list[tuple[float, float]]:
         return [(start, kink) for start, _, kink in self.layers if start > 0.0]
 
-    def _over_angle(self, a: Array, power: int) -> Array:
-        """int f'(a sin u) sin(u)**power du, piece by piece."""
-        a = np.asarray(a, dtype=float)
-        total, ends = np.zeros_like(a), [0.0, *self.breaks, np.inf]
+    @staticmethod
+    def _over_angle(function: Callable[[Array], Array], a: Array, low: float, high: float = np.inf) -> Array:
+        """int function(s - low) du with s = a sin(u), for low < s < high."""
+        end = np.minimum(high, a)
+        width, rest = (np.sqrt(np.maximum(x - y, 0.0) * (x + y)) for x, y in ((end, low), (a, end)))
+        with np.errstate(all="ignore"):
+            p, q = width * (RISE / NEAR), width / NEAR
+            s, z = np.hypot(low, p), np.hypot(rest, q)
+            total = (function(p * (p / (s + low))) * (p / s) * (q / z) * (RISE / NEAR**2) * SPEED).sum(axis=0)
+        return np.where(width > 0.0, total, 0.0)
+
+    def _whole(self, a: Array, power: int) -> Array:
+        """int f'(s) (s/a)**power du, piece by piece."""
+        a, ends = np.asarray(a, dtype=float), [0.0, *self.breaks, np.inf]
+        total = np.zeros_like(a)
         for low, high, slope in zip(ends, ends[1:], self.slopes, strict=False):
-            start, stop = (np.arcsin(np.minimum(end / a, 1.0)) for end in (low, high))
-            u = start + (stop - start) * (NODES[:, None] + 1.0) / 2.0
-            with np.errstate(all="ignore"):
-                values = slope(a * np.sin(u)) * np.sin(u) ** power
-            part = (WEIGHTS[:, None] * values).sum(axis=0) * (stop - start) / 2.0
-            total = total + np.where(stop > start, part, 0.0)
+
+            def weighted(x: Array, slope: Callable[[Array], Array] = slope, low: float = low) -> Array:
+                return slope(low + x) * ((low + x) / a) ** power
+
+            total = total + self._over_angle(weighted, a, low, high)
         return total
 
     def depth(self, a: Array) -> Array:
-        return a * self._over_angle(a, 0)
+        return a * self._whole(a, 0)
 
     def force(self, a: Array) -> Array:
-        return 2.0 * a**2 * self._over_angle(a, 2)
+        return 2.0 * a**2 * self._whole(a, 2)
 
     def rate(self, a: Array) -> Array:
         """g'(a)."""
         a = np.asarray(a, dtype=float)
         total = np.zeros_like(a)
         for start, bend, kink in self.layers:
-            reach = np.arccos(np.minimum(start / a, 1.0))
-            x = reach * (NODES[:, None] + 1.0) / 2.0
+            part = self._over_angle(bend, a, start)
             with np.errstate(all="ignore"):
-                part = (WEIGHTS[:, None] * bend(a * np.cos(x))).sum(axis=0) * reach / 2.0
-                part = part + start * kink / np.sqrt((a - start) * (a + start)) if start else part
+                part = part + start * kink / np.sqrt((a - start) * (a + start)) if start and kink else part
             total = total + np.where(a > start, part, 0.0)
         return total
 

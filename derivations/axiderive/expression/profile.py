@@ -66,15 +66,38 @@ def own_profile(text: str, *, name: str = NAME, title: str = TITLE) -> OwnProfil
 
 def _tidied(expr: sp.Expr) -> sp.Expr:
     """Multiplied out unless it is shorter as it stands."""
+    expr = expr.replace(_squared_wave, _wave)
     expanded = sp.expand(expr)
     return min((expanded, expr), key=lambda e: (sp.count_ops(e), sp.sstr(e)))
 
 
+def _squared_wave(expr: sp.Expr) -> bool:
+    return bool(expr.is_Pow and expr.exp == 2 and isinstance(expr.base, sp.sin | sp.cos))
+
+
+def _wave(square: sp.Expr) -> sp.Expr:
+    """sin(x)**2 and cos(x)**2 as one wave."""
+    sign = 1 if isinstance(square.base, sp.cos) else -1
+    return (1 + sign * sp.cos(2 * square.base.args[0])) / 2
+
+
 def _require_apex(expression: Expression, tip: sp.Expr) -> None:
     height = tip.subs(r, 0)
-    if height != 0 and sp.expand(height) != 0 and not _vanishes(height):
-        message = f"f(0) = {sp.sstr(height)[:60]}, but a profile starts at its apex with f(0) = 0; subtract that value"
-        raise ExpressionError(message, expression.text, 0, len(expression.text))
+    if height == 0 or sp.expand(height) == 0 or _vanishes(height):
+        return
+    shown = sp.sstr(height)[:60]
+    if height.has(sp.nan, sp.zoo, sp.oo):
+        message = (
+            "f has no value at r = 0, where a profile starts with f(0) = 0: powers of r below 0, log(r) and quotients "
+            "by r have no place at the apex"
+        )
+    elif any(power.base == 0 for power in height.atoms(sp.Pow)):
+        message = (
+            f"f(0) = {shown} is 0 for some values only; write a power of r with an exponent above 0 for all, as r**n"
+        )
+    else:
+        message = f"f(0) = {shown}, but a profile starts at its apex with f(0) = 0; subtract that value"
+    raise ExpressionError(message, expression.text, 0, len(expression.text))
 
 
 def _vanishes(height: sp.Expr) -> bool:

@@ -16,18 +16,17 @@ from typing import NoReturn
 import sympy as sp
 
 from ..notation import r
+from .breaks import FORM, PIECES, BreakError, begins_at, joined, limit, step
 from .errors import ExpressionError
 from .names import FUNCTIONS, nearest_function, refusal
-from .size import finite, terms
+from .size import LARGEST_EXPONENT, LARGEST_ROOT, excess
 
 LONGEST, DEEPEST, MOST_NODES = 400, 30, 150
-LARGEST_EXPONENT, LARGEST_ROOT = 24, 12
 DIGITS = 15
 """Digits of a number, and decimals of its exponent of ten."""
-MOST_TERMS = 400
 MOST_PARAMETERS, MOST_BREAKS = 8, 4
 NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-CALLS = {name: getattr(sp, name) for name in FUNCTIONS if name != "Max"}
+CALLS = {name: getattr(sp, name) for name in FUNCTIONS if name not in ("Max", "Piecewise")}
 
 
 @dataclass(frozen=True)
@@ -43,11 +42,6 @@ class Expression:
         """f(r) beyond the first `passed` breaks."""
         on = {step(b): sp.S.One if i < passed else sp.S.Zero for i, b in enumerate(self.breaks)}
         return self.tree.xreplace(on)
-
-
-def step(b: sp.Symbol) -> sp.Symbol:
-    """0 for r < b, 1 for r > b."""
-    return sp.Symbol(f"[r > {b.name}]", nonnegative=True)
 
 
 def read(text: str) -> Expression:
@@ -140,8 +134,12 @@ class _Reader:
                 return self._power(self._walk(left, depth), self._walk(right, depth), right)
             case ast.Call(func=ast.Name(id="Max"), args=arguments, keywords=[]):
                 return self._step(arguments, node, depth)
+            case ast.Call(func=ast.Name(id="Piecewise"), args=arguments, keywords=[]):
+                return self._pieces(arguments, node, depth)
             case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in CALLS:
                 return CALLS[name](self._walk(inner, depth))
+            case ast.Call(func=ast.Name(id="Max" | "Piecewise")):
+                self._refuse(f"keywords have no place here; {FORM}", node)
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
                 self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):
@@ -205,32 +203,43 @@ class _Reader:
         return base**exponent
 
     def _step(self, arguments: list[ast.expr], node: ast.Call, depth: int) -> sp.Expr:
-        form = "write breaks as Max(0, r - b) with a parameter b"
         if len(arguments) != 2:
-            self._refuse(f"Max takes two arguments; {form}", node)
+            self._refuse(f"Max takes two arguments; {FORM}", node)
         values = [self._walk(argument, depth) for argument in arguments]
         rest = [value for value in values if value != 0]
         if len(rest) != 1:
-            self._refuse(f"one argument of Max must be 0; {form}", node)
-        b = sp.expand(r - rest[0])
-        if not (b.is_Symbol and b.is_positive and b != r):
-            self._refuse(f"{self._segment(arguments[values.index(rest[0])])!r} is not r - b; {form}", node)
+            self._refuse(f"one argument of Max must be 0; {FORM}", node)
+        b = begins_at(rest[0], list(self.parameters.values()))
+        if b is None:
+            text = self._segment(arguments[values.index(rest[0])])
+            hint = "; a number is named and given in a scene" if sp.expand(r - rest[0]).is_number else ""
+            self._refuse(f"{text!r} is not r - b; {FORM}{hint}", node)
+        self._break(b, node)
+        return rest[0] * step(b)
+
+    def _pieces(self, arguments: list[ast.expr], node: ast.Call, depth: int) -> sp.Expr:
+        found: list[tuple[sp.Expr, sp.Symbol | None]] = []
+        try:
+            for argument in arguments:
+                if not (isinstance(argument, ast.Tuple) and len(argument.elts) == 2):
+                    self._refuse(f"a piece is a pair of f and a condition; {PIECES}", argument)
+                piece, condition = argument.elts
+                found.append((self._walk(piece, depth), limit(condition, self._name)))
+            total = joined(found, node)
+        except BreakError as error:
+            self._refuse(str(error), error.node)
+        for _, b in found[:-1]:
+            assert b is not None
+            self._break(b, node)
+        return total
+
+    def _break(self, b: sp.Symbol, node: ast.AST) -> None:
         self.breaks.setdefault(b.name, b)
         if len(self.breaks) > MOST_BREAKS:
             self._refuse(f"{b} is one break more than {MOST_BREAKS}; join some pieces", node)
-        return rest[0] * step(b)
 
     def _bounded(self, expr: sp.Expr, node: ast.expr) -> sp.Expr:
-        """Numbers of bounded size, and as many terms as can be multiplied out in no time."""
-        if expr.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
-            self._refuse(f"{self._segment(node)!r} is no real number; change it", node)
-        for number in expr.atoms(sp.Rational):
-            if max(abs(number.p), number.q) > 10**60:
-                message = f"{self._segment(node)!r} holds a number of more than 60 digits; scale it into a parameter"
-                self._refuse(message, node)
-        if expr.is_number and not finite(expr):
-            self._refuse(f"{self._segment(node)!r} is out of the range of numbers; scale it", node)
-        if terms(expr) > MOST_TERMS:
-            message = f"{self._segment(node)!r} has more than {MOST_TERMS} terms when multiplied out; lower its power"
-            self._refuse(message, node)
+        reason = excess(expr)
+        if reason:
+            self._refuse(f"{self._segment(node)!r} {reason}", node)
         return expr

@@ -49,7 +49,7 @@ def derived(profile: Profile, medium: Medium) -> Derived:
     try:
         found = _normal_form(profile, medium)
         return Derived(*found, Route.NORMAL_FORM, certify_profile(*found))
-    except (NotReducibleError, AssertionError):
+    except (NotReducibleError, AssertionError, BasePolynomialError):
         if medium is not HOMOGENEOUS:
             message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
             raise ExpressionError(message, profile.subtitle) from None

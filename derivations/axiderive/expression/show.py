@@ -40,7 +40,7 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     if exponent != 0 and (reason := graded_refusal(answer.profile)):
         return [*lines, f"written   nothing: {reason}"], None
     names = list(interface.functions(physics))
-    if answer.validity.compact_to is not None:
+    if answer.bounded:
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
         lines.append(f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}")

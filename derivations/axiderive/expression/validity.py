@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import mpmath as mp
 import numpy as np
 import sympy as sp
+from sympy.polys.polyerrors import BasePolynomialError
 
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
@@ -14,7 +16,7 @@ from ..contact.general import layers
 from ..notation import describe, r, theta
 from ..profiles.profile import Piece, Profile
 from .errors import ExpressionError
-from .numeric import Numeric
+from .numeric import Array, Numeric
 
 DECADES = 3
 PER_DECADE = 60
@@ -32,17 +34,27 @@ class Validity:
     exact: bool
     compact_to: float | None
     where: str
+    fails: str = ""
+    """What fails there, where it is not the sign of g'."""
+    ends: float | None = None
+    """Radius at which f ends."""
 
     @property
     def sentence(self) -> str:
+        if self.exact and self.ends is not None:
+            return (
+                f"compact up to where f ends (a = {self.ends:.6g} at {self.where}): all coefficients of f are positive"
+            )
         if self.exact:
             return "compact for every contact radius: all coefficients of f are positive"
+        if self.ends is not None:
+            return f"compact up to a = {self.ends:.6g} at {self.where}, where f ends; {SAMPLED}"
         if self.compact_to is None:
             return f"compact for every contact radius that was tried, at {self.where}; {SAMPLED}"
-        return (
-            f"compact up to a = {self.compact_to:.6g} at {self.where}: beyond it g' < 0, the pressure falls below "
-            f"zero at the edge, and the contact is no longer one circle; {SAMPLED}"
+        fails = self.fails or (
+            "g' < 0, the pressure falls below zero at the edge, and the contact is no longer one circle"
         )
+        return f"compact up to a = {self.compact_to:.6g} at {self.where}: beyond it {fails}; {SAMPLED}"
 
 
 def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "") -> Validity:
@@ -53,9 +65,14 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
     ExpressionError
         If the indenter does not touch with its apex first, or its slope falls at a break.
     """
-    where = ", ".join(f"{s.name} = {float(v):g}" for s, v in values.items()) or "these numbers"
+    where = drawn(values)
+    if any(piece.expr.xreplace(dict(values)).has(sp.zoo, sp.nan, sp.oo, sp.I) for piece in profile.pieces):
+        message = f"f is no real number for any r ({where}); put numbers for parameters"
+        raise ExpressionError(message, text)
     if all(_rises(layer.shape, layer.start) for layer in layers(profile)):
-        return Validity(True, None, where)
+        ends = None if all(piece.expr.is_polynomial(r) for piece in profile.pieces) else _end(profile, values)
+        return Validity(True, None, where, ends=ends)
+    _require_slopes(profile, values, text)
     numeric = Numeric(profile, values)
     for b, kink in numeric.kinks():
         if kink < 0.0:
@@ -64,8 +81,7 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
                 "and the contact has a gap; make the outer part steeper, or round the break"
             )
             raise ExpressionError(message, text)
-    scale = max([*numeric.breaks, *_lengths(values)], default=1.0)
-    radii = scale * 10.0 ** np.linspace(-DECADES, DECADES, 2 * DECADES * PER_DECADE + 1)
+    scale, radii = _sampled(numeric)
     if profile.truncated:
         radii = numeric.breaks[0] * np.sqrt(1.0 + (radii / scale) ** 2)
     height, rate = numeric.height(radii), numeric.rate(radii)
@@ -73,12 +89,19 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
     if not usable[0]:
         message = f"f or its slope is no real number at r = {radii[0]:.3g} ({where}); choose other values"
         raise ExpressionError(message, text)
+    if not height[usable].any():
+        message = f"f is 0 for every r ({where}); put numbers for parameters"
+        raise ExpressionError(message, text)
     last = len(radii) if usable.all() else int(np.argmin(usable))
+    beyond_it = float(radii[min(last, len(radii) - 1)])
     radii, height, rate = radii[:last], height[:last], rate[:last]
     largest = np.maximum.accumulate(np.abs(rate))
     wrong = np.flatnonzero((rate < -ROUNDING * largest) | (height < 0.0))
     if not len(wrong):
-        return Validity(False, None, where)
+        if usable.all() or _overflows(profile, values, beyond_it):
+            return Validity(False, None, where)
+        end = _refined(numeric, radii[-1], radii[-1] * 10.0 ** (1.0 / PER_DECADE))
+        return Validity(False, None, where, ends=end)
     first = int(wrong[0])
     if first == 0:
         below = "f < 0" if height[0] < 0.0 else "g' < 0"
@@ -87,7 +110,50 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
             "not compact; a profile rises from f(0) = 0"
         )
         raise ExpressionError(message, text)
-    return Validity(False, _refined(numeric, radii[first - 1], radii[first]), where)
+    fails = "f < 0, the indenter reaches below its apex" if height[first] < 0.0 and rate[first] >= 0.0 else ""
+    return Validity(False, _refined(numeric, radii[first - 1], radii[first]), where, fails)
+
+
+def drawn(values: Mapping[sp.Symbol, float]) -> str:
+    """The values of the parameters in words."""
+    return ", ".join(f"{s.name} = {float(v):g}" for s, v in values.items()) or "these numbers"
+
+
+def _require_slopes(profile: Profile, values: Mapping[sp.Symbol, float], text: str) -> None:
+    """A finite slope on the outer side of every break."""
+    for layer in layers(profile):
+        if not layer.kink.xreplace(dict(values)).is_finite:
+            message = (
+                f"the slope of f is not finite at the break r = {layer.start} for all values of the parameters; write "
+                f"powers of r - {layer.start} with numbers of 1 or more as exponents"
+            )
+            raise ExpressionError(message, text)
+
+
+def _sampled(numeric: Numeric) -> tuple[float, Array]:
+    """A length of the profile, and radii around it."""
+    scale = max([*numeric.breaks, *_lengths(numeric.values)], default=1.0)
+    return scale, scale * 10.0 ** np.linspace(-DECADES, DECADES, 2 * DECADES * PER_DECADE + 1)
+
+
+def _end(profile: Profile, values: Mapping[sp.Symbol, float]) -> float | None:
+    """The radius at which f ends."""
+    numeric = Numeric(profile, values)
+    _, radii = _sampled(numeric)
+    usable = np.isfinite(numeric.slope(radii))
+    last = int(np.argmin(usable))
+    if usable.all() or _overflows(profile, values, float(radii[last])):
+        return None
+    return _refined(numeric, radii[last - 1], radii[last])
+
+
+def _overflows(profile: Profile, values: Mapping[sp.Symbol, float], radius: float) -> bool:
+    """Whether f is a real number there all the same, only out of the range of doubles."""
+    function = sp.lambdify(r, profile.pieces[-1].expr.xreplace(dict(values)), "mpmath")
+    try:
+        return isinstance(function(mp.mpf(1.001 * radius)), mp.mpf)
+    except (ZeroDivisionError, ValueError, OverflowError):
+        return False
 
 
 def _refined(numeric: Numeric, low: float, high: float) -> float:
@@ -118,7 +184,7 @@ def _round(shape: sp.Expr) -> bool:
     """A sphere, an ellipsoid or a hyperboloid: f' and r f'' are positive."""
     try:
         (atom,) = parse((Piece(None, shape),)).atoms
-    except (NotReducibleError, ValueError, AssertionError):
+    except (NotReducibleError, ValueError, AssertionError, BasePolynomialError):
         return False
     return isinstance(atom, (SphereAtom, HyperboloidAtom)) and bool(atom.c.is_positive)
 

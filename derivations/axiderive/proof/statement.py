@@ -41,7 +41,7 @@ def require_integral(expr: sp.Expr, wanted: sp.Expr, variable: sp.Symbol, domain
     linear = sp.expand(expr.xreplace(stand_ins))
     terms = [sp.diff(linear, stand_in) * pieces[function] for function, stand_in in stand_ins.items()]
     rest = linear - sp.Add(*(sp.diff(linear, stand_in) * stand_in for stand_in in stand_ins.values()))
-    if sp.expand(rest) != 0 or any(sp.diff(linear, s).has(*stand_ins.values()) for s in stand_ins.values()):
+    if not is_zero(rest, domain) or any(sp.diff(linear, s).has(*stand_ins.values()) for s in stand_ins.values()):
         message = f"{expr} is not a combination of functions whose integrals are stated"
         raise NotProvedError(message)
     return require_zero(sp.Add(*terms) - wanted, domain, f"integrand of {expr} over 0 < {variable} < 1 = {wanted}")

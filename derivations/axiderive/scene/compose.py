@@ -74,13 +74,7 @@ class _Composition:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
         free = [p for p in self.parameters if p not in self.request.values]
         wanted = sorted(interface.INVERSES & set(self.request.quantities))
-        if (
-            self.answer
-            and self.answer.validity.compact_to is not None
-            and free
-            and wanted
-            and self.request.physics == "normal"
-        ):
+        if self.answer and self.answer.bounded and free and wanted and self.request.physics == "normal":
             message = (
                 f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
                 "freeze the parameters, or leave these functions out"

@@ -28,7 +28,7 @@ def over_profile(weight: Weight, a: Array, low: Array, high: Array, reach: float
     def ordinates(t: Array) -> Array:
         total = np.zeros_like(a)
         for part in np.array_split(t, 1 + t.size * np.size(a) // BLOCK):
-            v = part[:, None]
+            v = part.reshape(-1, *(1,) * np.ndim(a))
             rise = np.exp(v + v**3 / STRETCH)
             near = np.hypot(1.0, rise)
             p, q = width * (rise / near), width / near
