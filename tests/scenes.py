@@ -86,10 +86,62 @@ LINES = (
     "quantities = 3", "quantities = [[1]]", "[output]", 'folder = "../../x"', 'module = "a/b.py"', 'formats = ["exe"]',
     "[[profile]]", 'title = "\\\\x"', "name = 1979-05-27", "[parameters]", "E_star = nan", "[a.b.c]", "x.y = 1",
     'expression = "Max(0, r - b)"', "formats = {}", "folder = 3", "kind = []", "R = {}", 'name = "\u0000"',
+    'kind = "eccentric_punch"', 'e = "-3 mm"', "e = 1e300", 'a = "5 mm"', 'kind = "power"', "s = -0.999", "s = -2",
+    'kind = "flat_punch"', 'kind = "capped_cylinder"', 'kind = "concave_power"', "n = 1.5", 'kind = "wavy_paraboloid"',
+    'wavelength = "1 um"', 'h = "1 nm"', 'quantities = ["pull_off", "minimum_depth", "stiffness", "contact_width"]',
 )  # fmt: skip
 
 
+VALUES = (
+    "1e-3", "0.3", "2", "-1", "0", "nan", "inf", "true", "[]", "{}", '""', '"2 mm"', '"8 deg"', '"1 GPa"', '"3 s"',
+    '"0.5"', '"1e400 m"', '"2 mm^-3"', '"- 1 m"', "1e-320", "1979-05-27",
+)  # fmt: skip
+GOOD = {
+    "theta": '"8 deg"', "R": '"2 mm"', "b": '"1 mm"', "a": '"3 mm"', "e": '"-1 mm"', "n": "2.5", "h": '"1 um"',
+    "s": "0.3", "q": "40", "c": "1e5", "E": '"2 MPa"', "nu": "0.3", "E_star": '"2 MPa"', "G_star": '"1 MPa"',
+    "H": "1e6", "k": "0.3", "H_x": "1e6", "wavelength": '"1 mm"',
+}  # fmt: skip
+PROFILES = {
+    '"cone"': ("theta",), '"sphere"': ("R",), '"flat_punch"': ("a",), '"eccentric_punch"': ("a", "e"),
+    '"q*r**2"': ("q",), '"power"': ("a", "s"), '"concave_power"': ("a", "h", "n"),
+    '"wavy_paraboloid"': ("R", "h", "wavelength"),
+    '"truncated_cone"': ("theta", "b"), '"capped_cylinder"': ("a", "R"), '"wedge"': ("theta",), '"uniform"': ("a",),
+    '"Max(0, r - b)*tan(theta)"': ("b", "theta"), f'"{OUTSIDE}"': ("h", "q"), '"r**2/(2*R) + c*r**4"': ("R", "c"),
+    '"kone"': (), '"r**"': (), "3": (), '"{kind}"': (),
+}  # fmt: skip
+TABLES = {
+    "medium": ('kind = "homogeneous"', 'kind = "power_law"', "E", "nu", "E_star", "G_star", "H", "k", "H_x", "tehta"),
+    "physics": (
+        "normal = true", "adhesive = true", 'adhesive = { dgamma = "50 mJ/m^2" }', "adhesive = { dgamma = 0 }",
+        "tangential = { mu = 0.3 }", "plane = true", "loads = true", 'viscoelastic = { model = "maxwell" }',
+        "viscoelastic = true", 'viscoelastic = { model = "power_creep", alpha = 0.3 }', "adhesive = false",
+    ),
+    "want": (
+        'quantities = ["depth"]', 'quantities = ["force", "pressure"]', 'quantities = ["pull_off"]',
+        'quantities = ["tilt", "contact_width"]', 'at = { F = "50 mN" }', "at = { a = 1e-3 }", "at = { p = 1 }", "at",
+    ),
+    "output": ('folder = "x/y"', 'module = "m.py"', "formats = []", 'formats = ["exe"]', "folder", "module"),
+}  # fmt: skip
+
+
+def structured(source: random.Random) -> bytes:
+    """A scene that is TOML, with values that mostly suit their keys and keys that mostly suit the profile."""
+    profile = source.choice(list(PROFILES))
+    lines = [f"profile = {profile}"]
+    for section in source.sample(["parameters", *TABLES], source.randint(0, 3)):
+        known = PROFILES[profile] if section == "parameters" else TABLES[section]
+        rows = source.sample(known, source.randint(0, min(2, len(known))))
+        rows += [source.choice(list(GOOD))] if section == "parameters" and source.random() < 0.2 else []
+        lines.append(f"[{section}]")
+        for row in rows:
+            value = GOOD[row] if row in GOOD and source.random() < 0.85 else source.choice(VALUES)
+            lines.append(row if "=" in row else f"{row} = {value}")
+    return ("\n".join(lines) + "\n").encode()
+
+
 def random_scene(source: random.Random) -> bytes:
+    if source.random() < 0.5:
+        return structured(source)
     if source.random() < 0.5:
         return "\n".join(source.choice(LINES) for _ in range(source.randint(1, 14))).encode()
     data = bytearray(source.choice((NEEDLE, BAD)).encode())

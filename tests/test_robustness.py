@@ -13,6 +13,9 @@ from pathlib import Path
 
 import pytest
 
+HANGS = 600
+"""Seconds after which a build counts as hanging: it takes a few, and a minute where many share the machine."""
+
 ARGUMENTS = ["build", "--only", "loads.uniform,loads.hertzian,loads.punch", "--no-pdf", "--points", "4"]
 # the folder of the project holds cache and catalogue; here each build gets one of its own
 PROGRAM = """
@@ -41,7 +44,7 @@ def start(program: Path, root: Path, *more: str, **options: object) -> subproces
 
 
 def finish(process: subprocess.Popen[str]) -> None:
-    out, err = process.communicate(timeout=120)
+    out, err = process.communicate(timeout=HANGS)
     assert process.returncode == 0, out + err
 
 
@@ -130,7 +133,7 @@ def test_a_disk_that_fills_up_leaves_the_old_catalogue(program: Path, tmp_path: 
     )
     done = subprocess.run(
         [sys.executable, "-c", limited, str(program), str(tmp_path), *ARGUMENTS, "--jobs", "1", "--fresh"],
-        stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, check=False,
+        stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGS, check=False,
     )  # fmt: skip
     assert done.returncode == 3, done.stderr
     assert "File too large" in done.stderr

@@ -96,3 +96,38 @@ def test_random_scenes_write_below_their_folder_only(place, capsys):
 @pytest.mark.slow
 def test_many_random_scenes_write_below_their_folder_only(place, capsys):
     assert watched(place, range(30, 1000), capsys) > 100
+
+
+EMIT = 'name = "own"\nprofile = "cone"\n[want]\nquantities = ["depth"]\n[output]\nformats = ["python"]\n'
+
+
+def emitted_again(folder: Path, source: str = EMIT) -> int:
+    (folder / "scene.toml").write_text(source)
+    return main(["emit", str(folder / "scene.toml")])
+
+
+def test_a_folder_of_an_earlier_run_is_written_again(tmp_path):
+    assert emitted_again(tmp_path) == 0
+    assert emitted_again(tmp_path, EMIT.replace('"depth"', '"force"')) == 0
+    assert "def force" in (tmp_path / "own" / "own.py").read_text()
+
+
+@pytest.mark.parametrize("name", ["own.py", "MANIFEST.json"])
+def test_files_of_another_origin_are_not_overwritten(name, tmp_path, capsys):
+    """Also a module that was changed by hand after it had been written."""
+    (tmp_path / "own").mkdir()
+    (tmp_path / "own" / name).write_text("by hand\n")
+    assert emitted_again(tmp_path) == 2
+    assert f"{name} in {tmp_path / 'own'} would be overwritten" in capsys.readouterr().err
+    assert [path.name for path in (tmp_path / "own").iterdir()] == [name]
+    (tmp_path / "own" / name).unlink()
+    assert emitted_again(tmp_path) == 0
+    with (tmp_path / "own" / "own.py").open("a") as module:
+        module.write("# changed\n")
+    assert emitted_again(tmp_path, EMIT.replace('"depth"', '"force"')) == 2
+
+
+def test_a_file_in_place_of_the_folder_is_named(tmp_path, capsys):
+    (tmp_path / "own").write_text("a file\n")
+    assert emitted_again(tmp_path) == 2
+    assert f"{tmp_path / 'own'} is a file and no folder; choose another" in capsys.readouterr().err

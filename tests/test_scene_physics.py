@@ -66,6 +66,8 @@ def test_viscoelastic_scenes_agree_with_the_convolution(profile, law):
     shown = titles(result.files[f"profiles/{profile}.tex"])
     assert "Viscoelastic half-space" in shown
     assert "Adhesive contact" not in shown
+    page = result.files["page.tex"]
+    assert page.count(rb"\Phi_{m}(t)=") == page.count(b"E(t)=") == 1
 
 
 def test_a_wrong_relaxation_does_not_pass(monkeypatch):

@@ -32,6 +32,8 @@ def test_the_module_agrees_with_the_definition_and_its_test_runs(profile, tmp_pa
     page = result.files[f"profiles/plane.{profile}.tex"]
     assert [title for title in titles(page) if title != "Sources"] == ["Plane contact", "Derivation", "Evidence"]
     assert f"profiles/plane.{profile}".encode() in result.files["page.tex"]
+    assert b"place across the contact" in result.files["page.tex"]
+    assert b"indentation depth of the point" not in result.files["page.tex"]
 
 
 def test_frozen_values_are_folded_in_and_fields_have_two_sides():

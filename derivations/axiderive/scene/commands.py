@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
+import json
 import os
 import time
+from collections.abc import Mapping
 from pathlib import Path
 
 from .. import pdf
@@ -84,6 +87,44 @@ def _inside(folder: Path, root: Path) -> None:
         raise CommandError(message, USAGE)
 
 
+def _spare(folder: Path, files: Mapping[str, bytes]) -> None:
+    """What is in the folder already stays, unless it is as the manifest of an earlier run says.
+
+    Raises
+    ------
+    CommandError
+        If a file of another origin, or one that was changed since, would be overwritten.
+    """
+    above = next((path for path in (folder, *folder.parents) if path.exists()), folder)
+    if not above.is_dir():
+        message = f"{above} is a file and no folder; choose another folder with --out"
+        raise CommandError(message, USAGE)
+    written = _written(folder / "MANIFEST.json")
+    foreign = []
+    for name, content in files.items():
+        path = folder / name
+        if not path.exists() or (name == "MANIFEST.json" and written):
+            continue
+        old = path.read_bytes() if path.is_file() else b""
+        if not path.is_file() or (old != content and written.get(name) != hashlib.sha256(old).hexdigest()):
+            foreign.append(name)
+    if foreign:
+        message = (
+            f"{', '.join(foreign)} in {folder} would be overwritten, and is not as an earlier run left it; "
+            "move it away, or choose another folder with --out"
+        )
+        raise CommandError(message, USAGE)
+
+
+def _written(path: Path) -> Mapping[str, str]:
+    """Hashes by name of an earlier run, none if there was none."""
+    try:
+        found = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
 def _write(result: Result, folder: Path, *, with_pdf: bool = False) -> None:
     files = dict(result.files)
     if with_pdf and result.page:
@@ -96,6 +137,7 @@ def _write(result: Result, folder: Path, *, with_pdf: bool = False) -> None:
             message = f"the page does not compile, nothing was written\n{error}"
             raise CommandError(message) from error
     files["MANIFEST.json"] = manifest(files)
+    _spare(folder, files)
     for name, content in files.items():
         write_atomic(folder / name, content)
     print(f"wrote     {os.path.relpath(folder)}: {', '.join(sorted(n for n in files if '/' not in n))}")

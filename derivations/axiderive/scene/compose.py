@@ -10,9 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from .. import __version__
 from .. import notation as nt
-from ..emit.physics.viscoelastic import MATERIAL
 from ..emit.plane import document
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
@@ -20,7 +18,8 @@ from ..expression.answer import Answer, answered
 from . import assembled, evidence, interface, rules, sources
 from .assembled import Assembled
 from .check import check_values
-from .contact import Contact, values_of, worked
+from .contact import Contact, values_of
+from .heading import head
 from .library import Module
 from .linking import OWN, Wanted
 from .measured import Run, measured
@@ -69,6 +68,7 @@ class _Composition:
             self.normal = sources.stored_module(self.profile.name, self.entries, request.physics)
         self.parameters = list(interface.parameters(self.profile))
         self._require_reach()
+        self.contact = Contact(self.profile, self.entries, self.request)
 
     def _require_reach(self) -> None:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
@@ -84,8 +84,8 @@ class _Composition:
     def result(self) -> Result:
         text = self._module()
         stem = self.request.module.removesuffix(".py")
-        contact = Contact(self.profile, self.entries, self.request)
-        run = measured(text, check_values(contact, self._keywords), self.request, self._free(), contact)
+        values = check_values(self.contact, self._keywords)
+        run = measured(text, values, self.request, self._free(), self.contact)
         values, errors = run.values, run.errors
         files: dict[str, bytes] = {}
         if "python" in self.request.formats:
@@ -147,7 +147,9 @@ class _Composition:
         ]
         free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
         domains = {p: _interval(interface.record(p, self.profile)) for p in free}
-        return module_text(self._head(), modules, wanted, constants, domains, above, order)
+        return module_text(
+            head(request, self.profile, self.answer, self.contact), modules, wanted, constants, domains, above, order
+        )
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
         """One function of the interface; the text of a new one below it is added to `texts`."""
@@ -186,29 +188,6 @@ class _Composition:
         order = [*self.parameters, *interface.MATERIAL[self.request.physics]]
         return {name: values[name] for name in order if name in values}
 
-    def _head(self) -> str:
-        physics = self.request.physics
-        own = MATERIAL.get(interface.law_of(physics), "")
-        kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
-                "loads": "under a prescribed pressure",
-                "plane": "of a strip without adhesion, per length",
-                "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
-        if physics.startswith("graded"):
-            kind += " on a half space whose modulus grows as a power of depth"
-        title = _plain(self.request.title)
-        what = f"{self.profile.title}: {_plain(self.profile.subtitle)}" if self.answer is None else _plain(
-            self.profile.subtitle)  # fmt: skip
-        lines = [
-            f"{title}.",
-            "",
-            *_wrapped(f"{what}. Contact {kind}, SI units, angles in radians. Written by axicontact {__version__}."),
-        ]
-        if self.answer is not None:
-            lines += _wrapped(f"Valid: {self.answer.validity.sentence}.")
-        if self.request.at is not None:
-            lines += _wrapped(worked(Contact(self.profile, self.entries, self.request)))
-        return "\n".join(lines) + "\n"
-
     def _origin(self) -> str:
         """Where the check values come from."""
         tilted = interface.contact_of(self.profile) == interface.TILTED
@@ -240,15 +219,3 @@ def _interval(record: nt.Notation) -> tuple[str, str]:
     except (ValueError, TypeError):
         low, high = "0.0" if record.symbol.is_positive else "-np.inf", "inf"
     return low, "np.inf" if high == "inf" else high
-
-
-def _plain(text: str) -> str:
-    """Text that is safe within a docstring."""
-    kept = "".join(c if c.isprintable() else " " for c in text).replace("\\", "/").replace('"', "'")
-    return kept.rstrip(".").strip() or "Scene"
-
-
-def _wrapped(text: str) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(text, 110)

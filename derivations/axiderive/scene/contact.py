@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import mpmath as mp
@@ -82,7 +83,7 @@ def _reach(profile: Profile, values: Mapping[str, float]) -> float:
 def worked(contact: Contact) -> str:
     """The worked example in words, by the definition."""
     with mp.workdps(DIGITS):
-        a = contact.worked()
+        a = contact.worked
         name, value = contact.request.at or ("a", a)
         states = {"a": mp.mpf(a), "d": contact.depth(a), "F": contact.force(a)}
     shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {UNITS[k]}" for k, v in states.items() if k != name)
@@ -110,7 +111,7 @@ class Contact:
 
     def radii(self) -> list[float]:
         """Contact radii of the size of the profile, on both sides of its breaks, and that of the worked example."""
-        return [*map(short, self._drawn()), *([self.worked()] if self.request.at else [])]
+        return [*map(short, self._drawn()), *([self.worked] if self.request.at else [])]
 
     def _drawn(self) -> list[float]:
         known = {s: float(v) for s, v in self.given().items()}
@@ -167,9 +168,13 @@ class Contact:
     def force(self, a: float) -> mp.mpf:
         return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
 
+    @cached_property
+    def _numeric(self) -> Numeric:
+        return Numeric(self.profile, {s: float(v) for s, v in self.given().items()})
+
     def curve(self, quantity: str, a: Any) -> Any:
         """Depth or force in doubles, to see where it rises."""
-        numeric = Numeric(self.profile, {s: float(v) for s, v in self.given().items()})
+        numeric = self._numeric
         E, lost = self.all["E_star"], np.zeros_like(a)
         if self.request.physics == "adhesive":
             lost = np.sqrt(2.0 * np.pi * a * self.all["dgamma"] / E)
@@ -180,6 +185,7 @@ class Contact:
         values = self.curve(quantity, a * np.array([0.999, *1.03 ** np.arange(120)]))
         return bool(values[0] < values[1]) and bool(np.all(values[2:] > values[1]))
 
+    @cached_property
     def worked(self) -> float:
         """Contact radius of the worked example.
 

@@ -25,8 +25,10 @@ def frozen(
         return
     low, high = _bounds(record)
     if not low < value < high:
-        hint = f'; degrees need a unit: {key} = "{value:g} deg"' if record.unit == "rad" and high < value < 90 else ""
-        text.problem(section, key, f"{key} = {value:g} is outside {record.domain}{hint or '; change the value'}")
+        bare = record.unit == "rad" and not isinstance(raw, str) and high < value < 90
+        hint = f'degrees need a unit: {key} = "{value:g} deg"' if bare else "change the value"
+        given = repr(raw) if isinstance(raw, str) else f"{value:g}"
+        text.problem(section, key, f"{key} = {given:.40} is outside {record.domain}; {hint}")
         return
     values[key] = value
 

@@ -57,6 +57,11 @@ def physics(text: SceneText, scene: Scene) -> None:
     """The kind of contact on its medium."""
     table = text.table("physics", PHYSICS)
     chosen = [name for name in PHYSICS[1:] if table.get(name) not in (None, False)]
+    plain = table.get("normal", True)
+    if plain is not True and (plain is not False or not chosen):
+        text.problem(
+            "physics", "normal", "normal is true or left out; write normal = true, or name another kind of contact"
+        )
     if len(chosen) > 1:
         count = {2: "two", 3: "three", 4: "four", 5: "five"}[len(chosen)]
         message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"

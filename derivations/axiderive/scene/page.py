@@ -6,15 +6,20 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+import sympy as sp
+
 from .. import __version__
 from .. import notation as nt
 from ..contact import general
 from ..emit import front
 from ..emit.arrangement import ordered
 from ..emit.handbook import templates
+from ..emit.laws import laws
 from ..emit.page import symbols
 from ..emit.panel import shape_tex
+from ..emit.plane import document
 from ..emit.printer import Printer
+from ..emit.prose import prose
 from ..emit.ranges import chain_of, condition, regions
 from ..entry import Entry
 from ..index import NoCatalogueError, load
@@ -35,7 +40,7 @@ MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 %(rows)s
 \bottomrule
 \end{longtable}}
-\input{profiles/%(name)s}
+%(laws)s\input{profiles/%(name)s}
 \end{document}
 """
 CLAIMS = {
@@ -45,6 +50,7 @@ CLAIMS = {
 """What holds for the formulas of a profile of one's own."""
 ELSEWHERE = re.compile(r"\b(?:of|on) page \\pageref\{part:\w+\}")
 """Another part of the handbook: a page of a scene stands alone."""
+LAWS, ON_FIRST = r"of the four laws on page \pageref{part:laws}", "of the law on the first page"
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -74,17 +80,46 @@ def page_sources(
     material = (interface.record(name).name for name in interface.MATERIAL[request.physics])
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
     here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
+    alone = request.physics in ("plane", "loads")
+    meant, used = _meant(request, profile), names | (_printed(entries) if alone else symbols(entries))
     rows = [
-        f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & {n['meaning']}{here.get(n['latex'], '')}\\\\"
-        for n in front.notation_rows(symbols(entries) | names)
+        f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & "
+        f"{meant.get(n['latex'], n['meaning'])}{here.get(n['latex'], '')}\\\\"
+        for n in front.notation_rows(used)
     ]
     main = MAIN % {
         "title": escaped(request.title.strip() or "Scene"),
         "version": __version__,
         "rows": "\n".join(rows),
         "name": name,
+        "laws": _law(request),
     }
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
+
+
+def _printed(entries: Mapping[str, Entry]) -> set[str]:
+    """Names of what the formulas are made of and of what they give."""
+    found = {s for entry in entries.values() for case in entry.cases for s in case.expr.free_symbols}
+    found |= {s for entry in entries.values() for s in (entry.quantity.symbol, *entry.quantity.arguments)}
+    return {s.name for s in found if isinstance(s, sp.Symbol)}
+
+
+def _meant(request: Request, profile: Profile) -> dict[str, str]:
+    """What the letters mean under a strip, where they mean something else."""
+    if request.physics != "plane":
+        return {}
+    own = {*document.MEANING, *document.OF_PUNCH}
+    return {nt.describe(s).latex: prose(document.meaning(profile, s)) for s in own}
+
+
+def _law(request: Request) -> str:
+    """The material law of a viscoelastic contact, which the page of the profile names only."""
+    law = interface.LAWS.get(interface.law_of(request.physics))
+    if law is None:
+        return ""
+    own = next(row for row in laws() if row.suffix == law.suffix)
+    lines = [rf"\par\vspace{{2mm}}\(\displaystyle {line}\)" for line in own.functions().values()]
+    return "\n".join([rf"\par\vspace{{3mm}}\textbf{{{own.name}}}", *lines, r"\vspace{4mm}", ""])
 
 
 INTEGRALS = {"d": "d=g(a)", "F": r"F_{\mathrm N}", "w": "w(r)"}
@@ -128,7 +163,7 @@ def _stored(path: str, physics: str) -> dict[str, str] | None:
         folder = load().folder.parent / "handbook"
         page, preamble = ((folder / name).read_text() for name in (path, "preamble.tex"))
         own = {path: sections_for(page, physics), "preamble.tex": preamble}
-        return {name: ELSEWHERE.sub("in the handbook", text) for name, text in own.items()}
+        return {name: ELSEWHERE.sub("in the handbook", text.replace(LAWS, ON_FIRST)) for name, text in own.items()}
     except (NoCatalogueError, OSError):
         return None
 

@@ -54,7 +54,9 @@ def read(text: SceneText) -> Scene:
     for key in text.values:
         if key not in SECTIONS:
             kind = "section" if isinstance(text.values[key], dict) else "key"
-            text.problem(key, "", f"unknown {kind} {key[:40]!r}{near(key, SECTIONS)}")
+            below = kind == "key" and nt.known(key)
+            hint = "; parameters stand below [parameters]" if below else near(key, SECTIONS)
+            text.problem(key, "", f"unknown {kind} {key[:40]!r}{hint}")
     scene = Scene(_string(text, "name", "scene"), _string(text, "title", ""))
     _profile(text, scene)
     with nt.extended(scene.notation):
@@ -72,7 +74,7 @@ def read(text: SceneText) -> Scene:
 def _string(text: SceneText, key: str, default: str) -> str:
     value = text.values.get(key, default)
     if not isinstance(value, str) or len(value) > 120:
-        text.problem(key, "", f"{key} must be a text of at most 120 characters")
+        text.problem(key, "", f"{key} must be a text of at most 120 characters, not {value!r:.40}")
         return default
     return value
 
@@ -86,13 +88,15 @@ def _profile(text: SceneText, scene: Scene) -> None:
             text.problem("profile", "", f"[profile] needs either kind or expression; {example}")
             return
         given = given[kinds[0]]
+    if given is None and "profile" in map(str.lower, text.values):
+        return  # written large, which is a problem already
     if given is None:
         text.problem("", "", f"the scene names no profile; {example}")
         return
     if not isinstance(given, str):
         text.problem("profile", "kind", f"the profile must be a text, not {type(given).__name__}; {example}")
         return
-    if re.fullmatch(r"[A-Za-z_]\w*", given.strip()) and given.strip() != "r":
+    if re.fullmatch(r"[A-Za-z_]\w*", given.strip(), re.ASCII) and given.strip() != "r":
         _catalogue(text, scene, given.strip())
         return
     try:
@@ -149,7 +153,8 @@ def _rules(text: SceneText, scene: Scene) -> None:
         if rule.relation().xreplace(known) == sp.false:
             shown = sorted(rule.left.free_symbols | rule.right.free_symbols, key=str)
             given = ", ".join(f"{s.name} = {float(known[s]):g}" for s in shown)
-            what = f"{given}: {sp.sstr(rule.relation())} is violated; {rule.reason}"
+            relation = sp.sstr(rule.relation()).replace("Abs(", "abs(")
+            what = f"{given}: {relation} is violated; {rule.reason}"
             text.problem(*_place(text, shown), what)
 
 

@@ -56,9 +56,19 @@ def parse(name: str, data: bytes) -> SceneText:
         where = re.search(r"line (\d+)", str(error))
         line = int(where[1]) if where else text.count("\n") + 1
         reason = str(error).split(" (at")[0][:120] if not isinstance(error, RecursionError) else "nested too deeply"
-        shown = SceneText(name, text, {}).at(line, f"no TOML: {reason}; is a quote or a bracket missing?")
-        raise SceneError(shown) from error
+        lines = text.splitlines()
+        advice = _advice(reason, lines[line - 1] if 0 < line <= len(lines) else "")
+        raise SceneError(SceneText(name, text, {}).at(line, f"no TOML: {reason}; {advice}")) from error
     return SceneText(name, text, values)
+
+
+def _advice(reason: str, line: str) -> str:
+    """What to do about a line that is no TOML."""
+    if "overwrite" in reason or "twice" in reason:
+        return "each section and each key stands once, leave one of them out"
+    if re.search(r"=\s*\d+,\d", line):
+        return "decimals have a point, as 2.0"
+    return "is a quote or a bracket missing?"
 
 
 @dataclass
@@ -102,7 +112,8 @@ class SceneText:
         """A section, empty if there is none; its unknown keys are problems."""
         table = self.values.get(section, {})
         if not isinstance(table, dict):
-            self.problem(section, "", f"{section} must be a section [{section}], not {type(table).__name__}")
+            what = f"{section} must be a section, not {type(table).__name__}"
+            self.problem(section, "", f"{what}; write [{section}] and its keys below it")
             return {}
         if known is not None:
             for key in table:

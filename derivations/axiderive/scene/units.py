@@ -53,7 +53,7 @@ def value_of(raw: object, kind: str) -> float:
         Key of `KINDS`, or a power of a length such as "m^(-3)".
     """
     if isinstance(raw, bool) or not isinstance(raw, (int, float, str)):
-        message = f"must be a number or a text with a unit, not {type(raw).__name__}"
+        message = f"must be a number or a text with a unit, not {type(raw).__name__}; write {_example(kind)!r}"
         raise UnitError(message)
     value = _with_unit(raw, kind) if isinstance(raw, str) else _plain(raw)
     if not math.isfinite(value):
@@ -115,4 +115,4 @@ def _example(kind: str) -> str:
         "viscosity": "kPa s",
         "time": "s",
     }
-    return f"5 {units[kind]}" if kind in units else "5" if kind == "number" else f"5 {kind}"
+    return f"5 {units[kind]}" if kind in units else "0.3" if kind == "number" else f"5 {kind}"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from .. import notation as nt
@@ -24,6 +26,8 @@ DEFAULT = {
     "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
 OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
+HIDDEN = sys.stdlib_module_names | {"numpy"}
+"""Names of modules that the written one, or its test, may import."""
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
 
@@ -43,10 +47,24 @@ def want(text: SceneText, scene: Scene) -> None:
         return
     for name in raw:
         if name not in known:
-            text.problem("want", "quantities", f"unknown quantity {name[:40]!r} of {scene.physics}{near(name, known)}")
+            text.problem("want", "quantities", _unknown(scene, name, contact, known))
     scene.quantities = list(dict.fromkeys(name for name in raw if name in known))
     if "at" in table:
         _example(text, scene, table["at"])
+
+
+def _unknown(scene: Scene, name: str, contact: str, known: Collection[str]) -> str:
+    """Another kind of contact that has the function, or the nearest name."""
+    graded = scene.physics.startswith("graded")
+    for kind in ("adhesive", "tangential"):
+        other = f"graded.{kind}" if graded else kind
+        if (
+            other != scene.physics
+            and scene.physics in ("normal", "graded", "adhesive", "tangential")
+            and (contact == "compact" and name in available(other, contact))
+        ):
+            return f"{name} is a function of {kind} contact; write [physics] {kind} = true"
+    return f"unknown quantity {name[:40]!r} of {scene.physics}{near(name, known)}"
 
 
 def _example(text: SceneText, scene: Scene, raw: object) -> None:
@@ -94,6 +112,9 @@ def output(text: SceneText, scene: Scene) -> None:
         text.problem(
             "output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
         )
+    elif scene.module.removesuffix(".py") in HIDDEN:
+        place = ("output", "module") if "module" in table else ("name", "")
+        text.problem(*place, f"module {scene.module!r} would hide the one of Python or NumPy; choose another name")
     scene.folder = table.get("folder", stem[:60])
     if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
         text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")
@@ -101,5 +122,9 @@ def output(text: SceneText, scene: Scene) -> None:
         message = f"folder {scene.folder[:60]!r} leaves the place of the scene; use a name below it, or --out DIR"
         text.problem("output", "folder", message)
     scene.formats = table.get("formats", list(FORMATS))
-    if not isinstance(scene.formats, list) or any(name not in FORMATS for name in scene.formats):
-        text.problem("output", "formats", f"formats must be a list out of {', '.join(FORMATS)}")
+    if not isinstance(scene.formats, list) or not scene.formats:
+        text.problem("output", "formats", f'formats must be a list out of {", ".join(FORMATS)}, as ["python"]')
+        return
+    for name in scene.formats:
+        if name not in FORMATS:
+            text.problem("output", "formats", f"unknown format {str(name)[:40]!r}{near(str(name).lower(), FORMATS)}")
