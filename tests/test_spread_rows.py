@@ -220,9 +220,18 @@ def _rule_distance(key: str, tex: str) -> Any:
     return max(found)
 
 
-@pytest.mark.parametrize(
-    "key", [key if key == "truncated_paraboloid.w" else pytest.param(key, marks=pytest.mark.slow) for key in RULED]
-)
+LONG = ("sphere_tipped_cone.F", "sphere_tipped_cone.p", "rounded_curved_punch.p", "rounded_cone.p",
+        "capped_paraboloid.p")  # fmt: skip
+"""Rules over a corner, whose quadrature takes ten seconds and more."""
+
+
+def _marked(key: str) -> Any:
+    if key == "truncated_paraboloid.w":
+        return key
+    return pytest.param(key, marks=pytest.mark.sweep if key in LONG else pytest.mark.slow)
+
+
+@pytest.mark.parametrize("key", map(_marked, RULED))
 def test_a_printed_rule_is_an_integral_of_the_entry(key: str) -> None:
     (one,) = _of("rule", key)
     assert _rule_distance(key, one["tex"]) < READ_BACK

@@ -117,9 +117,7 @@ def approach_row(
         {
             "half": half,
             "kind": kind,
-            "comment": " ".join(
-                [kind if kind == "limit" else label.lower().replace(" ", "-"), *(part.entry.key for part in kept)]
-            ),
+            "comment": " ".join([name, *(part.entry.key for part in kept)]),
             "label": label,
             "small": f"${small}$",
             "tex": GAP.join(texts),
