@@ -33,6 +33,13 @@ def stored(key: str) -> dict[str, Entry]:
     return read_entries(problem(key), record["entries"])
 
 
+@cache
+def evidence(key: str) -> dict[str, Any]:
+    """What the catalogue holds of the checks and measurements of a problem."""
+    found: dict[str, Any] = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]
+    return found
+
+
 def base_of(own: Problem) -> str:
     """Key of the problem whose rows the rules of this one refer to."""
     if not own.system.rests_on:

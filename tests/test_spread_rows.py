@@ -3,49 +3,31 @@
 from __future__ import annotations
 
 import copy
-import json
 import math
 import re
-from collections.abc import Callable
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
 import pytest
 import sympy as sp
+from stored_book import evidence, stored
 
 from axiderive import notation as nt
-from axiderive.contact.systems import problem
 from axiderive.emit.blocks import blocks
-from axiderive.emit.code import python
-from axiderive.emit.evaluated import evaluation_rows, form_of
 from axiderive.emit.evidence import evidence_rows
 from axiderive.emit.given import axes_of
 from axiderive.emit.limits import GAP, limit_rows
 from axiderive.emit.readback.grammar import read
-from axiderive.emit.readback.nodes import environment
-from axiderive.emit.readback.points import points_of
-from axiderive.emit.readback.printed import holds, name_in_print, named
+from axiderive.emit.readback.printed import named
 from axiderive.emit.universal import power_of_depth, universal_rows
-from axiderive.entry import Entry
 from axiderive.profiles import NAMES, load
 from axiderive.proof.evaluate import case_at, evaluate
 from axiderive.proof.unevaluated import evaluate_case
-from axiderive.work import read_entries
 
-CATALOGUE = Path(__file__).parents[1] / "catalogue"
-EVIDENCE = CATALOGUE / "evidence"
 READ_BACK = mp.mpf(10) ** -20
 DIGITS = 40
 NEAR = sp.Rational(1, 10**60)
 """How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
-
-
-@cache
-def stored(key: str) -> tuple[dict[str, Entry], dict[str, Any]]:
-    record = json.loads((EVIDENCE / f"{key}.json").read_bytes())
-    return read_entries(problem(key), record["entries"]), record["evidence"]
 
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
@@ -61,15 +43,13 @@ VALUES = {
 }
 
 
-def _rows(name: str, evidence: dict[str, Any] | None = None) -> list[dict[str, Any]]:
-    profile = load(name)
-    entries, found = stored(name)
-    return limit_rows(profile, entries, evidence or found)
+def _rows(name: str, record: dict[str, Any] | None = None) -> list[dict[str, Any]]:
+    return limit_rows(load(name), stored(name), record or evidence(name))
 
 
 @pytest.mark.parametrize("name", WITH_LIMITS)
 def test_a_printed_limit_is_what_the_own_formula_tends_to(name: str) -> None:
-    profile, (entries, _) = load(name), stored(name)
+    profile, entries = load(name), stored(name)
     rows = _rows(name)
     assert len(rows) == len(profile.limits)
     for limit, one in zip(profile.limits, rows, strict=True):
@@ -88,7 +68,7 @@ def test_a_printed_limit_is_what_the_own_formula_tends_to(name: str) -> None:
 
 
 def test_a_limit_that_was_not_checked_is_not_printed() -> None:
-    failed = copy.deepcopy(stored("rounded_punch")[1])
+    failed = copy.deepcopy(evidence("rounded_punch"))
     for check in failed["entries"]["F"]["checks"]:
         if check["compared"].startswith("limit"):
             check["outcome"] = "failed"
@@ -98,163 +78,12 @@ def test_a_limit_that_was_not_checked_is_not_printed() -> None:
     assert _rows("rounded_punch", {"entries": {}}) == []
 
 
-EVALUATED = (
-    "cone.p", "sphere.d", "sphere.F", "ellipsoid.d", "ellipsoid.F", "hyperboloid.F", "truncated_cone.d",
-    "truncated_cone.F", "rounded_cone.d", "rounded_cone.F", "rounded_punch.d", "rounded_punch.F",
-    "rounded_curved_punch.d", "rounded_curved_punch.F", "sphere_tipped_cone.d", "sphere_tipped_cone.d", "flat_punch.w",
-)  # fmt: skip
-"""Entries with an evaluation form in print, in the order of the book, once for every range."""
-RULED = (
-    "sphere.w", "ellipsoid.w", "hyperboloid.p", "hyperboloid.w", "truncated_cone.p", "truncated_cone.w",
-    "truncated_paraboloid.p", "truncated_paraboloid.w", "rounded_cone.p", "rounded_cone.w", "capped_paraboloid.p",
-    "capped_paraboloid.w", "rounded_punch.p", "rounded_punch.w", "rounded_curved_punch.p", "rounded_curved_punch.w",
-    "sphere_tipped_cone.F", "sphere_tipped_cone.p", "sphere_tipped_cone.w", "wavy_paraboloid.p", "wavy_paraboloid.w",
-    "gaussian.F", "gaussian.p", "gaussian.w",
-)  # fmt: skip
-"""Entries whose Gauss rule is in print as the integral that it evaluates."""
-
-
-@cache
-def _evaluation(name: str) -> list[dict[str, Any]]:
-    return evaluation_rows(load(name), *stored(name))
-
-
-def _of(kind: str, key: str) -> list[dict[str, Any]]:
-    return [row for row in _evaluation(key.partition(".")[0]) if row["comment"] == f"{kind} {key}"]
-
-
-def _where(one: dict[str, Any]) -> str:
-    return str(one["small"].strip("$"))
-
-
-def _body(tex: str, values: dict[str, Any]) -> Any:
-    """The value of the first formula with the names that the others define."""
-    first, *definitions = read(tex)
-    return first.members[-1](environment(definitions, values))
-
-
-def _farthest(key: str, one: dict[str, Any], tex: str) -> Any:
-    """Largest relative difference between a printed evaluation form and its entry where it is said to hold."""
-    name, _, suffix = key.rpartition(".")
-    entries, found = stored(name)[0], []
-    with mp.workdps(2 * DIGITS):
-        for case, values in points_of(entries[suffix], "formula", entries, 2, 7):
-            env = named(values)
-            if holds(_where(one), env):
-                own = evaluate(case.expr, values, DIGITS)
-                found.append(abs(_body(tex, env) - own) / abs(own))
-    return max(found)
-
-
-def test_evaluation_forms_are_printed_where_they_differ() -> None:
-    rows = [one["comment"] for name in NAMES for one in _evaluation(name)]
-    assert [text for text in rows if text.startswith("evaluation")] == [f"evaluation {key}" for key in EVALUATED]
-    assert [text for text in rows if text.startswith("rule")] == [f"rule {key}" for key in RULED]
-    assert evaluation_rows(load("cone"), stored("cone")[0], {}) == []
-
-
-@pytest.mark.parametrize("key", dict.fromkeys(EVALUATED))
-def test_a_printed_evaluation_form_is_the_entry(key: str) -> None:
-    for one in _of("evaluation", key):
-        assert _farthest(key, one, one["tex"]) < READ_BACK
-        assert _mutants(one["tex"], lambda tex, key=key, row=one: _farthest(key, row, tex)) >= 2
-
-
-def _mutants(tex: str, distance: Callable[[str], Any]) -> int:
-    """How many changes of a digit or a sign were tried; none of them passes."""
-    mutants = 0
-    for match in re.finditer(r"\\\\\[1.5mm\]|(\d)|(?<![=&({])([+-])", tex):
-        if match[1] or match[2]:
-            other = str(int(match[1]) % 9 + 1) if match[1] else "-" if match[2] == "+" else "+"
-            changed = tex[: match.start()] + other + tex[match.end() :]
-            try:
-                assert distance(changed) > READ_BACK, changed
-            except (ValueError, TypeError, ZeroDivisionError, SyntaxError, LookupError):
-                continue
-            mutants += 1
-    return mutants
-
-
-SLOPED = tuple(dict.fromkeys(key.rpartition(".")[0] for key in RULED))
-
-
-def _slope_distance(name: str, one: dict[str, Any], tex: str) -> Any:
-    """Largest relative difference between the printed g'(t) and the derivative of the entry of the depth."""
-    entries, found = stored(name)[0], []
-    with mp.workdps(2 * DIGITS):
-        for case, values in points_of(entries["d"], "formula", entries, 2, 7):
-            env = named(values)
-            env["t"] = env["a"]
-            if holds(_where(one), env):
-                own = evaluate(sp.diff(case.expr, nt.a), values, DIGITS)
-                found.append(abs(_body(tex, env) - own) / abs(own))
-    return max(found)
-
-
-@pytest.mark.parametrize("name", SLOPED)
-def test_a_printed_slope_is_the_derivative_of_the_depth(name: str) -> None:
-    rows = _of("slope", f"{name}.d")
-    assert len(rows) == len(stored(name)[0]["d"].regions())
-    for one in rows:
-        assert _slope_distance(name, one, one["tex"]) < READ_BACK
-        assert _mutants(one["tex"], lambda tex, name=name, row=one: _slope_distance(name, row, tex)) >= 1
-
-
-def _rule_distance(key: str, tex: str) -> Any:
-    """Largest relative difference between a printed integral over the printed slope and the entry."""
-    name, _, suffix = key.rpartition(".")
-    entries, profile, found = stored(name)[0], load(name), []
-    slopes = [(_where(one), one["tex"]) for one in _of("slope", f"{name}.d")]
-    with mp.workdps(60):  # a root at an end of the range costs half of the digits
-        for case, values in points_of(entries[suffix], "formula", entries, 1, 7):
-            env: dict[str, Any] = named(values)
-            breaks = [env[name_in_print(b)] for b in profile.breaks]
-
-            def slope(t: Any, env: dict[str, Any] = env) -> Any:
-                at = {**env, "t": t}
-                return next(_body(text, at) for where, text in slopes if holds(where, at))
-
-            env |= {"g'()": slope, "cuts": {"t": breaks}}
-            own = evaluate_case(case, values, 25)
-            found.append(abs(_body(tex, env) - own) / abs(own))
-    return max(found)
-
-
-@pytest.mark.parametrize(
-    "key", [key if key == "truncated_paraboloid.w" else pytest.param(key, marks=pytest.mark.slow) for key in RULED]
-)
-def test_a_printed_rule_is_an_integral_of_the_entry(key: str) -> None:
-    (one,) = _of("rule", key)
-    assert _rule_distance(key, one["tex"]) < READ_BACK
-    assert _rule_distance(key, one["tex"].replace("2", "3", 1)) > READ_BACK or "2" not in one["tex"]
-
-
-@pytest.mark.parametrize("key", dict.fromkeys((*EVALUATED, *RULED)))
-def test_the_catalogue_evaluates_what_is_printed(key: str) -> None:
-    """The value and the roots of the form, or of the slope under a rule, stand in the generated module."""
-    name, _, suffix = key.partition(".")
-    text = (CATALOGUE / "axicontact" / "normal" / f"{name}.py").read_text()
-    if key in RULED:
-        rule = {"F": "force_integral", "p": "pressure_integral", "w": "displacement_integral"}[suffix]
-        assert rule in text
-        return
-    for one in _of("evaluation", key):
-        for case, values in points_of(stored(name)[0][suffix], "formula", stored(name)[0], 1, 7):
-            if holds(_where(one), named(values)):
-                form = form_of(load(name), case.expr, case.chain)
-                assert python(form.value) in text
-                assert all(python(expr) in text for _, expr in form.steps)
-                break
-        else:
-            pytest.fail(f"{key} is printed for no case")
-
-
 POWER_LAWS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
 ADHESIVE = [f"{name}{group}" for name in POWER_LAWS for group in (".adh", ".fgm.adh")]
 
 
 def _universal(key: str) -> list[str]:
-    base = stored(key.removesuffix(".adh"))[0]
+    base = stored(key.removesuffix(".adh"))
     return [row["tex"] for row in universal_rows(key, base["d"], ".fgm" in key)]
 
 
@@ -271,7 +100,7 @@ def _curve_values() -> dict[Any, Any]:
 
 def _worst(key: str, rows: list[str]) -> Any:
     """Largest difference between the printed ratios and those of the entries; the curve of the force comes first."""
-    entries, values, found = stored(key)[0], _curve_values(), []
+    entries, values, found = stored(key), _curve_values(), []
     bodies = [s.members[-1] for text in rows for s in read(text) if s.members[0].name != "x"]
     with mp.workdps(DIGITS):
         radius = evaluate(entries["ac"].cases[0].expr, values, DIGITS)
@@ -306,21 +135,21 @@ def test_no_changed_digit_of_a_universal_curve_passes(key: str) -> None:
 
 def test_only_one_power_of_the_radius_has_a_universal_curve() -> None:
     for name in NAMES:
-        entries = stored(name)[0]
+        entries = stored(name)
         if "d" in entries:
             assert (power_of_depth(entries["d"]) is None) == (name not in POWER_LAWS), name
 
 
 def test_further_rows_stand_in_their_blocks() -> None:
-    derived = {key: stored(key)[0] for key in ("power_law", "power_law.adh")}
-    found = blocks("power_law", derived, {}, {"power_law": stored("power_law")[1]})
+    derived = {key: stored(key) for key in ("power_law", "power_law.adh")}
+    found = blocks("power_law", derived, {}, {"power_law": evidence("power_law")})
     assert [len(line) for line in found["normal"].further] == [2, 2, 2]
     assert len(found["adhesive"].further) == 1
     assert found["tangential"].further == []
 
 
 def test_measured_errors_stand_beside_the_evidence() -> None:
-    entries, record = stored("rounded_punch")
+    entries, record = stored("rounded_punch"), evidence("rounded_punch")
     errors = {"points": 30, "worst_ulp": 3.5, "share_above_5": 0.0, "lost": 0}
     measured = {
         "p": {"form": "rule", "nodes": [24, 32], "bench": errors | {"naive": errors | {"worst_ulp": 1.6e17}},
@@ -349,7 +178,7 @@ def _points(curve: Any) -> list[tuple[float, float]]:
 
 def test_the_frames_of_a_prescribed_pressure_show_its_displacement() -> None:
     """Uniform pressure: w = 2 p_0 a/E* in the middle, 4/pi at the edge; far away that of the whole force."""
-    entries = stored("loads.uniform")[0]
+    entries = stored("loads.uniform")
     pressure, displacement = axes_of(entries["w"].profile, entries)
     assert {y for _, y in _points(pressure.curves[0])} == {1.0}
     shown = dict(_points(displacement.curves[0]))
@@ -361,7 +190,7 @@ def test_the_frames_of_a_prescribed_pressure_show_its_displacement() -> None:
 
 
 def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None:
-    entries = stored("plane.eccentric_punch")[0]
+    entries = stored("plane.eccentric_punch")
     pressure, tilt = axes_of(entries["p"].profile, entries)
     assert [curve.label for curve in pressure.curves] == ["0", "0.25", "0.5", "0.75"]
     assert dict(_points(pressure.curves[0]))[0.0] == pytest.approx(2 / math.pi, rel=1e-4)

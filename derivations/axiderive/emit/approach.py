@@ -112,10 +112,12 @@ def approach_row(
             kept.append(part)
     if not kept:
         return []
+    name = kind if kind == "limit" else label.lower().replace(" ", "-")
     return [
         {
             "half": half,
-            "comment": " ".join([kind, *(part.entry.key for part in kept)]),
+            "kind": kind,
+            "comment": " ".join([name, *(part.entry.key for part in kept)]),
             "label": label,
             "small": f"${small}$",
             "tex": GAP.join(texts),

@@ -150,7 +150,7 @@ def _halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
 
 
 def _kind(one: Mapping[str, Any]) -> str:
-    return str(one["comment"].partition(" ")[0])
+    return str(one.get("kind") or one["comment"].partition(" ")[0])
 
 
 def _reason(message: str) -> str:

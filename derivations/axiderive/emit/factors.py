@@ -152,3 +152,15 @@ def _power_in_root(
 
 def _number(exponents: dict[int, sp.Expr]) -> sp.Rational:
     return sp.Mul(*(sp.Integer(p) ** e for p, e in exponents.items()))
+
+
+def common_out(root: Root) -> Root:
+    """R (b^2/R + d/R) under a root as b^2 + d: symbols that a sum shares with its other factors."""
+    powers: dict[sp.Expr, sp.Expr] = {}
+    for base, exponent in root.factors:
+        shared = sp.Mul.make_args(sp.factor_terms(base) if base.is_Add and exponent == 1 else base)
+        for factor in shared if all(f.is_Add or f.as_base_exp()[0].is_Symbol for f in shared) else (base,):
+            own, power = factor.as_base_exp()
+            powers[own] = powers.get(own, sp.S.Zero) + power * exponent
+    kept = tuple((b, e) for b, e in powers.items() if e != 0)
+    return Root(root.index, root.number, kept) if len(kept) < len(root.factors) else root

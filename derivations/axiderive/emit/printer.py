@@ -15,7 +15,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from .factors import Factor, Product, Root, taken_apart
+from .factors import Factor, Product, Root, common_out, taken_apart
 from .order import (
     RAISED,
     TRIGONOMETRIC,
@@ -171,7 +171,7 @@ class Printer:
         if root is None:
             return "", ""
         below = root.number.p == 1 and all(e < 0 for _, e in root.factors)
-        root = root if below else _common_out(root)
+        root = root if below else common_out(root)
         factors = tuple((b, -e if below else e) for b, e in root.factors)
         number = 1 / root.number if below else root.number
         if len(factors) == 1 and number == 1 and factors[0][0].is_Add and factors[0][1] == 1:
@@ -301,18 +301,6 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
-
-
-def _common_out(root: Root) -> Root:
-    """R (b^2/R + d/R) under a root as b^2 + d: symbols that a sum shares with its other factors."""
-    powers: dict[sp.Expr, sp.Expr] = {}
-    for base, exponent in root.factors:
-        shared = sp.Mul.make_args(sp.factor_terms(base) if base.is_Add and exponent == 1 else base)
-        for factor in shared if all(f.is_Add or f.as_base_exp()[0].is_Symbol for f in shared) else (base,):
-            own, power = factor.as_base_exp()
-            powers[own] = powers.get(own, sp.S.Zero) + power * exponent
-    kept = tuple((b, e) for b, e in powers.items() if e != 0)
-    return Root(root.index, root.number, kept) if len(kept) < len(root.factors) else root
 
 
 def _stands_behind(base: sp.Expr) -> bool:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ...contact.systems import Problem
@@ -137,6 +138,16 @@ def _further(one: Mapping[str, Any], profile_id: str) -> Further:
     return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
 
 
+def _apart(rows: list[Further]) -> list[Further]:
+    """Rows of one kind and key, for several ranges, with a number behind the address of all but the first."""
+    seen: Counter[str] = Counter()
+    found = []
+    for one in rows:
+        seen[one.anchor] += 1
+        found.append(replace(one, anchor=f"{one.anchor}.{seen[one.anchor]}") if seen[one.anchor] > 1 else one)
+    return found
+
+
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
     agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
@@ -151,7 +162,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         records = evidence.get(problem.key, {}).get("entries", {})
         known = Known(problem, records, agreed, signatures(modules[problem.module]))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
-        further = [_further(one, model["name"]) for line in block["further"] for one in line]
+        further = _apart([_further(one, model["name"]) for line in block["further"] for one in line])
         sections.append(Section(anchor, title, note, [known.row(one) for one in rows], further=further))
     picture = model["picture"]
     return {
