@@ -219,7 +219,7 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         rows = [(float(d / depth), float(numbers.at(d=d)("F") / force)) for d in depths]
         reference = "$(d_1, F_1)$: the contact of the sketch"
     else:
-        low, high = _contact_range(profile, numbers)
+        low, high = contact_range(profile, numbers)
         radii = [low + (high - low) * (mp.mpf(i) / 40) ** 2 for i in range(41)]
         members = [numbers.at(a=radius) for radius in radii]
         rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
@@ -257,7 +257,7 @@ def _reference(profile: Profile, numbers: Numbers) -> str:
     return f" at $a_1={ratio}\\,{nt.describe(length).latex}$"
 
 
-def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
+def contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
     """Contact radii from nothing to the depth at the right end of the plot, or to the largest contact there is."""
     radius, goal = numbers["a"], mp.mpf(WIDEST) * numbers.depth
     low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else radius * mp.mpf("1e-3")

@@ -12,6 +12,7 @@ from ..profiles.profile import Profile
 from . import blocks, front, matrix, page, references
 from .curves import curves
 from .given import axes_of
+from .graded.frames import frames
 from .panel import panel
 from .plots import plots
 from .prose import prose
@@ -93,6 +94,7 @@ NOTHING: dict[str, Any] = {
     "derivation": "",
     "complete": False,
     "axes": (),
+    "graded": (),
 }
 
 
@@ -109,7 +111,9 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
         exact: Numbers = StripNumbers(profile, main, values)
     else:
         rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
+    graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
+        "graded": frames(profile, main, graded) if "p" in graded else (),
         "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
         "worked": worked(profile_id, profile, main, type(rough)),
         "picture": sketch(profile, rough),
