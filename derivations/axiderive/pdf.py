@@ -130,7 +130,8 @@ def _box(match: re.Match[bytes]) -> bytes:
         stub = b"\\rule[-9.6mm]{79.5mm}{%.1fmm}" % height
     else:
         return picture
-    return stub + b"%\n" * picture.count(b"\n")
+    # a comment in front: behind the box it would leave an empty line, which ends the paragraph
+    return b"%\n" * picture.count(b"\n") + stub
 
 
 def _one_pass(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:

@@ -173,7 +173,7 @@ def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float
         near = [x + half * shift / 4 for shift in range(-4, 5)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
         crowded = any(abs(x - x1) < half + 0.1 and abs(top - y1) < 0.45 for x1, y1 in taken)
-        if x - half < 0.01 or x + half > 1.0 or top > HIGHEST - 0.3 or crowded:
+        if x - half < 0.01 or x + half > 1.0 or not own[0][0] <= x <= own[-1][0] or top > HIGHEST - 0.3 or crowded:
             continue
         spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
         apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))

@@ -102,7 +102,11 @@ def search_index(ids: Sequence[str], models: Mapping[str, Model], derived: Deriv
         for problem in spread.problems_of(i)
         for entry in derived.get(problem.key, {}).values()
     ]
-    record = {"profiles": profiles, "systems": [[system.title, SEARCHED.get(system.name, "")] for system in SYSTEMS], "keys": rows}
+    record = {
+        "profiles": profiles,
+        "systems": [[system.title, SEARCHED.get(system.name, "")] for system in SYSTEMS],
+        "keys": rows,
+    }
     return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
 
 

@@ -46,15 +46,14 @@ def model(figures: Mapping[str, Any]) -> dict[str, Any]:
             "legend": [words for _, words in found.legend],
         }
     if figures["extremes"]:
-        shown["extremes"] = [
-            row | {"problem": _linked(row), "anchor": _address(row)} for row in figures["extremes"]
-        ]
+        shown["extremes"] = [row | {"problem": _linked(row), "anchor": _address(row)} for row in figures["extremes"]]
     return shown
 
 
 def _address(row: Mapping[str, Any]) -> str:
     """extreme.b-to-0.cone: of the limit and the problem, which no other row has both."""
-    limit = slug(row["limit"].replace(r"\to", "to").translate(PLAIN))
+    # the sign tells k to -1 and k to 1 apart
+    limit = slug(row["limit"].replace(r"\to", "to").replace("-", "minus ").translate(PLAIN))
     return f"extreme.{limit}.{row['problem']}"
 
 
