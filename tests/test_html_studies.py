@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import json
 import math
 import re
@@ -17,7 +18,7 @@ from web_page import Page
 from axiderive.emit import study as studies_of_book
 from axiderive.emit.handbook import page_models
 from axiderive.emit.html import html_sources, study
-from axiderive.emit.html.drawing import Figure
+from axiderive.emit.html.drawing import Figure, pairs
 
 SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
 LARGEST = 1_000_000
@@ -190,3 +191,46 @@ def test_a_study_that_was_not_made_leaves_its_part_out() -> None:
     shown = study.model(studies_of_book.figures(one, frozenset()))
     assert shown["maps"] is None
     assert len(shown["extremes"]) == len({(r["limit"], r["key"].rpartition(".")[0]) for r in one["extremes"]["rows"]})
+
+
+def test_every_extreme_case_has_an_address(site: dict[str, str]) -> None:
+    page = Page(site["study.html"])
+    rows = {(r["limit"], r["key"].rpartition(".")[0]) for r in STUDIES["extremes"]["rows"]}
+    addresses = [name for name in page.ids if name.startswith("extreme.")]
+    assert len(addresses) == len(rows)
+    assert {f"#{name}" for name in addresses} <= set(page.addresses)
+    assert all(re.fullmatch(r"[\w.-]+", name) for name in addresses), addresses
+
+
+def test_the_evidence_stands_by_column_with_addresses(site: dict[str, str], models: Any) -> None:
+    for name in SAMPLE:
+        page, shown = Page(site[f"{name}.html"]), models[name]["evidence"]
+        suffixes = [line["suffix"] for part in ("table", "grid") for line in shown[part]]
+        assert [i for i in page.ids if i.startswith("evidence.")] == [f"evidence.{suffix}" for suffix in suffixes]
+        assert "column.defining-integral" in page.ids
+    table = site["rounded_punch.html"].partition('class="evidence"')[2].partition("</table>")[0]
+    heads = re.findall(r'id="column\.([\w-]+)"', table)
+    cells = re.findall(r"<td>(.*?)</td>", table.partition('id="evidence.p"')[2].partition("</tr>")[0])
+    assert len(heads) == len(cells) == 9
+    worst = record("rounded_punch")["evidence"]["evaluation"]["p"]["bench"]["worst_ulp"]
+    assert f"{worst:.2g}" in cells[heads.index("error")]
+
+
+def test_graded_plots_stand_with_the_graded_contact(site: dict[str, str], models: Any) -> None:
+    """At k = 0 the curve is that of the homogeneous half-space, and every entry with a pressure has its frame."""
+    page = site["power_law.html"]
+    assert page.index('id="about.graded.normal"') < page.index('id="plot.graded-pressure"')
+    assert "plot.graded-force" in Page(page).ids
+    assert models["loads.power"]["graded"] == ()
+    pressure, force = models["power_law"]["graded"]
+    assert [curve.label for curve in pressure.curves] == ["-0.5", "0", "0.5"]
+    # F_N goes with a^(n + 1 + k) and d with a^n, n = 3/2 in the sketch
+    for k, curve in zip((-0.5, 0, 0.5), force.curves, strict=True):
+        for depth, load in pairs(curve.coordinates):
+            assert load == pytest.approx(depth ** (1 + (1 + k) / 1.5), rel=2e-4, abs=1e-9)
+    # the mean of p over the circle is its mean: the trapezoidal rule in r^2, coarse beside the tip and the edge
+    for curve in pressure.curves:
+        points = pairs(curve.coordinates)
+        steps = itertools.pairwise([(0.0, points[0][1]), *points, (1.0, points[-1][1])])
+        mean = sum((y0 + y1) / 2 * (x1 * x1 - x0 * x0) for (x0, y0), (x1, y1) in steps)
+        assert mean == pytest.approx(1.0, abs=0.02)

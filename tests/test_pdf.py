@@ -31,6 +31,21 @@ def test_a_document_is_compiled_until_its_references_settle_and_always_to_the_sa
     assert pdf.compile_pdf(sources)[0] == content
 
 
+def test_pictures_are_left_out_line_for_line_and_by_boxes_of_their_size():
+    axis = b"\\begin{axis}[hb,pair,height=34mm,xmin=0]\n\\end{axis}"
+    framed = b"a\n\\begin{tikzpicture}[baseline]\n" + axis + b"\n\\end{tikzpicture}\nb"
+    sketched = (
+        b"\\begin{tikzpicture}[x=9mm]\n \\path[use as bounding box] (0,0) rectangle (1,1);\n x\n\\end{tikzpicture}"
+    )
+    unknown = b"\\begin{tikzpicture}\n x\n\\end{tikzpicture}"
+    found = pdf.without_pictures(b"\n".join((framed, sketched, unknown)))
+    assert found.count(b"\n") == b"\n".join((framed, sketched, unknown)).count(b"\n")
+    assert b"\n\n" not in found
+    assert rb"\rule[-9.6mm]{79.5mm}{44.6mm}" in found
+    assert rb"\begin{tikzpicture}[x=9mm]\path[use as bounding box] (0,0) rectangle (1,1);\end{tikzpicture}" in found
+    assert found.endswith(unknown)
+
+
 @with_latex
 @pytest.mark.parametrize(
     ("row", "message"),

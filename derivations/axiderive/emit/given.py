@@ -57,8 +57,8 @@ def _load_axes(load: Load, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
         displacements.append([(float(x), float(numbers("w", x))) for x in places])
     words = f"for the exponents $s={', '.join(EXPONENTS)}$" if free else "inside the circle of radius $a$"
     return (
-        _axes(("$r/a$", "$p/p_0$"), (0.0, 1.0), 2.0, pressures, labels, ("Pressure", f"{words}.")),
-        _axes(
+        axes(("$r/a$", "$p/p_0$"), (0.0, 1.0), 2.0, pressures, labels, ("Pressure", f"{words}.")),
+        axes(
             ("$r/a$", "$w E^{*}/(p_0 a)$"), (0.0, 3.0), 3.2, displacements, labels,
             ("Displacement", "of the surface, inside and outside the loaded circle."),
         ),
@@ -78,11 +78,11 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
         e = sp.Rational(str(share)) + sp.Rational(1, 10**9)  # the border of lift-off belongs to neither case
         tilt.append((float(share), float(mp.pi / 2 * _Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
     return (
-        _axes(
+        axes(
             ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), HIGHEST, pressures, list(ECCENTRICITIES),
             ("Pressure", f"for $e/a={', '.join(ECCENTRICITIES)}$; beyond one half the left edge is lifted off."),
         ),
-        _axes(
+        axes(
             ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), 16.0, [tilt], [""],
             ("Inclination", r"under the load $P$ at $x=e$; linear until an edge lifts off."),
         ),
@@ -94,7 +94,7 @@ class _Strip(Numbers):
         return nt.x
 
 
-def _axes(
+def axes(
     names: tuple[str, str],
     x: tuple[float, float],
     top: float,

@@ -173,7 +173,7 @@ def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float
         near = [x + half * shift / 4 for shift in range(-4, 5)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
         crowded = any(abs(x - x1) < half + 0.1 and abs(top - y1) < 0.45 for x1, y1 in taken)
-        if x - half < 0.01 or x + half > 1.0 or top > HIGHEST - 0.3 or crowded:
+        if x - half < 0.01 or x + half > 1.0 or not own[0][0] <= x <= own[-1][0] or top > HIGHEST - 0.3 or crowded:
             continue
         spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
         apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))
@@ -219,7 +219,7 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         rows = [(float(d / depth), float(numbers.at(d=d)("F") / force)) for d in depths]
         reference = "$(d_1, F_1)$: the contact of the sketch"
     else:
-        low, high = _contact_range(profile, numbers)
+        low, high = contact_range(profile, numbers)
         radii = [low + (high - low) * (mp.mpf(i) / 40) ** 2 for i in range(41)]
         members = [numbers.at(a=radius) for radius in radii]
         rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
@@ -257,7 +257,7 @@ def _reference(profile: Profile, numbers: Numbers) -> str:
     return f" at $a_1={ratio}\\,{nt.describe(length).latex}$"
 
 
-def _contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
+def contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
     """Contact radii from nothing to the depth at the right end of the plot, or to the largest contact there is."""
     radius, goal = numbers["a"], mp.mpf(WIDEST) * numbers.depth
     low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else radius * mp.mpf("1e-3")

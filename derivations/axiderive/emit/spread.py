@@ -14,6 +14,7 @@ from . import blocks, front, matrix, page, references
 from . import evidence as proven
 from .curves import curves
 from .given import axes_of
+from .graded.frames import frames
 from .panel import panel
 from .plots import plots
 from .prose import prose
@@ -100,6 +101,7 @@ NOTHING: dict[str, Any] = {
     "derivation": "",
     "complete": False,
     "axes": (),
+    "graded": (),
 }
 
 
@@ -119,7 +121,9 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
         exact: Numbers = StripNumbers(profile, main, values)
     else:
         rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
+    graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
+        "graded": frames(profile, main, graded) if "p" in graded else (),
         "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
         "worked": worked(profile_id, profile, main, type(rough)),
         "picture": sketch(profile, rough),

@@ -126,14 +126,15 @@ def given(axes: Any) -> Figure:
     return figure
 
 
-def figures(model: Mapping[str, Any]) -> list[Figure]:
-    """The plots of a page, in the order of the book."""
+def figures(model: Mapping[str, Any]) -> dict[str, list[Figure]]:
+    """The plots of a page by the system they stand with, in the order of the book."""
     found: list[Figure] = []
     if model.get("plots"):
         found += [pressure(model["plots"]), force(model["plots"])]
     if model.get("curves"):
         found += [adhesion(model["curves"]), slip(model["curves"])]
     found += [given(axes) for axes in model["axes"]]
-    for figure in found:
+    graded = [given(axes) for axes in model["graded"]]
+    for figure in (*found, *graded):
         figure.anchor = "plot." + figure.caption[0].lower().replace(" ", "-")
-    return found
+    return {model["first"]: found, "graded.normal": graded}

@@ -15,6 +15,7 @@ from ..calls import Signatures, called, imported, signatures
 from ..prose import prose
 from ..rows import Row
 from ..spread import problems_of
+from .drawing import Figure
 from .figures import figures
 from .sketch import sketch
 from .words import formula
@@ -71,6 +72,7 @@ class Section:
     rows: list[WebRow]
     words: str = ""
     further: Sequence[Further] = ()
+    figures: Sequence[Figure] = ()
 
 
 @dataclass(frozen=True)
@@ -152,7 +154,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
     agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
     problems = {problem.system.name: problem for problem in problems_of(model["name"])}
-    sections = []
+    sections, drawn = [], figures(model)
     for name, block in model["blocks"].items():
         anchor = f"about.{name}"
         if block["words"]:
@@ -163,11 +165,11 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         known = Known(problem, records, agreed, signatures(modules[problem.module]))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
         further = _apart([_further(one, model["name"]) for line in block["further"] for one in line])
-        sections.append(Section(anchor, title, note, [known.row(one) for one in rows], further=further))
+        shown = [known.row(one) for one in rows]
+        sections.append(Section(anchor, title, note, shown, further=further, figures=drawn.get(name, ())))
     picture = model["picture"]
     return {
         **model,
         "sections": sections,
         "sketch": sketch(picture, model) if picture else None,
-        "figures": figures(model),
     }

@@ -94,7 +94,7 @@ def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, A
 
 def search_index(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
     """The index behind the search, as a script, because a page opened from a folder may load nothing else."""
-    profiles = {i: [_plain(models[i]["title"]), _synonyms(i)] for i in ids}
+    profiles = {i: [_plain(models[i]["title"]), _other_names(i)] for i in ids}
     numbers = {system.name: number for number, system in enumerate(SYSTEMS)}
     rows = [
         [entry.key, i, numbers[problem.system.name], entry.quantity.label, _names(entry)]
@@ -102,7 +102,11 @@ def search_index(ids: Sequence[str], models: Mapping[str, Model], derived: Deriv
         for problem in spread.problems_of(i)
         for entry in derived.get(problem.key, {}).values()
     ]
-    record = {"profiles": profiles, "systems": [system.title for system in SYSTEMS], "keys": rows}
+    record = {
+        "profiles": profiles,
+        "systems": [[system.title, SEARCHED.get(system.name, "")] for system in SYSTEMS],
+        "keys": rows,
+    }
     return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
 
 
@@ -114,9 +118,26 @@ def _plain(text: str) -> str:
     return text.replace("$", "").replace("\\", "")
 
 
-def _synonyms(profile_id: str) -> str:
+def _other_names(profile_id: str) -> str:
+    """What else a profile is called, and whose work it is."""
     pool, name = spread.pool_of(profile_id), profile_id.rpartition(".")[2]
-    return ", ".join(pool.load(name).synonyms)
+    profile = pool.load(name)
+    return ", ".join([*profile.synonyms, *profile.sources])
+
+
+SEARCHED = {
+    "normal": "indentation",
+    "adhesive": "adhesion JKR Johnson Kendall Roberts Hess pull-off",
+    "tangential": "friction partial slip Cattaneo Mindlin Ciavarella Jäger traction",
+    "viscoelastic": "creep relaxation Lee Radok rheology",
+    "graded.normal": "FGM functionally graded gradient",
+    "graded.adhesive": "FGM functionally graded gradient adhesion JKR pull-off",
+    "graded.tangential": "FGM functionally graded gradient friction partial slip Cattaneo Mindlin",
+    "plane": "two-dimensional line contact roller strip",
+    "loads": "prescribed pressure loaded circle",
+    "materials": "effective modulus Young Poisson",
+}
+"""Words by which a physics is looked for and that its title does not have."""
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from .. import study
 from ..prose import escaped
 from ..study import error, maps
 from .drawing import Figure, Scale
+from .words import slug
 
 UNIT = 8.0
 """SVG units to a millimetre."""
@@ -45,8 +46,19 @@ def model(figures: Mapping[str, Any]) -> dict[str, Any]:
             "legend": [words for _, words in found.legend],
         }
     if figures["extremes"]:
-        shown["extremes"] = [row | {"problem": _linked(row)} for row in figures["extremes"]]
+        shown["extremes"] = [row | {"problem": _linked(row), "anchor": _address(row)} for row in figures["extremes"]]
     return shown
+
+
+def _address(row: Mapping[str, Any]) -> str:
+    """extreme.b-to-0.cone: of the limit and the problem, which no other row has both."""
+    # the sign tells k to -1 and k to 1 apart
+    limit = slug(row["limit"].replace(r"\to", "to").replace("-", "minus ").translate(PLAIN))
+    return f"extreme.{limit}.{row['problem']}"
+
+
+PLAIN = str.maketrans({"$": None, "\\": None, "{": None, "}": None})
+"""What LaTeX puts around the letters of a limit."""
 
 
 def _linked(row: Mapping[str, Any]) -> str:

@@ -6,8 +6,10 @@ every misprint of a listed one.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 import mpmath as mp
@@ -19,10 +21,9 @@ from ...contact import viscoelastic
 from ...entry import Entry
 from ...proof.evaluate import evaluate
 from .compare import DIGITS, difference
-from .front import SAMPLES
 from .grammar import read
 from .printed import holds, name_in_print, named
-from .statements import CLOSE, Said
+from .statements import CLOSE, Said, same_range
 
 Entries = Mapping[str, Entry]
 LISTED = {
@@ -81,9 +82,20 @@ def in_front(bodies: Entries) -> Iterator[Said]:
         force, radius = mp.mpf("1.7"), mp.mpf("0.6")
         yield Said(r"F_{\mathrm N}/(\pi a^2)", _equal(force / (mp.pi * radius**2), {"F_N": force, "a": radius}))
         yield from _laws()
-        samples = {name: mp.mpf(text) for name, text in SAMPLES.items()}
-    for tex in ("p>0", r"0\le z<1", "c>q>0", "z<1", "c>p>0", "b<a", "b<R"):
-        yield Said(tex, lambda text: not holds(text, samples))
+    for tex, ascending in CONDITIONS.items():
+        yield Said(tex, same_range(partial(_ascends, ascending), tuple(x for x in ascending if x.isalpha())))
+
+
+CONDITIONS = {
+    "p>0": ("0", "p"), r"0\le z<1": ("0", "z", "1"), "c>q>0": ("0", "q", "c"), "z<1": ("z", "1"),
+    "c>p>0": ("0", "p", "c"), "b<a": ("b", "a"), "b<R": ("b", "R"),
+}  # fmt: skip
+"""Where the integrals of the special functions converge and are real, in ascending order."""
+
+
+def _ascends(members: tuple[str, ...], env: Mapping[str, Any]) -> bool:
+    known = [env[name] if name.isalpha() else mp.mpf(name) for name in members]
+    return all(lo < hi for lo, hi in itertools.pairwise(known))
 
 
 MODULI = {
