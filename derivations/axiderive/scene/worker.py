@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import multiprocessing
 import os
 import resource
@@ -16,6 +17,9 @@ from ..exits import FAILED, CommandError
 
 Result = TypeVar("Result")
 SECONDS = 60
+"""Of processor time: a busy machine does not make a derivation too long."""
+PATIENCE = 5
+"""How much longer it may take by the clock."""
 MEGABYTES = 2048
 
 
@@ -39,18 +43,19 @@ def limited(
     """
     context: Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_work, args=(sender, function, arguments, megabytes), daemon=True)
+    process = context.Process(target=_work, args=(sender, function, arguments, seconds, megabytes), daemon=True)
     process.start()
     sender.close()
     try:
-        if not receiver.poll(seconds):
-            message = (
-                f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
-            )
-            raise LimitError(message)
+        stopped = f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
+        if not receiver.poll(PATIENCE * seconds):
+            raise LimitError(stopped)
         try:
             kind, value = receiver.recv()
         except EOFError:
+            process.join()
+            if process.exitcode == -signal.SIGXCPU:
+                raise LimitError(stopped) from None
             message = f"the process died (more than {megabytes} MB?); use a shorter expression or fewer breaks"
             raise LimitError(message) from None
     finally:
@@ -65,9 +70,12 @@ def limited(
     return result
 
 
-def _work(sender: Connection, function: Callable[..., Any], arguments: tuple[object, ...], megabytes: int) -> None:
+def _work(
+    sender: Connection, function: Callable[..., Any], arguments: tuple[object, ...], seconds: float, megabytes: int
+) -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     _limit(resource.RLIMIT_AS, megabytes * 2**20)
+    _limit(resource.RLIMIT_CPU, math.ceil(seconds))
     # the process ends with its answer: collecting cost it 15 % of a derivation
     gc.disable()
     try:
