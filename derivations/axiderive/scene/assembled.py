@@ -100,7 +100,7 @@ def number(
         parameters=", ".join(modules[key[0]].definitions[key[1]].parameters),
         value=_float(call, array=array),
     )  # fmt: skip
-    return Assembled(name, text, doc, keywords)
+    return Assembled(name, text, doc, keywords, decorators=SILENT if array else ())
 
 
 def pull_off(
@@ -126,7 +126,7 @@ def pull_off(
         force_value=_float(_call(modules, (key, force)), array=array),
         depth_value=_float(_call(modules, (key, depth)), array=array),
     )  # fmt: skip
-    decorators = SILENT if radius in defined else ()
+    decorators = SILENT if radius in defined or array else ()
     return Assembled(interface.PULL_OFF, text, doc, keywords, 'control="force"', decorators)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mpmath as mp
@@ -14,6 +15,8 @@ from .edged import Edged
 
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
+STEP = 1e-6
+"""Relative; the loads differ by its square, which 20 digits show."""
 State = tuple[float, float, float]
 """Radius, force and depth."""
 
@@ -21,6 +24,16 @@ State = tuple[float, float, float]
 def _corners(contact: Contact) -> list[Any]:
     known = contact.given()
     return [number(known[b]) for b in contact.profile.breaks]
+
+
+def _least(contact: Contact, control: str, radius: float, corner: Any) -> State:
+    """The loads at a radius on both sides of which the one that is held is larger; NaN where it is not."""
+    load = {"force": contact.force, "depth": contact.depth}[control]
+    place = radius if corner is None else float(corner)
+    here = load(place)
+    # a flat tip carries nothing at a smaller radius
+    turns = here < load(place * (1 + STEP)) and (contact.profile.truncated or here < load(place * (1 - STEP)))
+    return place if turns else math.nan, float(contact.force(radius)), float(contact.depth(radius))
 
 
 def detached(contact: Contact, control: str, radius: float) -> State | None:
@@ -32,12 +45,14 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         if not contact.compact:
             force, depth = edged.pulled()
             return float(edged.a), float(force), float(depth)
+        corner = next((b for b in _corners(contact) if abs(radius / b - 1) < NEAR), None)
+        if contact.request.own is not None and not edged.graded:
+            return _least(contact, control, radius, corner)
         here, wanted = edged.half_space(), mp.mpf(contact.all["dgamma"])
 
         def missing(scale: Any) -> Any:
             return mp.log(here.separation(control, radius * scale) / wanted)
 
-        corner = next((b for b in _corners(contact) if abs(radius / b - 1) < NEAR), None)
         if corner is not None and missing(corner * (1 + NEAR) / radius) > 0:
             # At a break the load may turn without being stationary. Beyond it the depth grows as the root of the
             # distance, 1e-6 of it within two units of the last place: the loads are those of the radius itself.

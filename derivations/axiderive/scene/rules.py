@@ -16,9 +16,9 @@ from . import interface
 
 NEEDS_PULL_OFF = frozenset([interface.PULL_OFF, *interface.SIGNED])
 """Functions that rest on a pull-off."""
-DIGITS = 12
-PHASES = tuple(0.5 * i for i in range(2, 29))
-"""Values of 2 pi a/wavelength at which g' of waves may be least: its amplitude over a falls from the first wave on."""
+DIGITS = 8
+PHASES = tuple(0.5 * i for i in range(4, 16))
+"""Values of 2 pi a/wavelength around the least g'/a of waves: from 4.49 at k = -1, where g' ~ f', to pi at k = 1."""
 
 
 def between(profile: Profile, physics: str) -> list[Rule]:
@@ -59,7 +59,7 @@ def open_between_waves(profile: Profile, values: Mapping[str, float]) -> float |
 
         least = min(PHASES[1:-1], key=rate)
         step = 0.25
-        while step > 1e-4:
+        while step > 1e-3:
             least = min((least - step, least, least + step), key=rate)
             step /= 2
         return float(unit * least) if rate(least) < 0.0 else None
