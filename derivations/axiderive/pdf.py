@@ -18,8 +18,6 @@ PDFLATEX = ("pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-o
 TIMEOUT = 600
 """Seconds for one pass: it takes about 20 s of processor time, on a machine that may be busy with other things."""
 MOST_PASSES = 4
-ROUGH_PASSES = 2
-"""Passes without pictures: the second one knows the pages of the first."""
 WIDEST_OVERFULL_PT = 2.0
 
 
@@ -74,16 +72,16 @@ def main_file(sources: Mapping[str, bytes]) -> str:
 def compile_pdf(sources: Mapping[str, bytes]) -> tuple[bytes, list[str]]:
     """PDF of the handbook and the warnings of the last pass.
 
-    Passes are repeated until the .aux files no longer change; the first ones leave boxes in place of the
-    pictures, which take four fifths of the time of a pass and have no part in its references.
+    Passes are repeated until the .aux files no longer change; the first one only gathers the references, with
+    boxes in place of the pictures, which take four fifths of the time of a pass.
     """
     main = main_file(sources)
     with tempfile.TemporaryDirectory(prefix="axicontact-tex-") as name:
         folder = Path(name)
         _write(folder, {path: without_pictures(content) for path, content in sources.items()})
-        _until_settled(folder, main, sources, ROUGH_PASSES)
+        _one_pass(folder, main, sources)
         _write(folder, sources)
-        _until_settled(folder, main, sources, MOST_PASSES)
+        _until_settled(folder, main, sources)
         job = Path(main).stem
         log = (folder / f"{job}.log").read_text(errors="replace")
         return (folder / f"{job}.pdf").read_bytes(), problems(log, sources)
@@ -95,10 +93,10 @@ def _write(folder: Path, sources: Mapping[str, bytes]) -> None:
         (folder / path).write_bytes(content)
 
 
-def _until_settled(folder: Path, main: str, sources: Mapping[str, bytes], most: int) -> None:
+def _until_settled(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:
     """Passes until one leaves the references as it found them."""
     before = _references(folder)
-    for _ in range(most):
+    for _ in range(MOST_PASSES):
         _one_pass(folder, main, sources)
         after = _references(folder)
         if after == before:
