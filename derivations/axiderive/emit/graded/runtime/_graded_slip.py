@@ -169,7 +169,8 @@ def waves_gain(
     rest = integral_by_panels(lambda y: grown(inner + first + y), gap - first, length * np.ones_like(gap), NODES)
     fields = (r,) if quantity == "pressure" else ()
     difference = whole(*fields, a, q, k) - whole(*fields, c, q, k)
-    return np.where(close, integral_in_strip(near, np.log1p(first / inner)) + rest, difference)
+    part = integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
+    return np.where(close, part + rest, difference)
 
 
 def _chosen(outer: Array, inner: Array, gain: Callable[[Array], Array]) -> Array:
