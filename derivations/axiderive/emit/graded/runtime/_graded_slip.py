@@ -16,12 +16,14 @@ from ._elementwise import Array
 from ._graded_growth import power_depth, power_factor, power_force, sphere_rate
 from ._graded_pressure import growth_beyond_cap
 from ._graded_rules import raised
-from ._integrals import STRIPS, difference_root, integral_by_panels, integral_in_strip
+from ._integrals import difference_root, integral_by_panels, integral_in_strip
 from ._slip import CLOSE, gained_share
 
 Whole = Callable[..., Array]
 Lengths = tuple[Array, ...]
-NODES, PANEL, DECAY, WAVES = 64, STRIPS[-1][0], 42.0, 256.0
+NODES, DECAY, WAVES = 64, 42.0, 256.0
+PANEL = 9.0
+"""Length that the nodes resolve with singularities pi/2 away; see STRIPS."""
 
 
 def power_gain(quantity: str, r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
