@@ -16,12 +16,14 @@ from ._elementwise import Array
 from ._graded_growth import power_depth, power_factor, power_force, sphere_rate
 from ._graded_pressure import growth_beyond_cap
 from ._graded_rules import raised
-from ._integrals import STRIPS, difference_root, integral_by_panels, integral_in_strip
+from ._integrals import difference_root, integral_by_panels, integral_in_strip
 from ._slip import CLOSE, gained_share
 
 Whole = Callable[..., Array]
 Lengths = tuple[Array, ...]
-NODES, PANEL, DECAY, WAVES = 64, STRIPS[-1][0], 42.0, 256.0
+NODES, DECAY, WAVES = 64, 42.0, 256.0
+PANEL = 9.0
+"""Length that the nodes resolve with singularities pi/2 away; see STRIPS."""
 
 
 def power_gain(quantity: str, r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
@@ -169,7 +171,8 @@ def waves_gain(
     rest = integral_by_panels(lambda y: grown(inner + first + y), gap - first, length * np.ones_like(gap), NODES)
     fields = (r,) if quantity == "pressure" else ()
     difference = whole(*fields, a, q, k) - whole(*fields, c, q, k)
-    return np.where(close, integral_in_strip(near, np.log1p(first / inner)) + rest, difference)
+    part = integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
+    return np.where(close, part + rest, difference)
 
 
 def _chosen(outer: Array, inner: Array, gain: Callable[[Array], Array]) -> Array:
