@@ -73,7 +73,8 @@ def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: 
 
     Newton's where the two disagree: next to a kink, or before the end is near.
     """
-    newton, way = error / slope, before - error
+    # a root that is met moves no more
+    newton, way = error / slope, np.where(before == error, np.inf, before - error)
     mean = step / way
     bend, bend_before = (1.0 / slope - mean) / way, (mean - 1.0 / slope_before) / way
     more = error * error * (bend + (bend - bend_before) / way * before)
