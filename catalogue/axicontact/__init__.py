@@ -7,6 +7,7 @@ from typing import Any
 
 __all__ = [
     "adhesive",
+    "expressions",
     "graded",
     "loads",
     "materials",

@@ -57,7 +57,10 @@ def require_reach(a: ArrayLike, b: ArrayLike, instead: str = "normal.flat_punch"
     """
     if type(a) is float and type(b) is float and a >= b:
         return
-    radius, face = np.broadcast_arrays(numbers("a", a), numbers("b", b))
+    radius, face = numbers("a", a), numbers("b", b)
+    if radius.size and face.size and radius.flat[0] >= face.flat[0]:
+        return
+    radius, face = np.broadcast_arrays(radius, face)
     if radius.size and np.all((radius >= 0.0) & (radius < face)):
         message = (
             f"a = {float(radius.flat[0])!r} is below b = {float(face.flat[0])!r}: the contact starts at a = b, "
@@ -80,4 +83,4 @@ def numbers(name: str, value: ArrayLike) -> Array:
     if array.dtype.kind not in "iuf":
         message = f"{name} must be a real number or an array of real numbers, not {value!r}"
         raise TypeError(message)
-    return array.astype(np.float64)
+    return array.astype(np.float64, copy=False)

@@ -2,82 +2,159 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ._scalar import PLAIN, scalar
-
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+    from ._blocks import Program
 
 Array: TypeAlias = Any
 """A float64 array, or a number that broadcasts with one; NumPy's stubs do not follow the mixture."""
 Result: TypeAlias = Any
 """A float where every argument is a number, an array otherwise."""
 
-BLOCK = 16384
 SMALL, LARGE = 1e-30, 1e30
-"""Plain numbers between these keep every product of a formula in range, unless the result itself is far out."""
-LEAST, GREATEST = 1e-200, 1e200
+"""Plain numbers between these take the short way."""
+BLOCK = 16384
+"""Some arrays of this many numbers stay in the cache of a core."""
+ZERO = np.array(0.0)
+"""A call with an array without dimensions costs half of one with a float."""
+_formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
 def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters: ArrayLike) -> Result:
     """Values of `function(*fields, **parameters)`; NaN where a field is negative or NaN.
 
-    Formulas are evaluated everywhere and the branch that applies is chosen
-    afterwards, hence the silence about divisions and roots outside a branch.
-    A block in which a number leaves the range of doubles is evaluated again
-    with numbers that have no such range.
+    Divisions and roots outside a branch are silent.  A block in which a number leaves the range of doubles
+    is evaluated again with numbers that have no such range.
     """
     for number in (*fields, *parameters.values()):
         if type(number) is not float or not SMALL < number < LARGE:
             break
     else:
-        plain = PLAIN.get(function) or scalar(function)
-        if plain is not None:
-            try:
-                value = plain(*fields, **parameters)
-            except (ArithmeticError, ValueError):
-                value = 0.0
-            if LEAST < value < GREATEST or LEAST < -value < GREATEST:
+        formula = _formulas.get(function) or _compiled_formula(function)
+        if formula is not None:
+            value = formula(*fields, **parameters)
+            if value is not None:
                 return value
-    arguments = [_real(value) for value in fields]
-    names = [name for name, value in parameters.items() if np.ndim(value) > 0]
-    fixed = {name: np.float64(value) for name, value in parameters.items() if name not in names}  # type: ignore[arg-type]
-    arguments += [_real(parameters[name]) for name in names]
-    # a product of two floats of Python overflows in silence, hence np.float64
-    block = partial(_block, function, len(fields), names, fixed)
-    if all(value.ndim == 0 for value in arguments):
-        return float(block(*(value.reshape(1) for value in arguments)).flat[0])
-    whole = np.broadcast(*arguments)
-    if whole.size <= BLOCK:
-        return block(*(np.broadcast_to(value, whole.shape).ravel() for value in arguments)).reshape(whole.shape)
-    return _by_blocks(block, arguments)
+    values: list[Array] = [value if type(value) is float else _real(value) for value in (*fields, *parameters.values())]
+    several = tuple([type(value) is not float and value.size != 1 for value in values])
+    if any(several):
+        return _evaluated(function, len(fields), tuple(parameters), values, several)
+    # one point: its fields as arrays
+    count = len(fields)
+    points = [np.array([_number(value)]) for value in values[:count]] + [_number(value) for value in values[count:]]
+    result = _evaluated(function, count, tuple(parameters), points, (True,) * count + (False,) * len(parameters))
+    dimensions = max([0 if type(value) is float else value.ndim for value in values], default=0)
+    return result.reshape((1,) * dimensions) if dimensions else float(result[0])
 
 
-def _block(
-    function: Callable[..., Array], count: int, names: list[str], fixed: dict[str, np.float64], *values: Array
+def _compiled_formula(function: Callable[..., Array]) -> Callable[..., float | None] | None:
+    """The function over plain numbers."""
+    # not imported with the package: tracing and compiling come with the first call
+    from ._plain import plain
+
+    formula = plain(function)
+    if formula is not None:
+        _formulas[function] = formula
+    return formula
+
+
+def _evaluated(
+    function: Callable[..., Array],
+    count: int,
+    keywords: tuple[str, ...],
+    values: list[Array],
+    several: tuple[bool, ...],
 ) -> Array:
-    fields, given = values[:count], dict(zip(names, values[count:], strict=True))
+    """The values for arrays, of one size when broadcast, and for numbers where it is not `several`."""
+    from ._blocks import program
+
+    arrays = [value for value, more in zip(values, several, strict=True) if more]
+    # as np.float64: a product of two floats of Python overflows in silence
+    numbers = [np.float64(_number(value)) for value, more in zip(values, several, strict=True) if not more]
+    found, out = program(function, count, keywords, several), np.empty(_shape(values))
+    if not all(number >= 0.0 for number in numbers[: count - sum(several[:count])]):
+        out.fill(np.nan)
+        return out
+    with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
+        compiled = None if found is None else _compiled(found, numbers, out.size)
+        for part, *blocks in _blocks(out, arrays):
+            if compiled is None or not compiled(part, *blocks):
+                rest, more = iter(numbers), iter(blocks)
+                given = [next(more) if is_array else next(rest) for is_array in several]
+                _by_body(function, count, keywords, given, part)
+            for block in blocks[: sum(several[:count])]:
+                inside = np.greater_equal(block, ZERO)
+                if np.count_nonzero(inside) != block.size:
+                    part[~inside] = np.nan
+    return out
+
+
+def _number(value: Array) -> float:
+    return value if type(value) is float else value.item()
+
+
+def _shape(values: list[Array]) -> tuple[int, ...]:
+    arrays = [value for value in values if type(value) is not float]
+    if not arrays:
+        return (1,)
+    return arrays[0].shape if len(arrays) == 1 else np.broadcast(*arrays).shape
+
+
+def _by_body(
+    function: Callable[..., Array], count: int, keywords: tuple[str, ...], given: list[Array], part: Array
+) -> None:
+    """A block by the function itself."""
+    # np.broadcast_to would leave strides of zero, which NumPy's loops are slower for
+    fields = [value if np.ndim(value) else np.full(part.shape, value) for value in given[:count]]
+    parameters = dict(zip(keywords, given[count:], strict=True))
     try:
-        with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
-            result = function(*fields, **fixed, **given)
+        part[...] = function(*fields, **parameters)
     except FloatingPointError:
         with np.errstate(all="ignore"):
-            result = _unbounded(function, fields, fixed | given)
-    if values and np.shape(result) != values[0].shape:
-        result = np.broadcast_to(result, values[0].shape)
-    for value in fields:
-        # min() is NaN where a field is, and the comparison then fails too
-        if not value.size or not value.min() >= 0.0:
-            result = np.where(value >= 0.0, result, np.nan)
-    return np.asarray(result, dtype=np.float64)
+            part[...] = _unbounded(function, fields, parameters)
 
 
-def _unbounded(function: Callable[..., Array], fields: tuple[Array, ...], parameters: dict[str, Any]) -> Array:
+def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bool] | None:
+    """The program with its numbers, which says whether a block stayed in the range of doubles; None if they do not."""
+    try:
+        prepared = [np.asarray(value) for value in found.prepare(*numbers)]
+    except FloatingPointError:
+        return None
+    # allocated for every call: threads share nothing
+    size = min(size, BLOCK)
+    work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
+
+    def fill(out: Array, *arrays: Array) -> bool:
+        places = work if out.size == size else [place[: out.size] for place in work]
+        try:
+            found.block(out, *arrays, *prepared, *places)
+        except FloatingPointError:
+            return False
+        return True
+
+    return fill
+
+
+def _blocks(out: Array, arrays: list[Array]) -> Iterator[tuple[Array, ...]]:
+    """Parts of the result with the same parts of the arrays, one-dimensional."""
+    if all(value.shape == out.shape and value.flags.c_contiguous for value in arrays):
+        flat = [value.reshape(-1) for value in (out, *arrays)]
+        for first in range(0, out.size, BLOCK):
+            yield tuple(value[first : first + BLOCK] for value in flat)
+        return
+    flags: list[Any] = [["writeonly"], *([["readonly"]] * len(arrays))]
+    with np.nditer([out, *arrays], ["external_loop", "buffered", "zerosize_ok"], flags, buffersize=BLOCK) as steps:
+        if out.size:
+            yield from steps
+
+
+def _unbounded(function: Callable[..., Array], fields: list[Array], parameters: dict[str, Any]) -> Array:
     from ._extended import extended
 
     try:
@@ -86,17 +163,6 @@ def _unbounded(function: Callable[..., Array], fields: tuple[Array, ...], parame
     except (TypeError, AttributeError):
         # a body that needs more of NumPy than such numbers know
         return function(*fields, **parameters)
-
-
-def _by_blocks(block: Callable[..., Array], arguments: list[Array]) -> Array:
-    flags: list[Any] = [["readonly"]] * len(arguments) + [["writeonly", "allocate"]]
-    with np.nditer(
-        [*arguments, None], ["external_loop", "buffered"], flags, op_dtypes=[np.float64] * len(flags), buffersize=BLOCK
-    ) as steps:
-        for *values, out in steps:
-            out[...] = block(*values)
-        result: Array = steps.operands[-1]
-        return result
 
 
 def _real(value: ArrayLike) -> Array:

@@ -41,6 +41,10 @@ class Extended(NDArrayOperatorsMixin):
     def size(self) -> int:
         return int(np.prod(self.shape))
 
+    def __getitem__(self, place: Any) -> Extended:
+        whole = np.broadcast_arrays(self.mantissa, self.exponent)
+        return Extended(*(part[place] for part in whole))
+
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         return np.asarray(np.ldexp(self.mantissa, np.clip(self.exponent, -5000, 5000).astype(np.int32)))
 
@@ -181,6 +185,7 @@ RULES: dict[Any, Callable[..., Any]] = {
     np.power: _power,
     np.square: lambda x: _multiply(x, x),
     np.sqrt: _root(2, np.sqrt),
+    np.hypot: lambda x, y: RULES[np.sqrt](_add(_multiply(x, x), _multiply(y, y))),
     np.cbrt: _root(3, np.cbrt),
     np.exp: _exp,
     np.expm1: _expm1,
@@ -197,6 +202,8 @@ RULES: dict[Any, Callable[..., Any]] = {
     np.arctan2: _arctan2,
     np.minimum: _least,
     np.maximum: _greatest,
+    np.floor: _plain(np.floor),
+    np.ceil: _plain(np.ceil),
     np.isfinite: lambda x: np.isfinite(x.mantissa),
     np.nextafter: lambda x, y: Extended(np.nextafter(x.mantissa, np.where(_less(x, y), np.inf, -np.inf)), x.exponent),
     np.less: _compared(np.less),
@@ -210,6 +217,7 @@ SHAPED: dict[Any, Callable[..., Any]] = {
     np.sum: _sum,
     np.max: lambda x, initial: max(float(np.max(np.asarray(x), initial=initial)), initial),
     np.ndim: lambda x: x.ndim,
+    np.shape: lambda x: x.shape,
     np.size: lambda x: x.size,
     np.zeros_like: lambda x: Extended(np.zeros(x.shape)),
     np.ones_like: lambda x: Extended(np.ones(x.shape)),

@@ -101,16 +101,16 @@ def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) 
 
 def gamma_ratio(x: Array) -> Array:
     """Gamma(x + 1/2)/Gamma(x) for x > 0: shifted to x >= 12, then the asymptotic series."""
-    x = np.asarray(x, dtype=np.float64)
-    low, shifted, factor = x < _STEPS, x, np.ones_like(x)
+    low, shifted, above, below = x < _STEPS, x, np.ones_like(x), np.ones_like(x)
     for _ in range(_STEPS):
-        factor = np.where(low, factor * (shifted / (shifted + 0.5)), factor)
+        # the products of whole and half numbers are exact
+        above, below = np.where(low, above * shifted, above), np.where(low, below * (shifted + 0.5), below)
         shifted = np.where(low, shifted + 1.0, shifted)
     w = shifted - 0.25
     series = np.zeros_like(w)
     for coefficient in reversed(_RATIO):
         series = (series + coefficient) / (w * w)
-    return factor * np.sqrt(w) * (1.0 + series)
+    return above / below * np.sqrt(w) * (1.0 + series)
 
 
 def dawson(x: Array) -> Array:
@@ -145,12 +145,7 @@ _SWITCH = 4.0
 
 
 def _joined(x: Array, near: Callable[[Array], Array], far: Callable[[Array], Array]) -> Array:
-    beyond = x >= _SWITCH
-    if not np.any(beyond):
-        return near(x)
-    if not np.any(x < _SWITCH):
-        return far(x)
-    return np.where(beyond, far(np.maximum(x, _SWITCH)), near(np.minimum(x, _SWITCH)))
+    return np.where(x >= _SWITCH, far(np.maximum(x, _SWITCH)), near(np.minimum(x, _SWITCH)))
 
 
 def _series(x: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:

@@ -11,8 +11,10 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ._graded_rules import NODES, raised, sine_integral, sinh_over, weighted
-from ._integrals import difference_root, integral
+from ._graded_rules import NODES, raised, sine_integral, sine_over, sinh_over, weighted
+from ._integrals import difference_root, integral_by_panels
+
+_LONGEST = 8.0
 
 
 def flank_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -64,7 +66,7 @@ def _rounding(root: Array, b: Array, k: Array, of: Callable[..., Array]) -> Arra
 
     def smooth(y: Array) -> Array:
         fall = 2.0 * np.sin((angle + y) / 2.0) * np.sin((angle - y) / 2.0)
-        return of(y, fall) * np.sinc(y / np.pi) ** k
+        return of(y, fall) * sine_over(y) ** k
 
     return raised(angle, k) * weighted(smooth, angle, k, 32)
 
@@ -92,27 +94,23 @@ def _tip(a: Array, root: Array, b: Array, k: Array) -> Array:
     return -np.expm1((1.0 + k) * log) / (1.0 + k)
 
 
-def tipped_depth(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
-    """g(a) of the sphere R up to r = b, continued by its tangent cone."""
-    beyond = a**-k * a * _cap(a, root, R, b, k, lambda below, far: 1.0 / far)
-    beyond = beyond + _tangent(R, b) * flank_depth(a, root, b, k)
+def tipped_depth(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
+    """g(a) of the sphere R up to r = b, continued by its tangent cone; `end` is sqrt(R**2 - b**2)."""
+    beyond = a**-k * a * _cap(a, root, b, end, k, lambda below, far: 1.0 / far)
+    beyond = beyond + b / end * flank_depth(a, root, b, k)
     return np.where(a <= b, sphere_depth(*_within(a, R, b), k), beyond)
 
 
-def tipped_rate(t: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
-    beyond = t**-k * _cap(t, root, R, b, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
-    beyond = beyond + _tangent(R, b) * sine_integral(np.arctan2(root, b), k)
+def tipped_rate(t: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
+    beyond = t**-k * _cap(t, root, b, end, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
+    beyond = beyond + b / end * sine_integral(np.arctan2(root, b), k)
     return np.where(t <= b, sphere_rate(*_within(t, R, b), k), beyond)
 
 
-def tipped_force(a: Array, root: Array, R: Array, b: Array, k: Array) -> Array:
-    beyond = _cap(a, root, R, b, k, lambda below, far: below / far)
-    beyond = beyond + _tangent(R, b) * flank_force(a, root, b, k)
+def tipped_force(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
+    beyond = _cap(a, root, b, end, k, lambda below, far: below / far)
+    beyond = beyond + b / end * flank_force(a, root, b, k)
     return np.where(a <= b, sphere_force(*_within(a, R, b), k), beyond)
-
-
-def _tangent(R: Array, b: Array) -> Array:
-    return b / difference_root(R, b)
 
 
 def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:
@@ -120,28 +118,28 @@ def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:
     return inner, difference_root(R, inner)
 
 
-def _cap(t: Array, root: Array, R: Array, b: Array, k: Array, of: Callable[..., Array]) -> Array:
+def _cap(t: Array, root: Array, b: Array, end: Array, k: Array, of: Callable[..., Array]) -> Array:
     """Integral of z**k of(t**2 - z**2, sqrt(R**2 - t**2 + z**2)) over sqrt(t**2 - b**2) < z < t.
 
-    In ln(z) where the ends are close, else the whole sphere less what is beyond b.
+    In the v of sqrt(R**2 - t**2 + z**2) = end cosh(v), or where z may vanish the whole sphere less what is beyond b.
     """
-    end, lower = difference_root(R, b), np.maximum(root, 1e-300)
-    stretch = np.where(root < 0.5 * t, np.log(t / lower), -0.5 * np.log1p(-((b / t) ** 2)))
+    stop = np.arcsinh(b / end)
 
-    def smooth(x: Array) -> Array:
-        far = np.hypot(end, lower * np.sqrt(np.expm1(2.0 * x)))
-        below = -t * t * np.expm1(2.0 * (x - stretch))
-        return (lower * np.exp(x)) ** k * lower * np.exp(x) * of(below, far)
+    def smooth(v: Array) -> Array:
+        z = np.hypot(root, end * np.sinh(v))
+        below = end * np.sinh(stop - v) * (end * np.sinh(stop + v))
+        return z**k * (end / z) * np.sinh(v) * of(below, end * np.cosh(v)) * end * np.cosh(v)
 
-    inside = np.sqrt(np.maximum((R - t) * (R + t), 1e-300))
+    apart = (root < 0.5 * end) & (root < 0.5 * t)
+    inside = np.where(apart, difference_root(end, root), end)
 
-    def whole(stop: Array) -> Array:
+    def whole(last: Array) -> Array:
         def grown(v: Array) -> Array:
             z, far = inside * np.sinh(v), inside * np.cosh(v)
             return sinh_over(v) ** k * far * of((t - z) * (t + z), far)
 
-        last = np.arcsinh(stop / inside)
-        return (inside * last) ** k * last * weighted(grown, last, k)
+        reach = np.arcsinh(last / inside)
+        return (inside * reach) ** k * reach * weighted(grown, reach, k)
 
-    apart = (t < R) & (lower < 0.5 * t)
-    return np.where(apart, whole(t) - whole(lower), integral(smooth, stretch, NODES))
+    beside = integral_by_panels(smooth, stop + 0.0 * t, _LONGEST + 0.0 * t, NODES)
+    return np.where(apart, whole(t) - np.where(root > 0.0, whole(root), 0.0), beside)

@@ -13,12 +13,14 @@ from collections.abc import Callable
 import numpy as np
 
 from ._elementwise import Array
-from ._graded_rules import NODES, raised, sinh_over, weighted
+from ._graded_growth import power_excess
+from ._graded_rules import NODES, raised, sine_over, sinh_over, weighted
 from ._integrals import difference_root, integral, integral_by_panels
 
 Shape = Callable[[Array, Array], Array]
 """f as a function of s and z, with s**2 + z**2 = a**2."""
 SPLIT = np.pi / 6.0
+_SMOOTHING = 8
 
 
 def _scale(k: Array) -> Array:
@@ -43,11 +45,29 @@ def power_sag(r: Array, a: Array, n: Array, k: Array) -> Array:
 
     def smooth(x: Array) -> Array:
         # whole powers need no weight; with n in the weight the rule cancels for large n
-        return np.sinc(x / np.pi) ** weight * np.sin(x) ** whole * _kernel(np.cos(x), np.sin(x), a / q, k)
+        return sine_over(x) ** weight * np.sin(x) ** whole * _kernel(np.cos(x), np.sin(x), a / q, k)
 
     reach = np.pi / 2.0 - SPLIT
     far = reach**weight * reach * weighted(smooth, np.full_like(q, reach), weight)
     return _scale(k) * a**n * (near + far)
+
+
+def power_displacement(r: Array, a: Array, n: Array, k: Array) -> Array:
+    """The displacement of f = r**n inside and outside the contact: what d is above f(a), and f(a) above f(s)."""
+    ratio = np.where(r < 0.5 * a, np.log(r / a), np.where(r < a, np.log1p((r - a) / a), 0.0))
+    excess, inside = power_excess(n, k), -np.expm1(n * ratio)
+    q = difference_root(r, a)
+    near = _from_edge(lambda s, z: -np.expm1(n / 2.0 * np.log1p(-((z / a) ** 2))), a, q, q, np.arcsinh(a / q / 2.0), k)
+
+    def smooth(u: Array) -> Array:
+        # towards the axis the integrand ends in a power n, which this makes smooth for every n
+        x = reach * u**_SMOOTHING
+        fall = -np.expm1(n * np.log(np.sin(x))) * _kernel(np.cos(x), np.sin(x), a / q, k)
+        return fall * _SMOOTHING * reach * u ** (_SMOOTHING - 1)
+
+    reach = np.pi / 2.0 - SPLIT
+    outside = excess * punch_share(r, a, k) + _scale(k) * (near + integral(smooth, np.ones_like(q), NODES))
+    return np.where(a > 0.0, a**n * np.where(r > a, outside, excess + inside), 0.0)
 
 
 def sphere_sag(r: Array, a: Array, R: Array, k: Array) -> Array:
@@ -85,9 +105,8 @@ def rounded_sag(r: Array, a: Array, b: Array, k: Array) -> Array:
     return np.where(a <= b, tip, outer + inner)
 
 
-def tipped_sag(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+def tipped_sag(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    end = difference_root(R, b)
     height, slope = b * b / (R + end), b / end
     outer = _sag_beyond(lambda s, z: height + slope * (s - b), r, a, b, k)
     inner = _cap_sag(lambda s, z: s * s / (R + difference_root(R, s)), r, a, b, k)
@@ -143,7 +162,8 @@ def rim_sag(r: Array, a: Array, b: Array, k: Array) -> Array:
 def _sag_beyond(shape: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
     q, end = difference_root(r, a), difference_root(a, b)
     near = _from_edge(shape, a, q, q, np.arcsinh(np.minimum(end, a / 2.0) / q), k)
-    return _scale(k) * (near + _to(shape, a, q, np.maximum(np.arctan2(end, b), SPLIT), k))
+    value = _scale(k) * (near + _to(shape, a, q, np.maximum(np.arctan2(end, b), SPLIT), k))
+    return np.where(a > b, value, 0.0)
 
 
 def _cap_sag(shape: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:

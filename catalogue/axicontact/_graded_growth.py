@@ -15,7 +15,7 @@ from functools import cache
 import numpy as np
 
 from ._elementwise import Array
-from ._graded_rules import raised, sine_integral, sinh_over, weighted
+from ._graded_rules import raised, sine_integral, sine_over, sinh_over, weighted
 from ._integrals import integral_by_panels
 
 FAR = 40.0
@@ -27,13 +27,28 @@ def power_factor(n: Array, k: Array) -> Array:
     return (1.0 + k + n) / (1.0 + k) * _gamma(1.0 + half) / _rising(1.0 + n / 2.0, half)
 
 
+def power_excess(n: Array, k: Array) -> Array:
+    """The same less 1: the product over m of 1 + (n/2) (1 - k)/2/((m + 1 + n/2) (m + (1 + k)/2)), less 1."""
+    x, e, half = n / 2.0, (1.0 - k) / 2.0, (1.0 + k) / 2.0
+    log = np.zeros_like(x * e)
+    for m in range(int(FAR)):
+        log = log + np.log1p(x / (m + 1.0 + x) * (e / (m + half)))
+    # the rest of the product is a quotient of two of the series of `_rising`
+    low, high = FAR + half / 2.0, FAR + half / 2.0 + x
+    u, v = 1.0 / (low * low), 1.0 / (high * high)
+    first, second, third = _series(e)
+    change = -x * (low + high) * u * v * (first + second * (u + v) + third * (u * u + u * v + v * v))
+    log = log + e * np.log1p(x / low) + np.log1p(change / (1.0 + first * u + second * u * u))
+    return np.where(log < 0.5, np.expm1(log), power_factor(n, k) - 1.0)
+
+
 def power_depth(a: Array, n: Array, k: Array) -> Array:
     """g(a) of f = r**n."""
     return power_factor(n, k) * a**n
 
 
 def power_rate(t: Array, n: Array, k: Array) -> Array:
-    return power_factor(n, k) * n * t ** (n - 1.0)
+    return power_factor(n, k) * n * (t**n / t)
 
 
 def power_force(a: Array, n: Array, k: Array) -> Array:
@@ -42,7 +57,7 @@ def power_force(a: Array, n: Array, k: Array) -> Array:
 
 def power_mean(a: Array, n: Array, k: Array) -> Array:
     """Force over the square of the radius."""
-    return power_factor(n, k) * (n / (n + (1.0 + k))) * a ** (n - 1.0) * a**k
+    return power_factor(n, k) * (n / (n + (1.0 + k))) * (a**n / a * a**k)
 
 
 def _gamma(x: Array) -> Array:
@@ -59,11 +74,16 @@ def _rising(x: Array, e: Array) -> Array:
         near = near * np.where(i < steps, (x + i + e) / (x + i), 1.0)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
-    first = -e * (e * e - 1.0) / 24.0
-    second = e * (e - 1.0) * (e - 2.0) * (e - 3.0) * (e + 1.0) * (5.0 * e + 7.0) / 5760.0
-    third = second * (e - 4.0) * (e - 5.0) / -504.0 * (35.0 * (e + 1.0) ** 2 + 42.0 * (e + 1.0) + 16.0)
-    third = third / (5.0 * e + 7.0)
+    first, second, third = _series(e)
     return w**e * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) / near
+
+
+def _series(e: Array) -> tuple[Array, Array, Array]:
+    """Its coefficients of 1/w**2, 1/w**4 and 1/w**6."""
+    first = -e * (e * e - 1.0) / 24.0
+    second = e * (e - 1.0) * (e - 2.0) * (e - 3.0) * (e + 1.0) / 5760.0
+    third = second * (e - 4.0) * (e - 5.0) / -504.0 * (35.0 * (e + 1.0) ** 2 + 42.0 * (e + 1.0) + 16.0)
+    return first, second * (5.0 * e + 7.0), third
 
 
 def sphere_depth(a: Array, root: Array, k: Array) -> Array:
@@ -104,7 +124,7 @@ def hyperboloid_force(a: Array, b: Array, k: Array) -> Array:
     angle = np.arctan2(a, b)
 
     def integrand(y: Array) -> Array:
-        return np.sinc(y / np.pi) ** k * np.sin(angle - y) * np.sin(angle + y)
+        return sine_over(y) ** k * np.sin(angle - y) * np.sin(angle + y)
 
     c = np.hypot(a, b)
     return c**k * c * c * raised(angle, k) * weighted(integrand, angle, k)
@@ -148,7 +168,7 @@ def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array]) -> Array:
     first = np.minimum(np.pi / 2.0, 8.0 / np.maximum(q * a, 1e-300))
 
     def smooth(y: Array) -> Array:
-        return of(q * a * np.cos(y), np.cos(y)) * np.sinc(y / np.pi) ** k
+        return of(q * a * np.cos(y), np.cos(y)) * sine_over(y) ** k
 
     def rest(y: Array) -> Array:
         return of(q * a * np.cos(first + y), np.cos(first + y)) * np.sin(first + y) ** k

@@ -24,7 +24,7 @@ def radius_to(
         own = load(a, *needs)
         return own, a * rate(a, *needs) / own
 
-    value = np.atleast_1d(value)
+    value = value + np.zeros(1)
     return inverse(curve, value, start + np.zeros_like(value), (SLACK, np.inf), largest)
 
 
@@ -36,7 +36,7 @@ def radius_beyond(load: Load, rate: Load, value: Array, b: Array, needs: tuple[A
         own = load(a, root, *needs)
         return own, root * (root / a) * rate(a, root, *needs) / own
 
-    value = np.atleast_1d(value)
+    value = value + np.zeros(1)
     t = inverse(curve, value, np.ones_like(value), (SLACK, np.inf))
     return np.hypot(b, b * t)
 
@@ -53,7 +53,7 @@ def radius_below(load: Load, rate: Load, value: Array, R: Array, needs: tuple[Ar
         own = load(a, root, *needs)
         return own, a * (root / R) ** 2 * rate(a, root, *needs) / own
 
-    value = np.atleast_1d(value)
+    value = value + np.zeros(1)
     steepest = 1e8 * np.ones_like(value)
     t = inverse(curve, value, np.ones_like(value), (SLACK, np.inf), steepest)
     return np.where(value <= load(*place(steepest), *needs), place(t)[0], np.nan)
@@ -64,6 +64,7 @@ def gaussian_reach(s: Array, k: Array) -> Array:
     low, high = np.ones_like(s + k), 8.0 * np.ones_like(s + k)
     for _ in range(60):
         middle = (low + high) / 2.0
-        rises = gaussian_rate(middle, np.ones_like(middle), k) >= 0.0
+        # with the s of the caller: the rate at the radius returned must not round to less than zero
+        rises = gaussian_rate(s * middle, s, k) >= 0.0
         low, high = np.where(rises, middle, low), np.where(rises, high, middle)
     return s * low

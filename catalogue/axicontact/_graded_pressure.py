@@ -23,7 +23,7 @@ _TERMS, _PANEL = 22, 3.0
 
 def power_pressure(r: Array, a: Array, n: Array, k: Array) -> Array:
     """The integral for f = r**n."""
-    return power_factor(n, k) * n * a ** (n - 1.0) * a**k * power_growth(r, a, n, k)
+    return power_factor(n, k) * n * (a**n / a * a**k) * power_growth(r, a, n, k)
 
 
 def flank_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -60,10 +60,10 @@ def sphere_pressure(r: Array, a: Array, R: Array, k: Array) -> Array:
     return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, a, R, k)
 
 
-def tipped_pressure(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """The integral for a sphere up to b, continued by its tangent cone."""
     tip = np.where(r < b, sphere_pressure(np.minimum(r, b), np.minimum(a, b), R, k), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, k), r, a, b, k)
+    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k)
 
 
 def hyperboloid_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -92,7 +92,8 @@ def _tame(t: Array, root: Array, k: Array) -> Array:
 
 def power_growth(r: Array, a: Array, n: Array, k: Array) -> Array:
     """The integral for g'(t) = t**(n - 1), over a**(n + k - 1)."""
-    m = n + k - 1.0
+    # of the three numbers the two whose sum is exact first: it may cancel
+    m = np.where(n < 0.5, (k - 1.0) + n, (n - 1.0) + k)
     length = np.log1p((a - r) / r)
     length = np.where(np.isfinite(length), length, np.log(a) - np.log(r))
     near = np.minimum(np.minimum(length, 1.0), 20.0 / np.maximum(np.abs(m), 1e-300))
@@ -103,21 +104,26 @@ def power_growth(r: Array, a: Array, n: Array, k: Array) -> Array:
         return shrink**half * np.exp(-m * (near - x))
 
     rest = length - near
-    first = np.where(rest > 0.0, np.exp(-m * rest), 1.0) * near**above
+    place = np.minimum(r / a * np.exp(near), 1.0)
+    far = place**n / place * place**k
+    first = np.where(rest > 0.0, far, 1.0) * near**above
     first = first * weighted(smooth, near, half, above=above)
-    total = first + np.where(np.abs(m) > 20.0, _steep(rest, near, m, half), _tail(rest, near, m, half))
+    total = first + np.where(np.abs(m) > 20.0, _steep(rest, near, m, half), _tail(rest, near, m, half, far))
     return np.where(r > 0.0, total, np.where(m > 0.0, 1.0 / np.where(m > 0.0, m, 1.0), np.inf))
 
 
-def _tail(rest: Array, near: Array, m: Array, half: Array) -> Array:
-    """What lies beyond ln(t/r) = `near` = 1: the binomial series in exp(-2 x), whose terms are positive."""
+def _tail(rest: Array, near: Array, m: Array, half: Array, far: Array) -> Array:
+    """What lies beyond ln(t/r) = `near` = 1: the binomial series in exp(-2 x), whose terms are positive.
+
+    `far` is exp(-m rest), where the logarithm of a ratio far from 1 would cost its number of digits.
+    """
     rest = np.where(np.isfinite(rest), rest, 0.0)
     factor, total = np.ones_like(rest + half), np.zeros_like(rest + half)
     for j in range(_TERMS):
         rate = m - 2.0 * j
         span = np.where(rate == 0.0, rest, -np.expm1(-np.abs(rate) * rest) / np.where(rate == 0.0, 1.0, np.abs(rate)))
-        level = np.where(rate > 0.0, -2.0 * j * (near + rest), -2.0 * j * near - m * rest)
-        total = total + factor * span * np.exp(level)
+        level = np.where(rate > 0.0, np.exp(-2.0 * j * (near + rest)), np.exp(-2.0 * j * near) * far)
+        total = total + factor * span * level
         factor = factor * (j - half) / (j + 1.0)
     return total
 

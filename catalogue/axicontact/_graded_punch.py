@@ -31,7 +31,8 @@ def punch_displacement(r: Array, a: Array, k: Array) -> Array:
 
 def graded_retraction(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
     """sqrt(2 pi dgamma a**(1 - k)/H)."""
-    return a ** ((1.0 - k) / 2.0) * np.sqrt(2.0 * np.pi * dgamma / H)
+    # no power (1 - k)/2, whose rounding 600 decades of radii turn into 200 units of the last place
+    return np.sqrt(2.0 * np.pi * dgamma / H) * np.sqrt(a) * np.sqrt(a**-k)
 
 
 def stationary(control: str, k: Array) -> Array:

@@ -49,9 +49,8 @@ def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
 
 def product_weights(power: Array, count: int) -> Array:
     """Weights of the rule for x**power on (0, 1), along a first axis."""
-    if np.ndim(power) == 0:
-        return _weights_of_number(float(power), count)
-    return _product_weights(np.asarray(power), count)
+    power = np.asarray(power, dtype=np.float64)
+    return _product_weights(power, count) if power.ndim else _weights_of_number(float(power), count)
 
 
 @cache
@@ -86,7 +85,12 @@ def raised(x: Array, k: Array) -> Array:
 
 def sine_integral(angle: Array, k: Array) -> Array:
     """Integral of sin(y)**k from 0 to `angle`, at most pi/2."""
-    return raised(angle, k) * weighted(lambda y: np.sinc(y / np.pi) ** k, angle, k, 32)
+    return raised(angle, k) * weighted(lambda y: sine_over(y) ** k, angle, k, 32)
+
+
+def sine_over(y: Array) -> Array:
+    """sin(y)/y."""
+    return np.where(y > 0.0, np.sin(y) / np.where(y > 0.0, y, 1.0), 1.0)
 
 
 def sinh_over(v: Array) -> Array:

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ._along import LEAST, Course, Courses, along, same
 from ._elementwise import BLOCK, Array
 from ._nodes import gauss_legendre
 
@@ -29,6 +30,8 @@ Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bern
 poles of the integrands near that distance cost a factor of up to 1e3.
 Beyond the last length there are panels of it.
 """
+FEW = 512
+"""Points for which the nodes of the longest interval cost less than calls by groups."""
 WAVES = ((0.25, 8), (1.97, 16), (4.7, 24), (7.96, 32), (23.3, 64))
 """The same for exp(2 pi i u) and what grows no faster off the real axis: 1e-18 by the best ellipse."""
 
@@ -91,7 +94,7 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
     @wraps(rule)
     def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array, width: Array | float = 1.0) -> Array:
         stop = rule(slope, *lengths)[1]
-        if not isinstance(stop, np.ndarray) or stop.size <= 1:
+        if not isinstance(stop, np.ndarray) or stop.size <= FEW:
             return applied(slope, width, parameters, lengths)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
         if (group == group[0]).all():
@@ -108,6 +111,36 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
 
 def _part(value: Array, chosen: Array) -> Array:
     return value[chosen] if np.ndim(value) else value
+
+
+def over_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
+    """The rule, called at few of many radii where nothing else changes; for integrals `in_groups`."""
+
+    def decorated(rule: Callable[..., Array]) -> Callable[..., Array]:
+        @wraps(rule)
+        def at(slope: Slope, parameters: tuple[Array, ...], r: Array, *lengths: Array, width: Array = 1.0) -> Array:
+            many = isinstance(r, np.ndarray) and r.size >= LEAST and isinstance(width, float) and width == 1.0
+            fixed = same(*parameters, *lengths) if many else None
+            if fixed is None:
+                return rule(slope, parameters, r, *lengths, width=width)
+            own, others = fixed[: len(parameters)], fixed[len(parameters) :]
+            return along(lambda r: rule(slope, own, r, *others), r, *courses(*others))
+
+        return at
+
+    return decorated
+
+
+def of_pressure(a: float, b: float) -> tuple[list[Course], float, float]:
+    """Inside and outside the break at b; next to it where the contact has hardly passed it, r says too little."""
+    if not a > b * (1.0 + 1e-6):
+        return [], 0.0, a
+    return [Course(b, False, b * b, True), Course(b, True, (a - b) * (a + b), True, a)], 0.0, a
+
+
+def of_displacement(a: float, *other: float) -> tuple[list[Course], float, float]:
+    """Outside the contact."""
+    return [Course(a, True, a * a, False)], a, np.inf
 
 
 def difference_root(x: Array, y: Array) -> Array:
@@ -184,6 +217,7 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     return integrand, stop, 1.0, a < R, np.inf
 
 
+@over_radii(of_pressure)
 @in_groups
 def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """Integral of g'(t)/sqrt(t**2 - r**2) from max(r, b) to a > b; `slope` takes t and sqrt(t**2 - b**2)."""
@@ -222,6 +256,7 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
     return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
 
 
+@over_radii(of_displacement)
 @in_groups
 def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' has a singularity at t**2 = -b**2."""
@@ -237,6 +272,7 @@ def displacement_integral_sinh(slope: Slope, r: Array, a: Array, b: Array) -> St
     return integrand, stop, r, True, 0.0
 
 
+@over_radii(of_displacement)
 @in_groups
 def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     """Integral of g'(t) arcsin(t/r) from 0 to a < r, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
@@ -256,6 +292,7 @@ def displacement_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> St
     return integrand, stop, 1.0, a < scale, np.inf
 
 
+@over_radii(of_displacement)
 @in_groups
 def displacement_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Strip:
     """Integral of g'(t) arcsin(t/r) from b to a < r; `slope` takes t and sqrt(t**2 - b**2)."""

@@ -8,17 +8,32 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._along import Course, at_many_radii
 from ._elementwise import Array
-from ._integrals import integral
+from ._integrals import integral, of_displacement
 
 NODES = 64
+STEEP = 6.0
+"""Exponents from here on bend the pressure too much for a panel of `_along`."""
 _DECAY = 42.0
 """exp(-42) = 6e-19: what is left of a power beyond it does not count."""
 
 
+def of_pressure(a: float, n: float) -> tuple[list[Course], float, float]:
+    """Up to the axis, for powers that panels resolve."""
+    return ([Course(0.0, True, a * a, True, a)] if n < STEEP else []), 0.0, a
+
+
+@at_many_radii(of_pressure)
 def power_pressure(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**(n - 1)/sqrt(t**2 - r**2) dt from r to a, over a**(n - 1)."""
-    depth = _log_ratio(a, r)
+    centre = np.where(n > 1.0, 1.0 / np.abs(n - 1.0), np.inf)
+    largest = np.where(n > 1.0, 1.0, (r / a) ** n * (a / r))
+    return np.where(r > 0.0, largest * _fallen_pressure(_log_ratio(a, r), n), centre)
+
+
+def _fallen_pressure(depth: Array, n: Array) -> Array:
+    """The same over the larger end of t**(n - 1), for r = a exp(-depth)."""
     steep, rate = n > 1.0, np.abs(n - 1.0)
     cut = np.maximum(depth - _DECAY / np.maximum(rate, 1e-3), 0.0)
     stop = np.sqrt(depth)
@@ -28,12 +43,10 @@ def power_pressure(r: Array, a: Array, n: Array) -> Array:
         fall = np.where(steep, step * (2.0 * stop - step), step * step)
         return np.exp(-rate * fall) * _weight(np.where(steep, np.maximum(stop - step, 0.0), step))
 
-    reach = np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut))
-    centre = np.where(steep, 1.0 / rate, np.inf)
-    largest = np.where(steep, 1.0, (r / a) ** n * (a / r))
-    return np.where(r > 0.0, largest * integral(integrand, reach, NODES), centre)
+    return integral(integrand, np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut)), NODES)
 
 
+@at_many_radii(of_displacement)
 def power_displacement(r: Array, a: Array, n: Array) -> Array:
     """Integral of n t**(n - 1) arcsin(t/r) dt from 0 to a < r, over a**n."""
     start, reach = _span(r, a, n)
@@ -98,7 +111,22 @@ def ring_of_zero_pressure(n: Array) -> Array:
     low, high = np.zeros_like(n), (n - 1.0) / n
     for _ in range(60):
         q = (low + high) / 2.0
-        radius = np.sqrt(q)
-        positive = power_pressure(radius, np.ones_like(n), n) * (n * (1.0 - q) - 1.0) > np.sqrt(1.0 - q)
+        positive = _presses(-0.5 * np.log(q), 1.0 - q, n)
         low, high = np.where(positive, q, low), np.where(positive, high, q)
     return np.where(n > 2.0, (low + high) / 2.0, 0.0)
+
+
+def outside_zero_pressure(n: Array) -> Array:
+    """z = 1 - (r_0/a)**2 of the same ring, to the last digits where it is next to the edge; 1 for n <= 2."""
+    n = np.atleast_1d(np.asarray(n, dtype=np.float64))
+    low, high = 1.0 / n, np.ones_like(n)
+    for _ in range(60):
+        z = (low + high) / 2.0
+        positive = _presses(-0.5 * np.log1p(-z), z, n)
+        low, high = np.where(positive, low, z), np.where(positive, z, high)
+    return np.where(n > 2.0, (low + high) / 2.0, 1.0)
+
+
+def _presses(depth: Array, z: Array, n: Array) -> Array:
+    """Whether the place with z = 1 - r**2/a**2, r = a exp(-depth), lies inside the ring."""
+    return _fallen_pressure(depth, n) * (n * z - 1.0) > np.sqrt(z)

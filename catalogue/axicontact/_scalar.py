@@ -1,7 +1,4 @@
-"""The formulas for plain numbers: the same bodies, with `math` in the place of NumPy.
-
-A ufunc takes half a microsecond for one number and `math` a tenth of that.
-"""
+"""Plain numbers in bodies without a graph, those that iterate: the same code with `math` in the place of NumPy."""
 
 from __future__ import annotations
 
@@ -42,17 +39,13 @@ MATH = SimpleNamespace(
     ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0,
 )  # fmt: skip
 _namespaces: dict[int, dict[str, Any]] = {}
-PLAIN: dict[Callable[..., Any], Callable[..., float] | None] = {}
 
 
-def scalar(function: Callable[..., Any]) -> Callable[..., float] | None:
-    """The function over plain numbers, or None if it needs arrays or is no function of a module."""
-    if function in PLAIN:
-        return PLAIN[function]
-    if not isinstance(function, FunctionType) or function.__globals__.get(function.__name__) is not function:
+def scalar(function: FunctionType) -> Callable[..., float] | None:
+    """The function of a module over plain numbers, or None if it needs arrays."""
+    if _needs_arrays(function, set()):
         return None
-    twin = None if _needs_arrays(function, set()) else _namespace(function.__globals__)[function.__name__]
-    PLAIN[function] = twin
+    twin: Callable[..., float] = _namespace(function.__globals__)[function.__name__]
     return twin
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio
-from .._powers import power_pressure, power_punches, ring_of_zero_pressure
+from .._powers import outside_zero_pressure, power_pressure, power_punches, ring_of_zero_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -94,8 +94,9 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: Arr
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. The depth is
-    measured at the centre of the face; the rim is at d + h. Handbook: concave_power.F.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
+    integral over the growing contact by a Gauss-Legendre rule. The depth is measured at the centre of the
+    face; the rim is at d + h. Handbook: concave_power.F.
 
     References
     ----------
@@ -290,8 +291,8 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_power.dF.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dF.
 
     References
     ----------
@@ -395,7 +396,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     0.215854
     """
     _check(a=a, h=h, n=n)
-    return elementwise(_minimum_depth, a=a, h=h, n=n)
+    return elementwise(_minimum_depth, h=h, n=n)
 
 
 def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
@@ -464,23 +465,23 @@ def _zero_radius(a: Array, n: Array) -> Array:
     return a * np.sqrt(ring_of_zero_pressure(n))
 
 
-def _minimum_depth(a: Array, h: Array, n: Array) -> Array:
-    r_zero = _zero_radius(a, n)
+def _minimum_depth(h: Array, n: Array) -> Array:
+    zeta = outside_zero_pressure(n)
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    drop = n * a**2 - n * r_zero**2 - a**2
-    return np.sqrt(np.pi) * h * a**2 * kappa / drop
+    drop = n * zeta - 1
+    return np.sqrt(np.pi) * h * kappa / drop
 
 
 def _minimum_force(a: Array, h: Array, n: Array, E_star: Array) -> Array:
-    r_zero = _zero_radius(a, n)
+    zeta = outside_zero_pressure(n)
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    drop = (n * a**2 - n * r_zero**2 - a**2) * (n + 1)
-    return 2 * np.sqrt(np.pi) * E_star * n * h * a * (2 * a**2 - r_zero**2) * kappa / drop
+    drop = (n + 1) * (n * zeta - 1)
+    return 2 * np.sqrt(np.pi) * E_star * n * h * a * (zeta + 1) * kappa / drop
 
 
 def _force(d: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    complete = _minimum_depth(a, h, n) * (1.0 - 1e-15) <= d
+    complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
     result = 2 * E_star * a * (d + np.sqrt(np.pi) * h * kappa / (n + 1))
     return np.where(complete, result, np.nan)
 
@@ -501,7 +502,7 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, E_star: Array) -
     root = np.sqrt((a - r) * (a + r))
     plus = d / (np.pi * root) + h * kappa / (np.sqrt(np.pi) * root)
     minus = n * h * power_pressure(r, a, n) * kappa / (np.sqrt(np.pi) * a)
-    complete = _minimum_depth(a, h, n) * (1.0 - 1e-15) <= d
+    complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
     result = np.where((r <= a) & (d > 0.0), E_star * (plus - minus), 0.0)
     return np.where(complete, result, np.nan)
 
@@ -512,6 +513,6 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array) -> Array:
     angle = np.arctan2(a, root)
     outside = 2 * d * angle / np.pi + 2 * h * power_punches(r, a, n) * kappa / np.sqrt(np.pi)
     inside = d - _profile(r, a, h, n)
-    complete = _minimum_depth(a, h, n) * (1.0 - 1e-15) <= d
+    complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
     result = np.where(r > a, outside, inside)
     return np.where(complete, result, np.nan)

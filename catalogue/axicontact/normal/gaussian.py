@@ -13,7 +13,7 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import dawson
 from .._integrals import displacement_integral, force_integral, pressure_integral
-from .._inverse import inverse
+from .._inverse import inverse_below
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -584,8 +584,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
         return value, a * _slope(a, h, s) / value
 
     largest = 1.5019752682686114 * s * np.ones_like(d)
-    a = inverse(curve, d, np.full_like(d, s / 1000.0), (0.0, 2.0), largest)
-    return np.where(_depth(largest, h, s) * 1.0000000000000009 >= d, a, np.nan)
+    return inverse_below(curve, d, largest, (1.0, 2.0))
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
@@ -594,8 +593,7 @@ def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
         return value, 2 * E_star * a * a * _slope(a, h, s) / value
 
     largest = 1.5019752682686114 * s * np.ones_like(F)
-    a = inverse(curve, F, np.full_like(F, s / 1000.0), (0.0, 3.0), largest)
-    return np.where(_force(largest, h, s, E_star) * 1.0000000000000009 >= F, a, np.nan)
+    return inverse_below(curve, F, largest, (1.0, 3.0))
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, E_star: Array) -> Array:

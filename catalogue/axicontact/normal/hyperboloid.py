@@ -578,7 +578,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
         value = _depth(a, theta, b)
         return value, a * _slope(a, theta, b) / value
 
-    return inverse(curve, d, np.full_like(d, b / 1000.0), (1.0, 2.0))
+    return inverse(curve, d, np.full_like(d, b / 1000), (1.0, 2.0), smooth=True)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -586,7 +586,7 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
         value = _force(a, theta, b, E_star)
         return value, 2 * E_star * a * a * _slope(a, theta, b) / value
 
-    return inverse(curve, F, np.full_like(F, b / 1000.0), (2.0, 3.0))
+    return inverse(curve, F, np.full_like(F, b / 1000), (2.0, 3.0), smooth=True)
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:

@@ -5,7 +5,7 @@ Any sum of integer powers with coefficients A_1 ... A_N >= 0: superposition at a
 
 from __future__ import annotations
 
-from functools import partial
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -551,7 +551,9 @@ def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
         value = _depth(a, A)
         return value, a * _slope(a, A) / value
 
-    return inverse(curve, d, np.full_like(d, 1.0), (1.0, len(A)))
+    terms = (np.log(d / _depth(1.0, (0.0,) * (j - 1) + (A_j,))) / j for j, A_j in enumerate(A, 1))
+    start = np.exp(reduce(np.minimum, terms))
+    return inverse(curve, d, start, (1.0, len(A)), smooth=True)
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
@@ -559,7 +561,9 @@ def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
         value = _force(a, A, E_star)
         return value, 2 * E_star * a * a * _slope(a, A) / value
 
-    return inverse(curve, F, np.full_like(F, 1.0), (2.0, len(A) + 1.0))
+    terms = (np.log(F / _force(1.0, (0.0,) * (j - 1) + (A_j,), E_star)) / (j + 1) for j, A_j in enumerate(A, 1))
+    start = np.exp(reduce(np.minimum, terms))
+    return inverse(curve, F, start, (2.0, len(A) + 1.0), smooth=True)
 
 
 def _force_from_depth(d: Array, A: tuple[float, ...], E_star: Array) -> Array:

@@ -13,7 +13,7 @@ from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import inverse
+from .._inverse import between, inverse
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -605,7 +605,8 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R, b)
         return value, root * root / a * _slope_beyond(a, root, R, b) / value
 
-    t = inverse(curve, d, np.ones_like(d), (2.0, 3.0))
+    start = between(np.log(d / curve(1.0)[0]), (1.098, 3.0), (3.295, 2.0), 3.5)
+    t = inverse(curve, d, start, (2.0, 3.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 
@@ -621,7 +622,8 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
         value = _force_at(a, root, R, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
 
-    t = inverse(curve, F, np.ones_like(F), (3.0, 4.0))
+    start = between(np.log(F / curve(1.0)[0]), (0.8743, 3.0), (1.749, 3.0), 6.0)
+    t = inverse(curve, F, start, (3.0, 4.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 

@@ -14,7 +14,7 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
 from .._integrals import displacement_integral_tanh
-from .._inverse import inverse
+from .._inverse import between, inverse
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -579,7 +579,8 @@ def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R)
         return value, t * root * root / R * _slope(a, root, R) / value
 
-    t = inverse(curve, d, np.ones_like(d), (0.0, 2.0))
+    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75)
+    t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return R * np.tanh(t), R / np.cosh(t)
 
 
@@ -595,7 +596,8 @@ def _contact_from_force(F: Array, R: Array, E_star: Array) -> tuple[Array, Array
         value = _force_at(a, root, R, E_star)
         return value, 2 * E_star * a * t * root * root / R * _slope(a, root, R) / value
 
-    t = inverse(curve, F, np.ones_like(F), (1.0, 3.0))
+    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75)
+    t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
     return R * np.tanh(t), R / np.cosh(t)
 
 

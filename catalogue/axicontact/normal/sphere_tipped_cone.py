@@ -640,7 +640,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
         value = _depth(a, R, theta)
         return value, a * _slope_at(a, R, theta) / value
 
-    return inverse(curve, d, np.full_like(d, 1.0), (1.0, np.inf))
+    return inverse(curve, d, np.full_like(d, R * np.sin(theta)), (1.0, np.inf))
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
@@ -648,7 +648,7 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array
         value = _force(a, R, theta, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
 
-    return inverse(curve, F, np.full_like(F, 1.0), (2.0, np.inf))
+    return inverse(curve, F, np.full_like(F, R * np.sin(theta)), (2.0, np.inf))
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:

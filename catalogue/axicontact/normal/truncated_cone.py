@@ -12,7 +12,7 @@ import numpy as np
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import inverse
+from .._inverse import between, inverse
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -606,7 +606,8 @@ def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]
         value = _depth_at(a, root, theta, b)
         return value, root * root / a * _slope_beyond(a, root, theta, b) / value
 
-    t = inverse(curve, d, np.ones_like(d), (1.0, 2.0))
+    start = between(np.log(d / curve(1.0)[0]), (0.9003, 1.0), (1.414, 1.0), -6.0)
+    t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 
@@ -622,7 +623,8 @@ def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tupl
         value = _force_at(a, root, theta, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b) / value
 
-    t = inverse(curve, F, np.ones_like(F), (1.0, 2.0))
+    start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75)
+    t = inverse(curve, F, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import inverse
+from .._inverse import between, inverse
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -610,7 +610,8 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
         value = _force_at(a, root, R, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
 
-    t = inverse(curve, F, np.ones_like(F), (1.0, 3.0))
+    start = between(np.log(F / curve(1.0)[0]), (0.6, 1.0), (0.4, 3.0), -1.75)
+    t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 
@@ -626,7 +627,8 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R, b)
         return value, root * root / a * _slope_beyond(a, root, R, b) / value
 
-    t = inverse(curve, d, np.ones_like(d), (1.0, 2.0))
+    start = between(np.log(d / curve(1.0)[0]), (0.7071, 1.0), (0.7071, 2.0), -3.0)
+    t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 

@@ -618,7 +618,7 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array
         value = _depth(a, R, h, wavelength)
         return value, a * _slope(a, R, h, wavelength) / value
 
-    return inverse(curve, d, np.full_like(d, wavelength / 1000.0), (0.0, 7.0))
+    return inverse(curve, d, np.full_like(d, wavelength / 1000), (0.0, 7.0), smooth=True)
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
@@ -626,7 +626,7 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: 
         value = _force(a, R, h, wavelength, E_star)
         return value, 2 * E_star * a * a * _slope(a, R, h, wavelength) / value
 
-    return inverse(curve, F, np.full_like(F, wavelength / 1000.0), (0.0, 8.0))
+    return inverse(curve, F, np.full_like(F, wavelength / 1000), (0.0, 8.0), smooth=True)
 
 
 def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:

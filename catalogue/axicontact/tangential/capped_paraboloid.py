@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import numbers, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import stick_force
+from .._slip import CLOSE, stick_force
+from .._slip_rules import growth, growth_beyond
 from ..normal import capped_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -344,20 +345,34 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
-    return mu * (normal._force(a, R1, R2, b, E_star) - normal._force(c, R1, R2, b, E_star))
+    whole, sticking = normal._force(a, R1, R2, b, E_star), normal._force(c, R1, R2, b, E_star)
+    close = sticking >= CLOSE * whole
+    tip = growth(normal._slope, (R1,), 2, 0.0, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (R1, R2, b), 2, 0.0, c, a, b, close)
+    gain = 2.0 * E_star * (tip + beyond)
+    return mu * np.where(close, gain, whole - sticking)
 
 
 def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, R1, R2, b, E_star)
     stuck = normal._pressure(r, c, R1, R2, b, E_star)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    tip = growth(normal._slope, (R1,), 0, r, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (R1, R2, b), 0, r, c, a, b, close)
+    gain = E_star / np.pi * (tip + beyond)
+    return mu * np.where(close, gain, sliding - stuck)
 
 
 def _tangential_displacement(
     a: Array, c: Array, R1: Array, R2: Array, b: Array, E_star: Array, G_star: Array, mu: Array
 ) -> Array:
-    return mu * (E_star / G_star) * (normal._depth(a, R1, R2, b) - normal._depth(c, R1, R2, b))
+    whole, sticking = normal._depth(a, R1, R2, b), normal._depth(c, R1, R2, b)
+    close = sticking >= CLOSE * whole
+    tip = growth(normal._slope, (R1,), 1, 0.0, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (R1, R2, b), 1, 0.0, c, a, b, close)
+    gain = tip + beyond
+    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:

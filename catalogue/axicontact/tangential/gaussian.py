@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import numbers, require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import depth_gain, difference, force_gain, pressure_gain, stick_force
+from .._slip import CLOSE, stick_force
+from .._slip_rules import growth
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -313,25 +314,26 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, h: Array, s: Array, E_star: Array, mu: Array) -> Array:
-    whole = normal._force(a, h, s, E_star)
-    sticking = normal._force(c, h, s, E_star)
-    gain = 2.0 * E_star * force_gain(lambda t: normal._slope(t, h, s), c, a)
-    return mu * difference(whole, sticking, gain, c, a)
+    whole, sticking = normal._force(a, h, s, E_star), normal._force(c, h, s, E_star)
+    close = sticking >= CLOSE * whole
+    gain = 2.0 * E_star * growth(normal._slope, (h, s), 2, 0.0, c, a, close)
+    return mu * np.where(close, gain, whole - sticking)
 
 
 def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, h, s, E_star)
     stuck = normal._pressure(r, c, h, s, E_star)
-    gain = E_star / np.pi * pressure_gain(lambda t: normal._slope(t, h, s), r, c, a)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, difference(sliding, stuck, gain, c, a), sliding + 0.0 * c)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    gain = E_star / np.pi * growth(normal._slope, (h, s), 0, r, c, a, close)
+    return mu * np.where(close, gain, sliding - stuck)
 
 
 def _tangential_displacement(a: Array, c: Array, h: Array, s: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
-    whole = normal._depth(a, h, s)
-    sticking = normal._depth(c, h, s)
-    gain = depth_gain(lambda t: normal._slope(t, h, s), c, a)
-    return mu * (E_star / G_star) * difference(whole, sticking, gain, c, a)
+    whole, sticking = normal._depth(a, h, s), normal._depth(c, h, s)
+    close = sticking >= CLOSE * whole
+    gain = growth(normal._slope, (h, s), 1, 0.0, c, a, close)
+    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, h: Array, s: Array, E_star: Array, mu: Array) -> Array:

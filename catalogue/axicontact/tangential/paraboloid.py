@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import numbers, require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import depth_gain, difference, force_gain, pressure_gain, stick_force
+from .._slip import gained_share, root_gain, stick_force
 from ..normal import paraboloid as normal
 
 if TYPE_CHECKING:
@@ -289,25 +289,17 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
-    whole = normal._force(a, R, E_star)
-    sticking = normal._force(c, R, E_star)
-    gain = 2.0 * E_star * force_gain(lambda t: normal._slope(t, R), c, a)
-    return mu * difference(whole, sticking, gain, c, a)
+    return mu * normal._force(a, R, E_star) * gained_share(c, a, 3.0)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, R, E_star)
-    stuck = normal._pressure(r, c, R, E_star)
-    gain = E_star / np.pi * pressure_gain(lambda t: normal._slope(t, R), r, c, a)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, difference(sliding, stuck, gain, c, a), sliding + 0.0 * c)
+    gain = E_star / np.pi * normal._slope(1.0, R) * root_gain(r, c, a)
+    return mu * np.where(r < c, gain, sliding)
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
-    whole = normal._depth(a, R)
-    sticking = normal._depth(c, R)
-    gain = depth_gain(lambda t: normal._slope(t, R), c, a)
-    return mu * (E_star / G_star) * difference(whole, sticking, gain, c, a)
+    return mu * (E_star / G_star) * normal._depth(a, R) * gained_share(c, a, 2.0)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, E_star: Array, mu: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 
 from .._domain import numbers, require, require_coefficients, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import depth_gain, difference, force_gain, pressure_gain, stick_force
+from .._slip import gained_share, power_gain, stick_force
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -301,25 +301,21 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: Array, E_star: Array, mu: Array) -> Array:
-    whole = normal._force(a, A, E_star)
-    sticking = normal._force(c, A, E_star)
-    gain = 2.0 * E_star * force_gain(lambda t: normal._slope(t, A), c, a)
-    return mu * difference(whole, sticking, gain, c, a)
+    gains = (
+        normal._force(a, (0.0,) * (j - 1) + (A_j,), E_star) * gained_share(c, a, j + 1) for j, A_j in enumerate(A, 1)
+    )
+    return mu * sum(gains)
 
 
 def _traction(r: Array, a: Array, c: Array, A: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, A, E_star)
-    stuck = normal._pressure(r, c, A, E_star)
-    gain = E_star / np.pi * pressure_gain(lambda t: normal._slope(t, A), r, c, a)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, difference(sliding, stuck, gain, c, a), sliding + 0.0 * c)
+    gains = (normal._slope(a, (0.0,) * (j - 1) + (A_j,)) * power_gain(r, c, a, j) for j, A_j in enumerate(A, 1))
+    return mu * np.where(r < c, E_star / np.pi * sum(gains), sliding)
 
 
 def _tangential_displacement(a: Array, c: Array, A: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
-    whole = normal._depth(a, A)
-    sticking = normal._depth(c, A)
-    gain = depth_gain(lambda t: normal._slope(t, A), c, a)
-    return mu * (E_star / G_star) * difference(whole, sticking, gain, c, a)
+    gains = (normal._depth(a, (0.0,) * (j - 1) + (A_j,)) * gained_share(c, a, j) for j, A_j in enumerate(A, 1))
+    return mu * (E_star / G_star) * sum(gains)
 
 
 def _stick_radius(F_x: Array, a: Array, A: Array, E_star: Array, mu: Array) -> Array:

@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import numbers, require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import stick_force
+from .._slip import CLOSE, stick_force
+from .._slip_rules import growth, growth_beyond
 from ..normal import rounded_cone as normal
 
 if TYPE_CHECKING:
@@ -319,20 +320,34 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
-    return mu * (normal._force(a, theta, b, E_star) - normal._force(c, theta, b, E_star))
+    whole, sticking = normal._force(a, theta, b, E_star), normal._force(c, theta, b, E_star)
+    close = sticking >= CLOSE * whole
+    tip = growth(normal._slope, (theta, b), 2, 0.0, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (theta, b), 2, 0.0, c, a, b, close)
+    gain = 2.0 * E_star * (tip + beyond)
+    return mu * np.where(close, gain, whole - sticking)
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, theta, b, E_star)
     stuck = normal._pressure(r, c, theta, b, E_star)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    tip = growth(normal._slope, (theta, b), 0, r, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (theta, b), 0, r, c, a, b, close)
+    gain = E_star / np.pi * (tip + beyond)
+    return mu * np.where(close, gain, sliding - stuck)
 
 
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, E_star: Array, G_star: Array, mu: Array
 ) -> Array:
-    return mu * (E_star / G_star) * (normal._depth(a, theta, b) - normal._depth(c, theta, b))
+    whole, sticking = normal._depth(a, theta, b), normal._depth(c, theta, b)
+    close = sticking >= CLOSE * whole
+    tip = growth(normal._slope, (theta, b), 1, 0.0, c, np.minimum(a, b), close)
+    beyond = growth_beyond(normal._slope_beyond, (theta, b), 1, 0.0, c, a, b, close)
+    gain = tip + beyond
+    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:

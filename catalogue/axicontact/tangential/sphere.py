@@ -11,7 +11,8 @@ import numpy as np
 
 from .._domain import numbers, require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._slip import stick_force
+from .._slip import CLOSE, stick_force
+from .._slip_rules import growth_below
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -288,18 +289,26 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
-    return mu * (normal._force(a, R, E_star) - normal._force(c, R, E_star))
+    whole, sticking = normal._force(a, R, E_star), normal._force(c, R, E_star)
+    close = sticking >= CLOSE * whole
+    gain = 2.0 * E_star * growth_below(normal._slope, (R,), 2, 0.0, c, a, R, close)
+    return mu * np.where(close, gain, whole - sticking)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, R, E_star)
     stuck = normal._pressure(r, c, R, E_star)
-    # the pressure of the stick zone is zero in the ring of slip, also where that of the contact is infinite
-    return mu * np.where(r < c, sliding - stuck, sliding + 0.0 * c)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    gain = E_star / np.pi * growth_below(normal._slope, (R,), 0, r, c, a, R, close)
+    return mu * np.where(close, gain, sliding - stuck)
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
-    return mu * (E_star / G_star) * (normal._depth(a, R) - normal._depth(c, R))
+    whole, sticking = normal._depth(a, R), normal._depth(c, R)
+    close = sticking >= CLOSE * whole
+    gain = growth_below(normal._slope, (R,), 1, 0.0, c, a, R, close)
+    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, E_star: Array, mu: Array) -> Array:

@@ -585,16 +585,16 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
 
 
 def _depth_at(a: Array, root: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    return power_depth(a, 2.0, k) / (2 * R1) + rim_depth(a, root, b, k) * (1 / R2 - 1 / R1)
+    return power_depth(a, 2.0, k) / (2 * R1) + rim_depth(a, root, b, k) * (R1 - R2) / (R1 * R2)
 
 
 def _rate_at(a: Array, root: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
     """Rate g'(a) of the depth."""
-    return power_rate(a, 2.0, k) / (2 * R1) + rim_rate(a, root, b, k) * (1 / R2 - 1 / R1)
+    return power_rate(a, 2.0, k) / (2 * R1) + rim_rate(a, root, b, k) * (R1 - R2) / (R1 * R2)
 
 
 def _force_at(a: Array, root: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    growth = power_force(a, 2.0, k) / (2 * R1) + rim_force(a, root, b, k) * (1 / R2 - 1 / R1)
+    growth = power_force(a, 2.0, k) / (2 * R1) + rim_force(a, root, b, k) * (R1 - R2) / (R1 * R2)
     return 2.0 * H / (1.0 + k) * growth
 
 
@@ -625,13 +625,13 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array)
 
 def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
     inside = np.minimum(r, a)
-    growth = power_pressure(inside, a, 2.0, k) / (2 * R1) + rim_pressure(inside, a, b, k) * (1 / R2 - 1 / R1)
+    growth = power_pressure(inside, a, 2.0, k) / (2 * R1) + rim_pressure(inside, a, b, k) * (R1 - R2) / (R1 * R2)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
     depth = _depth(a, R1, R2, b, k)
-    sag = power_sag(r, a, 2.0, k) / (2 * R1) + rim_sag(r, a, b, k) * (1 / R2 - 1 / R1)
+    sag = power_sag(r, a, 2.0, k) / (2 * R1) + rim_sag(r, a, b, k) * (R1 - R2) / (R1 * R2)
     return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R1=R1, R2=R2, b=b))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
+from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
 from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_stiffness
@@ -563,9 +563,7 @@ def _pressure(r: Array, a: Array, theta: Array, H: Array, k: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, theta: Array, k: Array) -> Array:
-    depth = _depth(a, theta, k)
-    sag = power_sag(r, a, 1.0, k) * np.tan(theta)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, theta=theta))
+    return power_displacement(r, a, 1.0, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, k: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..._domain import require, require_coefficients
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
+from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import power_pressure
@@ -578,9 +578,7 @@ def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array) -> A
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...], k: Array) -> Array:
-    depth = _depth(a, A, k)
-    sag = sum(A_j * power_sag(r, a, j, k) for j, A_j in enumerate(A, 1))
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, A=A))
+    return sum(A_j * power_displacement(r, a, j, k) for j, A_j in enumerate(A, 1))
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], k: Array) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
+from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
 from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_stiffness
@@ -587,9 +587,7 @@ def _pressure(r: Array, a: Array, A: Array, n: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array, k: Array) -> Array:
-    depth = _depth(a, A, n, k)
-    sag = A * power_sag(r, a, n, k)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, A=A, n=n))
+    return A * power_displacement(r, a, n, k)
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array, k: Array) -> Array:

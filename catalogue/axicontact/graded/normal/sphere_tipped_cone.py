@@ -569,18 +569,18 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLi
 
 def _depth_at(a: Array, root: Array, R: Array, theta: Array, k: Array) -> Array:
     b = R * np.sin(theta)
-    return tipped_depth(a, root, R, b, k)
+    return tipped_depth(a, root, R, b, R * np.cos(theta), k)
 
 
 def _rate_at(a: Array, root: Array, R: Array, theta: Array, k: Array) -> Array:
     """Rate g'(a) of the depth."""
     b = R * np.sin(theta)
-    return tipped_rate(a, root, R, b, k)
+    return tipped_rate(a, root, R, b, R * np.cos(theta), k)
 
 
 def _force_at(a: Array, root: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
     b = R * np.sin(theta)
-    growth = tipped_force(a, root, R, b, k)
+    growth = tipped_force(a, root, R, b, R * np.cos(theta), k)
     return 2.0 * H / (1.0 + k) * growth
 
 
@@ -615,14 +615,14 @@ def _mean_pressure(a: Array, R: Array, theta: Array, H: Array, k: Array) -> Arra
 def _pressure(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
     b = R * np.sin(theta)
     inside = np.minimum(r, a)
-    growth = tipped_pressure(inside, a, R, b, k)
+    growth = tipped_pressure(inside, a, R, b, R * np.cos(theta), k)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array, theta: Array, k: Array) -> Array:
     b = R * np.sin(theta)
     depth = _depth(a, R, theta, k)
-    sag = tipped_sag(r, a, R, b, k)
+    sag = tipped_sag(r, a, R, b, R * np.cos(theta), k)
     return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, theta=theta))
 
 

@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
+from ..._graded_pressure import sphere_pressure
+from ..._graded_slip import below_gain
 from ..._slip import stick_force
 from ..normal import ellipsoid as normal
 
@@ -322,23 +325,21 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, h: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, h, b, H, k), normal._force(c, h, b, H, k)
-    gain = outer - inner
-    return mu * gain
+    gain = h * below_gain("force", sphere_force, sphere_rate, (b,), 0.0, c, a, k) / b
+    return np.where(a <= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, h, b, H, k), normal._pressure(r, c, h, b, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
+    return np.where(a <= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, h, b, H, k)), np.nan)
 
 
 def _tangential_displacement(
     a: Array, c: Array, h: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, h, b, k), normal._depth(c, h, b, k)
-    gain = outer - inner
-    return mu * (H / H_x) * gain
+    gain = h * below_gain("depth", sphere_depth, sphere_rate, (b,), 0.0, c, a, k) / b
+    return np.where(a <= b, mu * (H / H_x) * gain, np.nan)
 
 
 def _stick_radius(F_x: Array, a: Array, h: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:

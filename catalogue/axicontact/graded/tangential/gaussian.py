@@ -11,7 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import depth_gain, force_gain, pressure_gain
+from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
+from ..._graded_pressure import gaussian_pressure
+from ..._graded_slip import smooth_gain
 from ..._slip import stick_force
 from ..normal import gaussian as normal
 
@@ -323,23 +325,25 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, h: Array, s: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, h, s, H, k), normal._force(c, h, s, H, k)
-    gain = force_gain(outer, inner, normal._rate, (h, s, k), c, a, H, k)
-    return mu * gain
+    gain = h * smooth_gain("force", gaussian_force, gaussian_rate, (s,), 0.0, c, a, k)
+    return np.where(normal._rate(a, h, s, k) >= 0.0, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, h, s, H, k), normal._pressure(r, c, h, s, H, k)
-    gain = pressure_gain(outer, inner, normal._rate, (h, s, k), r, c, a, H, k)
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
+    return np.where(
+        normal._rate(a, h, s, k) >= 0.0,
+        mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, h, s, H, k)),
+        np.nan,
+    )
 
 
 def _tangential_displacement(
     a: Array, c: Array, h: Array, s: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, h, s, k), normal._depth(c, h, s, k)
-    gain = depth_gain(outer, inner, normal._rate, (h, s, k), c, a)
-    return mu * (H / H_x) * gain
+    gain = h * smooth_gain("depth", gaussian_depth, gaussian_rate, (s,), 0.0, c, a, k)
+    return np.where(normal._rate(a, h, s, k) >= 0.0, mu * (H / H_x) * gain, np.nan)
 
 
 def _stick_radius(F_x: Array, a: Array, h: Array, s: Array, H: Array, k: Array, mu: Array) -> Array:

@@ -11,7 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import depth_gain, force_gain, pressure_gain
+from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
+from ..._graded_pressure import hyperboloid_pressure
+from ..._graded_slip import smooth_gain
 from ..._slip import stick_force
 from ..normal import hyperboloid as normal
 
@@ -339,22 +341,20 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, theta, b, H, k), normal._force(c, theta, b, H, k)
-    gain = force_gain(outer, inner, normal._rate, (theta, b, k), c, a, H, k)
-    return mu * gain
+    gain = smooth_gain("force", hyperboloid_force, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, theta, b, H, k), normal._pressure(r, c, theta, b, H, k)
-    gain = pressure_gain(outer, inner, normal._rate, (theta, b, k), r, c, a, H, k)
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, theta, b, k), normal._depth(c, theta, b, k)
-    gain = depth_gain(outer, inner, normal._rate, (theta, b, k), c, a)
+    gain = smooth_gain("depth", hyperboloid_depth, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (H / H_x) * gain
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import depth_gain, force_gain, pressure_gain
+from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import paraboloid as normal
 
@@ -308,20 +308,18 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, R, H, k), normal._force(c, R, H, k)
-    gain = force_gain(outer, inner, normal._rate, (R, k), c, a, H, k)
-    return mu * gain
+    gain = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R)
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, R, H, k), normal._pressure(r, c, R, H, k)
-    gain = pressure_gain(outer, inner, normal._rate, (R, k), r, c, a, H, k)
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, H, k))
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._depth(a, R, k), normal._depth(c, R, k)
-    gain = depth_gain(outer, inner, normal._rate, (R, k), c, a)
+    gain = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R)
     return mu * (H / H_x) * gain
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import depth_gain, force_gain, pressure_gain
+from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import power_law as normal
 
@@ -328,22 +328,20 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, A, n, H, k), normal._force(c, A, n, H, k)
-    gain = force_gain(outer, inner, normal._rate, (A, n, k), c, a, H, k)
-    return mu * gain
+    gain = A * power_gain("force", 0.0, c, a, n, k)
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, A, n, H, k), normal._pressure(r, c, A, n, H, k)
-    gain = pressure_gain(outer, inner, normal._rate, (A, n, k), r, c, a, H, k)
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = A * power_gain("pressure", inside, c, a, n, k)
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, A, n, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, A: Array, n: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, A, n, k), normal._depth(c, A, n, k)
-    gain = depth_gain(outer, inner, normal._rate, (A, n, k), c, a)
+    gain = A * power_gain("depth", 0.0, c, a, n, k)
     return mu * (H / H_x) * gain
 
 

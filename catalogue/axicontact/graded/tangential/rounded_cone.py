@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_breaks import rounded_depth, rounded_force, rounded_rate
+from ..._graded_pressure import rounded_pressure
+from ..._graded_slip import rounded_gain
 from ..._slip import stick_force
 from ..normal import rounded_cone as normal
 
@@ -343,22 +346,20 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, theta, b, H, k), normal._force(c, theta, b, H, k)
-    gain = outer - inner
-    return mu * gain
+    gain = rounded_gain("force", rounded_force, rounded_rate, (b,), 0.0, c, a, k) * np.tan(theta)
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, theta, b, H, k), normal._pressure(r, c, theta, b, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = rounded_gain("pressure", rounded_pressure, rounded_rate, (b,), inside, c, a, k) * np.tan(theta)
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, theta, b, k), normal._depth(c, theta, b, k)
-    gain = outer - inner
+    gain = rounded_gain("depth", rounded_depth, rounded_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (H / H_x) * gain
 
 

@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
+from ..._graded_pressure import rounding_pressure
+from ..._graded_slip import beyond_gain, power_gain
 from ..._slip import stick_force
 from ..normal import rounded_curved_punch as normal
 
@@ -374,22 +377,26 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, R1, R2, b, H, k), normal._force(c, R1, R2, b, H, k)
-    gain = outer - inner
-    return mu * gain
+    power = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R1)
+    rounding = beyond_gain("force", rounding_force, rounding_rate, (b,), 0.0, c, a, k) / R2
+    gain = power + rounding
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, R1, R2, b, H, k), normal._pressure(r, c, R1, R2, b, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
+    rounding = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R2
+    gain = power + rounding
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R1, R2, b, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, R1, R2, b, k), normal._depth(c, R1, R2, b, k)
-    gain = outer - inner
+    power = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R1)
+    rounding = beyond_gain("depth", rounding_depth, rounding_rate, (b,), 0.0, c, a, k) / R2
+    gain = power + rounding
     return mu * (H / H_x) * gain
 
 

@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
+from ..._graded_pressure import sphere_pressure
+from ..._graded_slip import below_gain
 from ..._slip import stick_force
 from ..normal import sphere as normal
 
@@ -308,21 +311,19 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, R, H, k), normal._force(c, R, H, k)
-    gain = outer - inner
-    return mu * gain
+    gain = below_gain("force", sphere_force, sphere_rate, (R,), 0.0, c, a, k)
+    return np.where(a <= R, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, R, H, k), normal._pressure(r, c, R, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
+    return np.where(a <= R, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, H, k)), np.nan)
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._depth(a, R, k), normal._depth(c, R, k)
-    gain = outer - inner
-    return mu * (H / H_x) * gain
+    gain = below_gain("depth", sphere_depth, sphere_rate, (R,), 0.0, c, a, k)
+    return np.where(a <= R, mu * (H / H_x) * gain, np.nan)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:

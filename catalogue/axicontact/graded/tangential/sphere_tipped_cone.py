@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
+from ..._graded_pressure import tipped_pressure
+from ..._graded_slip import tipped_gain
 from ..._slip import stick_force
 from ..normal import sphere_tipped_cone as normal
 
@@ -349,22 +352,23 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, R, theta, H, k), normal._force(c, R, theta, H, k)
-    gain = outer - inner
-    return mu * gain
+    b = R * np.sin(theta)
+    gain = tipped_gain("force", tipped_force, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, R, theta, H, k), normal._pressure(r, c, R, theta, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    b = R * np.sin(theta)
+    inside = np.minimum(r, c)
+    gain = tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, theta, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, R: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, R, theta, k), normal._depth(c, R, theta, k)
-    gain = outer - inner
+    b = R * np.sin(theta)
+    gain = tipped_gain("depth", tipped_depth, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)
     return mu * (H / H_x) * gain
 
 

@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order, require_reach
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_breaks import flank_depth, flank_force, flank_rate
+from ..._graded_pressure import flank_pressure
+from ..._graded_slip import beyond_gain
 from ..._slip import stick_force
 from ..normal import truncated_cone as normal
 
@@ -345,23 +348,21 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._force(a, theta, b, H, k), normal._force(c, theta, b, H, k)
-    gain = outer - inner
-    return mu * gain
+    gain = beyond_gain("force", flank_force, flank_rate, (b,), 0.0, c, a, k) * np.tan(theta)
+    return np.where(c >= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    outer, inner = normal._pressure(r, a, theta, b, H, k), normal._pressure(r, c, theta, b, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    gain = beyond_gain("pressure", flank_pressure, flank_rate, (b,), inside, c, a, k) * np.tan(theta)
+    return np.where(c >= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k)), np.nan)
 
 
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, theta, b, k), normal._depth(c, theta, b, k)
-    gain = outer - inner
-    return mu * (H / H_x) * gain
+    gain = beyond_gain("depth", flank_depth, flank_rate, (b,), 0.0, c, a, k) * np.tan(theta)
+    return np.where(c >= b, mu * (H / H_x) * gain, np.nan)
 
 
 def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:

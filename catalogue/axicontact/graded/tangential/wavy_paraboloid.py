@@ -11,6 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require_order
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_growth import waves_depth, waves_force, waves_rate
+from ..._graded_pressure import waves_pressure
+from ..._graded_slip import power_gain, waves_gain
 from ..._slip import stick_force
 from ..normal import wavy_paraboloid as normal
 
@@ -385,24 +388,28 @@ def full_slip_displacement(
 def _tangential_force(
     a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._force(a, R, h, wavelength, H, k), normal._force(c, R, h, wavelength, H, k)
-    gain = outer - inner
-    return mu * gain
+    power = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R)
+    waves = h * waves_gain("force", waves_force, waves_rate, (2 * np.pi / wavelength,), 0.0, c, a, k)
+    gain = power + waves
+    return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(
     r: Array, a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._pressure(r, a, R, h, wavelength, H, k), normal._pressure(r, c, R, h, wavelength, H, k)
-    gain = outer - inner
-    return mu * np.where(r < c, gain, outer + 0.0 * c)
+    inside = np.minimum(r, c)
+    power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
+    waves = h * waves_gain("pressure", waves_pressure, waves_rate, (2 * np.pi / wavelength,), inside, c, a, k)
+    gain = power + waves
+    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, h, wavelength, H, k))
 
 
 def _tangential_displacement(
     a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    outer, inner = normal._depth(a, R, h, wavelength, k), normal._depth(c, R, h, wavelength, k)
-    gain = outer - inner
+    power = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R)
+    waves = h * waves_gain("depth", waves_depth, waves_rate, (2 * np.pi / wavelength,), 0.0, c, a, k)
+    gain = power + waves
     return mu * (H / H_x) * gain
 
 

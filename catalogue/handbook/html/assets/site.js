@@ -44,27 +44,37 @@ function address([key, profile]) {
   return `${profile}.html#${key.slice(profile.length + 1)}`;
 }
 
-function rank(row, query) {
-  if (row[0] === query) return 0;
-  if (row[0].startsWith(query)) return 1;
-  return row[1].startsWith(query) ? 2 : 3;
+// Heß, Hess and hess, half-space and half space, pull_off and pull off are the same to a reader
+function folded(text) {
+  return String(text).toLowerCase().replaceAll("ß", "ss").normalize("NFD").replace(/\p{M}/gu, "").replace(/[-_–]/g, " ");
+}
+
+function misses(text, parts) {
+  return folded(text).split(/[\s.,]+/).filter((word) => word && !parts.some((part) => word.startsWith(part))).length;
+}
+
+// the key itself first, then names of profiles and labels with the fewest words that nobody asked for
+function rank([key, profile, system, label], query, parts) {
+  const { profiles, systems } = window.axicontact;
+  if (key.toLowerCase() === query) return -2;
+  if (key.toLowerCase().startsWith(query)) return -1;
+  const words = folded(label).split(/[\s.,]+/);
+  const asked = words.some((word) => parts.some((part) => word.startsWith(part)));
+  const meant = parts.some((part) => folded(systems[system].join(" ")).includes(part));
+  return 10 * misses(profiles[profile][0], parts) + (asked ? misses(label, parts) : 9) - (meant ? 5 : 0);
 }
 
 function search(text) {
   const query = text.trim().toLowerCase();
-  const parts = query.split(/\s+/).filter(Boolean);
+  const parts = folded(query).split(/\s+/).filter(Boolean);
   if (!parts.length) return [];
   const { profiles, systems, keys } = window.axicontact;
-  const all = keys.map((row) => {
-    const [key, profile, system, label, names] = row;
-    return [row, [key, ...profiles[profile], systems[system], label, names].join(" ").toLowerCase()];
+  const found = keys.filter(([key, profile, system, label, names]) => {
+    const words = folded([key, profile, ...profiles[profile], ...systems[system], label, names].join(" "));
+    return parts.every((part) => words.includes(part) || (part.length > 5 && words.replaceAll(" ", "").includes(part)));
   });
-  const found = all.filter(([, words]) => parts.every((part) => words.includes(part))).map(([row]) => row);
-  return found.sort((a, b) => rank(lowered(a), query) - rank(lowered(b), query));
-}
-
-function lowered(row) {
-  return row.map((cell) => String(cell).toLowerCase());
+  const ranks = new Map(found.map((row) => [row, rank(row, query, parts)]));
+  return found.sort((a, b) => ranks.get(a) - ranks.get(b));
 }
 
 function show(list, rows) {
@@ -72,17 +82,25 @@ function show(list, rows) {
   list.replaceChildren(...rows.slice(0, SHOWN).map((row) => {
     const [key, profile, system, label] = row;
     const item = document.createElement("li");
+    item.id = `found.${key}`;
     const link = document.createElement("a");
     const small = document.createElement("small");
     link.href = address(row);
     link.className = "hit";
     link.textContent = key;
-    small.textContent = `${label} · ${profiles[profile][0]} · ${systems[system]}`;
+    small.textContent = `${label} · ${profiles[profile][0]} · ${systems[system][0]}`;
     link.append(small);
+    item.setAttribute("role", "option");
     item.append(link);
     return item;
   }));
   list.hidden = rows.length === 0;
+  document.getElementById("q").setAttribute("aria-expanded", String(!list.hidden));
+}
+
+function hide(list) {
+  list.hidden = true;
+  document.getElementById("q").setAttribute("aria-expanded", "false");
 }
 
 function startSearch() {
@@ -96,16 +114,17 @@ function startSearch() {
     if (first) location.href = first.href;
   });
   input.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") list.hidden = true;
+    if (event.key === "Escape") hide(list);
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     event.preventDefault();
     const items = [...list.children];
     const now = items.findIndex((item) => item.classList.contains("chosen"));
     const next = Math.max(0, Math.min(items.length - 1, now + (event.key === "ArrowDown" ? 1 : -1)));
     items.forEach((item, i) => item.classList.toggle("chosen", i === next));
+    if (items[next]) input.setAttribute("aria-activedescendant", items[next].id);
     items[next]?.scrollIntoView({ block: "nearest" });
   });
-  document.addEventListener("click", (event) => { if (!event.target.closest(".search")) list.hidden = true; });
+  document.addEventListener("click", (event) => { if (!event.target.closest(".search")) hide(list); });
   document.addEventListener("keydown", (event) => {
     if (event.key === "/" && document.activeElement !== input) { event.preventDefault(); input.focus(); }
   });

@@ -1,0 +1,221 @@
+"""Formulas for blocks of arrays: NumPy's functions one after another into a few arrays that stay in cache.
+
+What depends on plain numbers alone is computed once per call.  `np.where` becomes a decision for every block:
+a branch that holds nowhere in it is not evaluated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ._rewriting import depending, numbers_first
+from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, of_a_module, places, trace, used_at
+
+NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
+NAMES |= {"inf": np.inf, "nan": np.nan}
+SIGNS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
+PREPARE = """
+def prepare({numbers}):
+{lines}
+    return ({results})
+"""
+BLOCK = """
+def block(out, {arguments}):
+    size = out.size
+{lines}
+"""
+
+
+class Program(NamedTuple):
+    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks)` fills a block with.
+
+    A FloatingPointError says that the block needs the body itself.
+    """
+
+    prepare: Callable[..., tuple[Any, ...]]
+    block: Callable[..., None]
+    scratch: int
+    masks: int
+
+
+_programs: dict[tuple[Any, ...], Program | None] = {}
+
+
+def program(
+    function: Callable[..., Any], count: int, keywords: tuple[str, ...], arrays: tuple[bool, ...]
+) -> Program | None:
+    """The program of a function of a module for `count` fields and keywords, by which of all of them are arrays."""
+    key = (function, count, keywords, arrays)
+    if key not in _programs:
+        if not of_a_module(function):
+            return None
+        fields = tuple(f"x{i}" for i in range(count))
+        result = trace(function, fields, keywords)
+        names = [*fields, *keywords]
+        given = [name for name, is_array in zip(names, arrays, strict=True) if is_array]
+        _programs[key] = None if result is None else _Writer(result, names, given).program()
+    return _programs[key]
+
+
+class _Writer:
+    """Text of a program; arrays of scratch are freed where their value is used for the last time."""
+
+    def __init__(self, result: Node, names: list[str], given: list[str]) -> None:
+        result = numbers_first(result, set(given))
+        self.given = given
+        self.numbers = [name for name in names if name not in given]
+        self.nodes = needed(result)
+        self.paths = places(self.nodes)
+        self.arrays = depending(self.nodes, set(given))
+        self.last = self._last_uses()
+        self.text: list[str] = []
+        self.where: dict[Node, str] = {}
+        self.constants: dict[str, str] = {}
+        self.free: list[str] = []
+        self.idle: list[str] = []
+        self.count = self.mask_count = 0
+        self.refused: Node | None = None
+
+    def program(self) -> Program:
+        result = self.nodes[-1]
+        if result.name == "unless":
+            self.refused, result = result.operands
+            if self.refused not in self.arrays:
+                self._line(1, f"if {self.of(self.refused)}: raise FloatingPointError")
+        self._region((), result, "out", 1)
+        numbers = [x for x in self.nodes if x not in self.arrays and x.name not in ("number", "unless")]
+        lines = [
+            f"    {self.of(x)} = {_of_numbers(x, [self._of_number(o) for o in x.operands])}"
+            for x in numbers
+            if x.operands
+        ]
+        reaching = {x for user in self.arrays for x in user.operands} | {result, self.refused}
+        results = [self.of(x) for x in numbers if x in reaching]
+        passed = ", ".join(results) + ("," if results else "")
+        space = dict(NAMES)
+        exec(PREPARE.format(numbers=", ".join(self.numbers), lines="\n".join(lines), results=passed), space)
+        space |= {name: np.array(float(value)) for value, name in self.constants.items()}
+        scratch = [*(f"w{i}" for i in range(self.count)), *(f"m{i}" for i in range(self.mask_count))]
+        arguments = ", ".join([*self.given, *results, *scratch])
+        exec(BLOCK.format(arguments=arguments, lines="\n".join(self.text)), space)
+        return Program(space["prepare"], space["block"], self.count, self.mask_count)
+
+    def of(self, node: Node) -> str:
+        if node.name == "argument":
+            return str(node.value)
+        if node.name == "number":
+            # as an array without dimensions: half of what a call with a float costs
+            return self.constants.setdefault(repr(node.value), f"c{len(self.constants)}")
+        return self.where[node] if node in self.arrays else f"_{node.order}"
+
+    def _of_number(self, node: Node) -> str:
+        return f"({node.value!r})" if node.name == "number" else self.of(node)
+
+    def _last_uses(self) -> dict[Node, Node]:
+        """For every array the last step among those under the same choices that needs it."""
+        last: dict[Node, Node] = {}
+        for user in self.nodes:
+            for position, x in enumerate(user.operands):
+                path, depth = used_at(user, position, self.paths), len(self.paths[x])
+                step = path[depth][0] if len(path) > depth else user
+                if x not in last or step.order > last[x].order:
+                    last[x] = step
+        return last
+
+    def _region(self, path: Path, target: Node, place: str, depth: int) -> None:
+        """The steps under these choices; the last of them leaves the target in `place`."""
+        steps = [
+            x for x in self.nodes if self.paths[x] == path and x in self.arrays and x.operands and x.name != "unless"
+        ]
+        inside = target in steps
+        lend = inside and target is steps[-1] and target.name != "where"
+        if lend:
+            self.free.append(place)
+        for node in steps:
+            self._step(node, place if node is target else None, depth)
+            if node is self.refused:
+                self._line(depth, f"if count_nonzero({self.of(node)}): raise FloatingPointError")
+        if lend and place in self.free:
+            self.free.remove(place)
+        if not inside:
+            self._line(depth, f"copyto({place}, {self.of(target)})")
+
+    def _step(self, node: Node, place: str | None, depth: int) -> None:
+        dying = {x: self.where[x] for x in node.operands if x in self.where and self.last[x] is node}
+        if node.name == "where":
+            dying |= {x: p for x, p in self.where.items() if self.last.get(x) is node}
+            place = place or self._new()
+            self._choice(node, place, depth)
+            self._release(dying)
+        else:
+            operands = [self.of(x) for x in node.operands]
+            self._release(dying)
+            place = place or (self._new_mask() if node.logical else self._new())
+            # a third argument by position is deprecated for these two alone
+            out = f"out={place}" if node.name in ("minimum", "maximum") else place
+            self._line(depth, f"{_ufunc(node, operands)}, {out})")
+        self.where[node] = place
+
+    def _choice(self, node: Node, place: str, depth: int) -> None:
+        path, (condition, x, y) = self.paths[node], node.operands
+        if condition not in self.arrays:
+            for branch, holds, line in ((x, True, f"if {self.of(condition)}:"), (y, False, "else:")):
+                self._line(depth, line)
+                self._region((*path, (node, holds)), branch, place, depth + 1)
+            return
+        mask, some = self.of(condition), f"some{node.order}"
+        self._line(depth, f"{some} = count_nonzero({mask})")
+        self._line(depth, f"if {some}:")
+        self._region((*path, (node, True)), x, place, depth + 1)
+        self._line(depth, f"if {some} != size:")
+        inner = (*path, (node, False))
+        if y in self.arrays and y.operands and self.paths[y] == inner:
+            other = self._new()
+            name = f"other{node.order}"
+            self._line(depth + 1, f"{name} = {other} if {some} else {place}")
+            self._region(inner, y, name, depth + 1)
+            self._line(depth + 1, f"if {some}:")
+            self._line(depth + 2, f"copyto({place}, {name}, where=~{mask})")
+            self.free.append(other)
+        else:
+            self._line(depth + 1, f"copyto({place}, {self.of(y)}, where=~{mask})")
+
+    def _new(self) -> str:
+        if self.free:
+            return self.free.pop()
+        self.count += 1
+        return f"w{self.count - 1}"
+
+    def _new_mask(self) -> str:
+        if self.idle:
+            return self.idle.pop()
+        self.mask_count += 1
+        return f"m{self.mask_count - 1}"
+
+    def _release(self, dying: dict[Node, str]) -> None:
+        for node, place in dying.items():
+            (self.idle if node.logical else self.free).append(place)
+            del self.where[node]
+
+    def _line(self, depth: int, line: str) -> None:
+        self.text.append("    " * depth + line)
+
+
+def _ufunc(node: Node, operands: list[str]) -> str:
+    """The beginning of a call; x**2 and x**0.5 are what NumPy makes of them."""
+    if node.name == "power" and node.operands[1].name == "number":
+        special = {2.0: "square", 0.5: "sqrt"}.get(float(node.operands[1].value or 0.0))
+        if special:
+            return f"{special}({operands[0]}"
+    return f"{node.name}({', '.join(operands)}"
+
+
+def _of_numbers(node: Node, operands: list[str]) -> str:
+    if node.name == "where":
+        return f"{operands[1]} if {operands[0]} else {operands[2]}"
+    if node.name in SIGNS:
+        return f"{operands[0]} {SIGNS[node.name]} {operands[1]}"
+    return f"{_ufunc(node, operands)})"

@@ -1,0 +1,200 @@
+"""A formula as a graph: the body of a private function, run once with objects that record what is done to them.
+
+NumPy's functions find the objects by its protocols `__array_ufunc__` and `__array_function__`.  A body that
+decides by its data, asks for shapes or uses a rule with nodes along an axis has no such graph; where it asks
+once whether a rare branch is needed at all, the graph is that without this branch, and says when it holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from types import FunctionType
+from typing import Any, TypeAlias, TypeGuard
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
+RELATIONS = frozenset(("less", "less_equal", "greater", "greater_equal", "equal", "not_equal", "isfinite", "isnan"))
+CONNECTIVES = frozenset(("bitwise_and", "bitwise_or", "invert"))
+FUNCTIONS = frozenset(
+    (
+        "add", "subtract", "multiply", "divide", "negative", "absolute", "power", "square", "minimum", "maximum",
+        "sqrt", "cbrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "arctan", "arctan2", "hypot",
+        "sinh", "cosh", "tanh", "arcsinh",
+    )
+)  # fmt: skip
+LONGEST = 2000
+"""Operations beyond which a body stays as it is: compiling the text would take longer than it saves."""
+
+
+class Node:
+    """One operation on earlier ones; the value of an argument is its name."""
+
+    __slots__ = ("order", "name", "operands", "value")
+
+    def __init__(self, order: int, name: str, operands: tuple[Node, ...], value: Any) -> None:
+        self.order, self.name, self.operands, self.value = order, name, operands, value
+
+    @property
+    def logical(self) -> bool:
+        if self.name == "number":
+            return isinstance(self.value, bool)
+        return self.name in RELATIONS or self.name in CONNECTIVES
+
+
+Path: TypeAlias = tuple[tuple[Node, bool], ...]
+"""The choices under which something is needed, from the outside: (a node `where`, which of its branches)."""
+
+
+class UntraceableError(TypeError):
+    """The body needs more than operations on its arguments."""
+
+
+class Graph:
+    """Operations in the order of the body; what occurs twice is one node."""
+
+    def __init__(self) -> None:
+        self._known: dict[Any, Node] = {}
+        self.refused: Node | None = None
+
+    def argument(self, name: str) -> Node:
+        return self._node("argument", (), name)
+
+    def number(self, value: float | bool) -> Node:
+        return self._node("number", (), value if isinstance(value, bool) else float(value))
+
+    def copied(self, node: Node) -> Node:
+        """An argument or a number of another graph."""
+        return self._node(node.name, (), node.value)
+
+    def operation(self, name: str, *operands: Node) -> Node:
+        if len(self._known) > LONGEST or any(x.logical for x in operands) != (name in CONNECTIVES):
+            raise UntraceableError
+        if all(x.name == "number" for x in operands):
+            with np.errstate(all="ignore"):
+                value = getattr(np, name)(*(x.value for x in operands))
+            return self.number(value.item())
+        if name in ("multiply", "divide") and operands[1].value == 1.0:
+            return operands[0]
+        return self._node(name, operands)
+
+    def choice(self, condition: Node, x: Node, y: Node) -> Node:
+        if not condition.logical or x.logical or y.logical:
+            raise UntraceableError
+        if condition.name == "number":
+            return x if condition.value else y
+        return x if x is y else self._node("where", (condition, x, y))
+
+    def ask(self, condition: Node) -> bool:
+        """Whether a condition holds anywhere: supposed not to, once; a body that asks on iterates."""
+        if not condition.logical or self.refused not in (None, condition):
+            raise UntraceableError
+        self.refused = condition
+        return False
+
+    def unless(self, condition: Node, result: Node) -> Node:
+        """The result, which is another one where the condition holds anywhere."""
+        return self._node("unless", (condition, result))
+
+    def _node(self, name: str, operands: tuple[Node, ...], value: Any = None) -> Node:
+        # repr tells the zeros apart
+        key = (name, *(x.order for x in operands), repr(value))
+        if key not in self._known:
+            self._known[key] = Node(len(self._known), name, operands, value)
+        return self._known[key]
+
+
+class Traced(NDArrayOperatorsMixin):
+    """Stands for an array while a body is run."""
+
+    def __init__(self, graph: Graph, node: Node) -> None:
+        self.graph, self.node = graph, node
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        name = ufunc.__name__
+        if method != "__call__" or options or not (name in FUNCTIONS or name in RELATIONS or name in CONNECTIVES):
+            return NotImplemented
+        return Traced(self.graph, self.graph.operation(name, *(self.of(x) for x in inputs)))
+
+    def __array_function__(self, function: Any, types: Any, args: Any, options: Any) -> Any:
+        if options:
+            return NotImplemented
+        if function is np.where and len(args) == 3:
+            return Traced(self.graph, self.graph.choice(*(self.of(x) for x in args)))
+        if function is np.any and len(args) == 1:
+            return self.graph.ask(self.of(args[0]))
+        if function is np.zeros_like:
+            return Traced(self.graph, self.graph.number(0.0))
+        if function is np.ones_like:
+            return Traced(self.graph, self.graph.number(1.0))
+        if function is np.full_like:
+            return Traced(self.graph, self.of(args[1]))
+        return NotImplemented
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        raise UntraceableError
+
+    def __bool__(self) -> bool:
+        raise UntraceableError
+
+    def of(self, x: Any) -> Node:
+        if isinstance(x, Traced):
+            return x.node
+        if not isinstance(x, (bool, int, float, np.bool_, np.number)):
+            raise UntraceableError
+        return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
+
+
+def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:
+    """Whether compiling pays: a function inside another one is a new one every time."""
+    return isinstance(function, FunctionType) and function.__globals__.get(function.__name__) is function
+
+
+def trace(function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str]) -> Node | None:
+    """What `function` returns for fields and keywords of these names, or None if it has no graph."""
+    graph = Graph()
+    try:
+        result = function(
+            *(Traced(graph, graph.argument(name)) for name in fields),
+            **{name: Traced(graph, graph.argument(name)) for name in keywords},
+        )
+        node = result.node if isinstance(result, Traced) else graph.number(float(result))
+    except (TypeError, ValueError, AttributeError):
+        return None
+    if node.logical:
+        return None
+    return node if graph.refused is None else graph.unless(graph.refused, node)
+
+
+def needed(result: Node) -> list[Node]:
+    """The nodes behind a result, in order."""
+    found, pending = {result.order: result}, [result]
+    while pending:
+        for x in pending.pop().operands:
+            if x.order not in found:
+                found[x.order] = x
+                pending.append(x)
+    return [found[order] for order in sorted(found)]
+
+
+def places(nodes: list[Node]) -> dict[Node, Path]:
+    """For every node the choices under which alone it is needed; the last one is the result."""
+    paths: dict[Node, Path] = {nodes[-1]: ()}
+    for user in reversed(nodes):
+        for position, x in enumerate(user.operands):
+            path = used_at(user, position, paths)
+            paths[x] = _common(paths[x], path) if x in paths else path
+    return paths
+
+
+def used_at(user: Node, position: int, paths: dict[Node, Path]) -> Path:
+    """The choices under which an operand is used."""
+    path = paths[user]
+    return (*path, (user, position == 1)) if user.name == "where" and position else path
+
+
+def _common(x: Path, y: Path) -> Path:
+    length = 0
+    while length < min(len(x), len(y)) and x[length][0] is y[length][0] and x[length][1] == y[length][1]:
+        length += 1
+    return x[:length]
