@@ -78,7 +78,7 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ('profile = "wedge"\n[physics]\nplane = { x = 1 }', "write plane = true"),
         ('profile = "wedge"\n[medium]\nkind = "power_law"\n[physics]\nplane = true', 'is kind = "homogeneous"'),
         ('profile = "wedge"\n[physics]\nplane = true\n[want]\nquantities = ["force"]', "there are profile, load"),
-        ('profile = "cone"\n[output]\nformats = ["exe"]', "formats must be a list out of python"),
+        ('profile = "cone"\n[output]\nformats = ["exe"]', "unknown format 'exe'"),
         ('profile = "cone"\n[want]\nat = { F = "50 mN" }', "freeze theta, E_star too"),
         ('profile = "cone"\n[want]\nat = { p = 1 }', "at names one field of the contact"),
         ('profile = "cone"\n[want]\nat = { F = "50 mm" }', "F must be a force, but '50 mm' is a length"),

@@ -15,7 +15,7 @@ SECTIONS = {
     "plane": ("Plane contact",),
     "loads": ("Displacement",),
 }
-ALWAYS = ("Derivation", "Evidence", "Sources")
+ALWAYS = ("Derivation", "Evidence")
 GROUPS = {
     "adhesive": ("", "adh."), "tangential": ("", "tan."), "graded": ("", "fgm."), "viscoelastic": ("", "vis."),
     "graded.adhesive": ("fgm.", "fgm.adh."), "graded.tangential": ("fgm.", "fgm.tan."),
@@ -30,7 +30,7 @@ PLAIN = re.compile(
 """The table of the homogeneous normal contact, the first one."""
 CELL = re.compile(r"\\own\{([\w.]+)\} & [^&\n]* & [^&\n]* & \\textcolor\{note\}\{[^{}]*\}")
 REASONS = re.compile(r"^\\vspace\{\.8mm\}.*No certificate:.*\n", re.MULTILINE)
-REASON = re.compile(r"((?:\\own\{[\w.]+\} )+)(\\textcolor\{note\}\{[^{}]*\} ?)")
+REASON = re.compile(r"((?:\\own\{[\w.]+\} )+)(\\textcolor\{note\}\{(?:[^{}]|\\own\{[\w.]+\})*\} ?)")
 MARK = re.compile(r"\\own\{([\w.]+)\} ")
 
 

@@ -23,9 +23,9 @@ from .grammar import read
 from .left import bound, name_of
 from .nodes import Node, environment
 from .points import points_of
-from .printed import holds, named
+from .printed import holds, name_in_print, named
 from .source import arguments, without_remark
-from .statements import CLOSE, approach
+from .statements import CLOSE
 
 Entries = Mapping[str, Entry]
 Stored = Callable[[str], Entries]
@@ -34,6 +34,13 @@ GAP = r",\enspace "
 NEAR = sp.Rational(1, 10**60)
 """How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
 KINDS = ("evaluation", "limit", "universal")
+"""Kinds that are read here; approaches to an end, rules and slopes of an integral have readers of their own."""
+ENDS = {
+    "edge": (r"r\to a", r"x\to a"), "far-field": (r"r\to\infty", r"x\to\infty"), "axis": (r"r\to 0",),
+    "middle": (r"x\to 0", r"r\to 0"), "small-contact": (r"a\to 0",), "onset": (r"a\to b",),
+}  # fmt: skip
+"""Where an approach goes, as it is printed beside its name; a condition may follow."""
+_HEADS = re.compile(r"([a-z-]+)((?: [\w.]+\.\w+)+)")
 
 
 @dataclass(frozen=True)
@@ -55,8 +62,8 @@ def further(text: str) -> Iterator[Further]:
         elif line.startswith(r"\further"):
             whole = arguments(line)
             halves = [arguments(half) for half in whole] if line.startswith(r"\furtherpair") else [whole]
-            kinds = re.findall(rf"({'|'.join(KINDS)})((?: (?!{'|'.join(KINDS)})\S+)+)", comment)
-            for half, (kind, keys) in zip((half for half in halves if len(half) > 2), kinds, strict=True):
+            kinds = _HEADS.findall(comment)
+            for half, (kind, keys) in zip((half for half in halves if any(half[2:3])), kinds, strict=True):
                 yield Further(kind, tuple(keys.split()), half[1].strip("$"), without_remark(half[2]))
 
 
@@ -105,11 +112,20 @@ def _limit(one: Further, stored: Stored) -> bool:
     if len(parts) != len(one.keys):
         return True
     profile = stored(one.keys[0].rpartition(".")[0])[one.keys[0].rpartition(".")[2]].profile
-    aims = [(x.symbol, sp.sympify(x.value)) for x in profile.limits]
-    aim = next((aim for aim in aims if not approach(*aim)(one.small)), None)
+    aim = _aim(one.small, profile.parameters)
     return aim is None or any(
         _limit_differs(key, part, *aim, stored) for key, part in zip(one.keys, parts, strict=True)
     )
+
+
+def _aim(small: str, parameters: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:
+    """Which parameter goes where."""
+    name, _, end = small.partition(r"\to")
+    ends: dict[str, sp.Expr] = {"0": sp.S.Zero, r"\infty": sp.oo} | {name_in_print(s): s for s in parameters}
+    symbol, value = ends.get(name.strip()), ends.get(end.strip())
+    if value is None and end.strip().isdigit():
+        value = sp.Integer(end)
+    return None if symbol not in parameters or value is None else (symbol, value)
 
 
 def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, stored: Stored) -> bool:
@@ -117,9 +133,11 @@ def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, store
     entry = stored(problem)[suffix]
     left, _, right = part.partition(r"\to ")
     near = {sp.S.Zero: NEAR, sp.oo: 1 / NEAR}.get(value, value)
-    # the case that holds next to the limit, at points of any case
+    tested = []
+    # in the case that holds next to the limit, at points of any case: a limit may be that of one of them
     for _, values in points_of(entry, "formula", stored(problem), 1, 11):
-        at = values | {symbol: near}
+        at = values | {symbol: sp.sympify(near).xreplace(values)}
+        at |= {short: expr.xreplace(at) for short, expr in entry.profile.abbreviations}
         try:
             case = case_at(entry, at)
         except LookupError:
@@ -127,9 +145,14 @@ def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, store
         with mp.workdps(DIGITS + 20):
             want = evaluate_case(case, at, DIGITS)
             # a printed limit is a formula of the simpler profile, which does not know the symbol
-            env = {name: number for name, number in named(at).items() if name not in named({symbol: near})}
+            env = {name: number for name, number in named(at).items() if name != name_in_print(symbol)}
             own = _named(entry, want, env)
-            return any(difference(read(text)[0].members[0](own), want) > CLOSE for text in (left, right))
+            try:
+                tested.append(all(difference(read(text)[0].members[0](own), want) <= CLOSE for text in (left, right)))
+            except ValueError:  # a root of the case that does not hold here
+                tested.append(False)
+    if tested:
+        return not any(tested)
     message = f"{key}: no point is near {symbol} = {value}"
     raise LookupError(message)
 

@@ -25,7 +25,7 @@ BESIDE = "1e-20"
 EXTENT = {"": 1, "G": 10**9, "M": 10**6, "k": 10**3, "m": "1e-3", r"\textmu{}": "1e-6", "n": "1e-9", "p": "1e-12"}
 _NUMBER = re.compile(
     r"(?P<digits>-?\d[\d.]*)?(?:\\times)?(?P<power>10\^\{-?\d+\})?"
-    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|\(SI\))\})?"
+    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|\(SI\))\}(?:\^\{(?P<degree>-?\d+)\})?)?"
 )
 _MATHEMATICS = re.compile(r"\$([^$]+)\$")
 
@@ -53,7 +53,7 @@ class Printout:
 
 
 def number(tex: str) -> Number:
-    r"""1.5, 0.288\,785, 2\times10^{13}\,\text{(SI)} or 291.0\,\text{\textmu{}m} in the units of the SI.
+    r"""1.5, 0.288\,785, 2\times10^{13}, 291.0\,\text{\textmu{}m} or 20\,\text{m}^{-1} in the units of the SI.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def number(tex: str) -> Number:
         message = f"{tex} is not a number; write digits, a power of ten and a unit of the SI"
         raise SyntaxError(message)
     digits = match["digits"] or "1"
-    scale = mp.mpf(EXTENT[match["prefix"] or ""])
+    scale = mp.mpf(EXTENT[match["prefix"] or ""]) ** int(match["degree"] or 1)
     if match["power"]:
         scale *= mp.mpf(10) ** int(match["power"][4:-1])
     decimals = len(digits.partition(".")[2])
