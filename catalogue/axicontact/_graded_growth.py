@@ -28,7 +28,7 @@ def power_factor(n: Array, k: Array) -> Array:
 
 
 def power_excess(n: Array, k: Array) -> Array:
-    """The same less 1: the product over m of 1 + (n/2) (1 - k)/2/((m + 1 + n/2) (m + (1 + k)/2)), less 1."""
+    """What is left of it less 1: the product over m of 1 + (n/2) (1 - k)/2/((m + 1 + n/2) (m + (1 + k)/2)), less 1."""
     x, e, half = n / 2.0, (1.0 - k) / 2.0, (1.0 + k) / 2.0
     log = np.zeros_like(x * e)
     for m in range(int(FAR)):

@@ -105,15 +105,17 @@ def _span(r: Array, a: Array, n: Array) -> tuple[Array, Array]:
 def ring_of_zero_pressure(n: Array) -> Array:
     """(r_0/a)**2 of a concave face of exponent n, where the pressure vanishes first on unloading; 0 for n <= 2.
 
-    There P (n z - 1) = sqrt(z) with z = 1 - (r_0/a)**2 and P the integral of `power_pressure` for a = 1.
+    There P_n (n z - 1) = sqrt(z) with z = 1 - (r_0/a)**2 and P_n the integral of `power_pressure` for a = 1.
     """
     n = np.atleast_1d(np.asarray(n, dtype=np.float64))
-    low, high = np.zeros_like(n), (n - 1.0) / n
-    for _ in range(60):
-        q = (low + high) / 2.0
+    # halving the order of the doubles finds the last digit of the smallest ring too
+    low, high = (end.view(np.int64) for end in (np.where(n < 3.0, 1e-40, 0.1), (n - 1.0) / n))
+    for _ in range(63):
+        middle = low + (high - low) // 2
+        q = middle.view(np.float64)
         positive = _presses(-0.5 * np.log(q), 1.0 - q, n)
-        low, high = np.where(positive, q, low), np.where(positive, high, q)
-    return np.where(n > 2.0, (low + high) / 2.0, 0.0)
+        low, high = np.where(positive, middle, low), np.where(positive, high, middle)
+    return np.where(n > 2.0, high.view(np.float64), 0.0)
 
 
 def outside_zero_pressure(n: Array) -> Array:
@@ -128,5 +130,16 @@ def outside_zero_pressure(n: Array) -> Array:
 
 
 def _presses(depth: Array, z: Array, n: Array) -> Array:
-    """Whether the place with z = 1 - r**2/a**2, r = a exp(-depth), lies inside the ring."""
-    return _fallen_pressure(depth, n) * (n * z - 1.0) > np.sqrt(z)
+    """Whether the place with z = 1 - r**2/a**2, r = a exp(-depth), lies inside the ring.
+
+    Of P_n (n z - 1) > sqrt(z) nearly all cancels next to n = 2, where the ring is born at r = 0.  With
+    P_n = S + r**2 P_(n-2), S the integral of t**(n - 3) sqrt(t**2 - r**2), and sqrt(z) = (n - 2) S + P_n it
+    is (n - 2) (P_(n-2) + n S) > n sqrt(z), a sum of positive terms.
+    """
+    pressure, root = _fallen_pressure(depth, n), np.sqrt(z)
+    if not np.any(n < 3.0):
+        return pressure * (n * z - 1.0) > root
+    low = np.minimum(n, 3.0)
+    lower = np.exp((3.0 - low) * depth) * _fallen_pressure(depth, low - 2.0)
+    rest = pressure - (1.0 - z) * lower
+    return np.where(n < 3.0, (n - 2.0) * (lower + n * rest) > n * root, pressure * (n * z - 1.0) > root)
