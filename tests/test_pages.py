@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import json
 import math
 import re
@@ -17,7 +18,8 @@ from axiderive.emit.prose import domain, prose
 from axiderive.emit.study import error, extremes, figures, maps
 from axiderive.pdf import problems
 
-STUDIES = Path(__file__).parents[1] / "catalogue" / "evidence" / "study"
+CATALOGUE = Path(__file__).parents[1] / "catalogue"
+STUDIES, PROFILES = CATALOGUE / "evidence" / "study", CATALOGUE / "handbook" / "profiles"
 
 
 @pytest.fixture(scope="module")
@@ -140,3 +142,19 @@ def test_an_overfull_line_of_the_main_file_is_not_blamed_on_the_last_profile() -
     }
     log = "(./book.tex (./profiles/cone.tex [1])\nOverfull \\hbox (26.0pt too wide) in alignment at lines 34--36\n"
     assert problems(log, sources) == ["book.tex:34: [matrix] line is 9.1 mm too wide"]
+
+
+SKETCHED = sorted(path.name for path in PROFILES.glob("*.tex") if r"node[txt,anchor=south west]" in path.read_text())
+
+
+@pytest.mark.parametrize("name", SKETCHED)
+def test_the_arrow_of_the_displacement_ends_on_the_surface(name: str) -> None:
+    text = (PROFILES / name).read_text()
+    x, end = map(float, re.search(r"\\draw\[dim,->[^\n]*\(([\d.]+),0\)--\([\d.]+,(-?[\d.]+)\);", text).groups())
+    (right,) = (
+        [tuple(map(float, point.split(","))) for point in re.findall(r"\(([^)]*)\)", line)]
+        for line in text.splitlines()
+        if line.startswith(r" \draw[ink!70") and float(re.search(r"coordinates \{\(([-\d.]+),", line)[1]) > 0
+    )
+    (x1, y1), (x2, y2) = next(pair for pair in itertools.pairwise(right) if pair[0][0] <= x <= pair[1][0])
+    assert end == pytest.approx(y1 + (y2 - y1) * (x - x1) / (x2 - x1), abs=2e-3)

@@ -21,6 +21,8 @@ from .printer import Printer
 
 Entries = Mapping[str, Entry]
 Rows = list[dict[str, Any]]
+PRINTABLE = 40
+"""Operations of a derivative that may fit into a row."""
 
 
 def approach_rows(profile: Profile, entries: Entries) -> Rows:
@@ -66,10 +68,15 @@ def _root_edge(entries: Entries, place: sp.Symbol) -> Approach:
     """The last punches E* g'(a) da/pi, or strips P'(a) da/pi, stand alone next to the edge."""
     grown, scale, named = (entries["P"], 1, "P'(a)") if place == x else (entries["d"], E_star, r"E^{*}g'(a)")
     cases = tuple(
-        Case(c.chain, scale * sp.factor(sp.diff(c.expr, a)) / (sp.pi * a) * _face(place)) for c in grown.cases
+        Case(c.chain, scale * _factored(sp.diff(c.expr, a)) / (sp.pi * a) * _face(place)) for c in grown.cases
     )
     text = rf"\frac{{{named}}}{{\pi}}\sqrt{{\frac{{2 (a-{place})}}{{a}}}}"
     return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases, text)
+
+
+def _factored(expr: sp.Expr) -> sp.Expr:
+    """In factors where it is short enough to be printed; longer ones have taken from a tenth of a second to minutes."""
+    return sp.factor(expr) if sp.count_ops(expr) <= PRINTABLE else expr
 
 
 def _sharp_edge(entries: Entries, place: sp.Symbol) -> Approach:

@@ -54,7 +54,7 @@ class Picture:
     edge: float
     end: float
     arrow: float
-    arrow_depth: float
+    arrow_end: float
     dimensions: tuple[Dimension, ...]
     angle: Angle | None
 
@@ -78,7 +78,7 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
         edge=_short(-inside[-1][1] if first else -outside[0][1]),
         end=_short(outside[-1][1]),
         arrow=x_arrow,
-        arrow_depth=_short(-float(numbers("w", x_arrow / scale)) * scale),
+        arrow_end=_short(-float(numbers("w", x_arrow / scale)) * scale),
         dimensions=_dimensions(profile, numbers, scale, depth),
         angle=_angle(profile, numbers, scale, depth),
     )

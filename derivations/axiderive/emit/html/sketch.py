@@ -39,7 +39,7 @@ def sketch(picture: Any, model: Mapping[str, Any]) -> Figure:
             "thin", scale.at(picture.angle.x, picture.angle.y), scale.at(picture.angle.x + 1.55, picture.angle.y)
         )
         figure.label(r"\theta", scale.at(picture.angle.x + 1.3, picture.angle.y + 0.2))
-    _arrow(figure, scale, (picture.arrow, 0), (picture.arrow, -picture.arrow_depth))
+    _arrow(figure, scale, (picture.arrow, 0), (picture.arrow, picture.arrow_end))
     figure.label("w", scale.at(picture.arrow + 0.05, 0.02), "above-left")
     _arrow(figure, scale, (3.7, -1.35), (4.3, -1.35))
     _arrow(figure, scale, (3.7, -1.35), (3.7, -1.95))
