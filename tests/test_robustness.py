@@ -66,9 +66,11 @@ def killed_builds(program: Path, root: Path, seconds: float, count: int, seed: i
     """Builds killed at random moments, each with all of its workers; how many were still running."""
     dice, hit = random.Random(seed), 0
     for i in range(count):
-        process = start(program, root, "--jobs", str(1 + i % 2), start_new_session=True)
+        process, begun = start(program, root, "--jobs", str(1 + i % 2), start_new_session=True), time.monotonic()
         try:
             process.wait(dice.uniform(0.1, 1.1) * seconds)
+            # a warm cache, or a machine that has become idle: the next one is killed sooner
+            seconds = min(seconds, time.monotonic() - begun)
         except subprocess.TimeoutExpired:
             hit += 1
         with contextlib.suppress(ProcessLookupError):
