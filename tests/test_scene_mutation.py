@@ -21,7 +21,7 @@ SCENES = {
     ),
     "breaks": ('profile = "q*r**3 + c*Max(0, r - b)**2"\n', f"[want]\nquantities = {QUANTITIES}\n"),
     "partial slip": (
-        'profile = "h*log(cosh(r/q))"\n',
+        'profile = "h*log(cosh(r/q)) + s*Max(0, r - b)*sqrt(r)"\n',
         '[physics]\ntangential = true\n[want]\nquantities = ["tangential_force", "traction", "stick_radius"]\n',
     ),
 }
