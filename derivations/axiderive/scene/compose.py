@@ -56,6 +56,9 @@ class _Composition:
     def __init__(self, request: Request, answer: Answer | None) -> None:
         self.request, self.answer = request, answer
         if request.own is not None:
+            if "tangential" in request.physics and nt.c.name in {p.name for p in request.own.profile.parameters}:
+                message = "c is the radius of stick in a tangential contact; give the parameter c another letter"
+                raise CommandError(message, USAGE)
             given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
             exact = {p: sp.Rational(v) for p, v in given.items() if v is not None}
             self.answer = answer or answered(request.own, exact)
