@@ -56,12 +56,16 @@ def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarra
         return None
     out = np.empty(values[0].shape)
     numbers = [value[0] for value, more in zip(values, arrays, strict=True) if not more]
-    places = [np.empty_like(out) for _ in range(found.scratch)] + [
-        np.empty(out.shape, bool) for _ in range(found.masks)
-    ]
-    given = [value for value, more in zip(values, arrays, strict=True) if more]
+    places = [np.empty_like(out) for _ in range(found.scratch)]
+    places += [np.empty(out.shape, bool) for _ in range(found.masks)]
+    places += [np.full(out.shape, value) for value in found.filled]
+    given, prepared = [value for value, more in zip(values, arrays, strict=True) if more], found.prepare(*numbers)
+    if found.positive and not all(np.all((0.0 <= x) & (x < np.inf)) for x in given):
+        return body(function, *values)
+    if found.positive and not all(0.0 < x < np.inf for x in prepared):
+        return body(function, *values)
     try:
-        found.block(out, *given, *found.prepare(*numbers), *places)
+        found.block(out, *given, *prepared, *places)
     except FloatingPointError:
         assert function in RARE
         return body(function, *values)
@@ -101,15 +105,48 @@ def test_powers_of_two_change_places_exactly() -> None:
 
 
 def test_a_branch_that_holds_nowhere_is_not_evaluated(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = program(cone._pressure, 2, ("theta", "E_star"), (True, False, False, False))
+    found = program(cone._displacement, 2, ("theta",), (True, False, False))
     assert found is not None
     called = []
-    monkeypatch.setitem(found.block.__globals__, "arcsinh", lambda x, out: called.append(np.arcsinh(x, out)))
-    for radii, calls in (([0.2, 0.9], 1), ([0.2, 1.1], 1), ([1.0, 1.1], 0)):
+    monkeypatch.setitem(found.block.__globals__, "arctan2", lambda *x: called.append(np.arctan2(*x)))
+    for radii, calls in (([1.2, 1.9], 1), ([0.2, 1.1], 1), ([0.3, 1.0], 0)):
         called.clear()
-        values = cone.pressure(np.array(radii), 1.0, theta=0.3, E_star=2.0)
+        cone.displacement(np.array(radii), 1.0, theta=0.3)
         assert len(called) == calls
-        assert (values[np.array(radii) >= 1.0] == 0.0).all()
+
+
+def rising(r: Any, a: Any, n: Any) -> Any:
+    return np.where(r < a, n * np.log1p((a - r) / r) * np.sqrt((a - r) * (a + r)) ** 3, 0.0)
+
+
+def falling(r: Any, a: Any, n: Any) -> Any:
+    """Not zero where a - r is replaced by zero."""
+    return np.where(r < a, n * np.log1p((a - r + r) / r), 0.0)
+
+
+def below(r: Any, a: Any, n: Any) -> Any:
+    """Zero over zero at r = a."""
+    return np.where(r < a, n * (a - r) / (a - r), 0.0)
+
+
+def test_zero_beyond_the_edge_needs_no_choice() -> None:
+    """Exactly where what is inside vanishes there, for one contact radius and ordinary numbers."""
+    simple = [rising, cone._pressure, paraboloid._pressure]
+    for function in (*simple, falling, below, cone._displacement):
+        count = function.__code__.co_argcount
+        text = program(function, count, (), (True, *[False] * (count - 1)))
+        assert text is not None
+        assert text.positive == (function in simple)
+        several = program(function, count, (), (True,) * count)
+        assert several is not None
+        assert not several.positive
+    r = np.array([0.0, 1e-300, 0.3, np.nextafter(1.0, 0.0), 1.0, np.nextafter(1.0, 2.0), 3.0, 1e300])
+    for odd in ([], [np.inf], [np.nan], [-1.0], [-0.0]):
+        radii = np.array([*r, *odd])
+        for a in (0.0, 1.0, np.inf):
+            got = cone.pressure(radii, a, theta=0.3, E_star=2.0)
+            expected = body(cone._pressure, radii, a, 0.3, 2.0)
+            np.testing.assert_array_equal(got, np.where(radii >= 0.0, expected, np.nan))
 
 
 def body(function: Callable[..., Any], *values: Any) -> np.ndarray:

@@ -71,6 +71,9 @@ def _function(expr: sp.Expr) -> str:
     if isinstance(expr, opaque.Root):
         x, y = expr.args
         return f"np.sqrt(({python(x - y)}) * ({python(x + y)}))"
+    if isinstance(expr, opaque.Arcosh):
+        x, y, root = expr.args
+        return f"np.log1p(({python(x - y)} + {_wrapped(root, PRODUCT)}) / {_wrapped(y, ATOM)})"
     if isinstance(expr, sp.Sum):
         (index, first, _), base = expr.limits[0], expr.function.atoms(sp.IndexedBase).pop()
         term = expr.function.subs(base[index], sp.Symbol(f"{base.label}_{index}", positive=True))

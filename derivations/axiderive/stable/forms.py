@@ -15,7 +15,7 @@ import sympy as sp
 from ..abel.masters import Dawson, StruveH
 from ..notation import a, n
 from .arcs import arc_integrals
-from .opaque import Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
+from .opaque import Arcosh, Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
 from .powers import power_integrals
 from .signs import Facts, cancels, difference, sign, squares
 
@@ -169,7 +169,7 @@ class Rewriting:
         if function is sp.atan:
             return self.angle(top, bottom)
         if function is sp.acosh:
-            return sp.asinh(self.root(top, bottom) / bottom)
+            return Arcosh(top, bottom, self.root(top, bottom))
         return self.hyperbolic_angle(top, bottom)
 
     def rewritten(self, value: sp.Expr) -> sp.Expr:

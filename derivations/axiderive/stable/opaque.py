@@ -25,6 +25,12 @@ class Arctan2(sp.Function):
     nargs = 2
 
 
+class Arcosh(sp.Function):
+    """acosh(x/y) of (x, y, sqrt(x**2 - y**2)), computed as log1p((x - y + root)/y): nothing cancels."""
+
+    nargs = 3
+
+
 class Log1p(sp.Function):
     """ln(1 + x)."""
 
