@@ -60,7 +60,7 @@ def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarra
     places += [np.empty(out.shape, bool) for _ in range(found.masks)]
     places += [np.full(out.shape, value) for value in found.filled]
     given, prepared = [value for value, more in zip(values, arrays, strict=True) if more], found.prepare(*numbers)
-    if found.positive and not all(np.all((0.0 <= x) & (x < np.inf)) for x in given):
+    if found.positive and not all(np.all((x >= 0.0) & (x < np.inf)) for x in given):
         return body(function, *values)
     if found.positive and not all(0.0 < x < np.inf for x in prepared):
         return body(function, *values)

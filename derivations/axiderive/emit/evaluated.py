@@ -88,7 +88,8 @@ _KERNELS = (
 """Functions of the generated code without a name in print."""
 GAPS = {
     opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda x: x - sp.tanh(x),
-    opaque.Arcosh: lambda x, y, root: sp.log(1 + (x - y + root) / y), opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
+    opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
+    opaque.Arcosh: lambda x, y, root: sp.log(1 + (x - y + root) / y),
 }  # fmt: skip
 """Functions that keep the digits of a difference, as that difference."""
 ANGLES, ROOTS = (r"\psi", r"\chi"), (r"\ell", "y")

@@ -102,12 +102,13 @@ def _sign(node: Node, known: list[int | None]) -> int | None:
         return 0 if value == 0.0 else 1 if 0.0 < value < math.inf else None
     if not known:
         return 0
-    if None in known:
+    ordered = [x for x in known if x is not None]
+    if len(ordered) != len(known):
         return None
     if node.name == "add":
-        return max(known)
+        return max(ordered)
     if node.name == "multiply":
-        return min(known)
+        return min(ordered)
     if node.name in ("divide", "arctan2"):
         return known[0] if known[1] == 1 else None
     if node.name == "subtract":
