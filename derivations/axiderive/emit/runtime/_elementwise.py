@@ -81,10 +81,12 @@ def _evaluated(
         out.fill(np.nan)
         return out
     with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
-        compiled = None if found is None else _compiled(found, numbers, out.size)
+        # without scratch a step costs less than its call
+        size = BLOCK if found is None or found.scratch else 4 * BLOCK
+        compiled = None if found is None else _compiled(found, numbers, min(out.size, size))
         fields = sum(several[:count])
         checked = len(arrays) if found is not None and found.positive else fields
-        for part, *blocks in _blocks(out, arrays):
+        for part, *blocks in _blocks(out, arrays, size):
             ordinary = all([_ordinary(block) for block in blocks[:checked]])
             if compiled is not None and ordinary and compiled(part, *blocks):
                 continue
@@ -135,7 +137,6 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
         return None
     prepared = [np.asarray(value) for value in results]
     # allocated for every call: threads share nothing
-    size = min(size, BLOCK)
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
     work += [np.full(size, value) for value in found.filled]
 
@@ -150,18 +151,18 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
     return fill
 
 
-def _blocks(out: Array, arrays: list[Array]) -> Iterator[tuple[Array, ...]]:
+def _blocks(out: Array, arrays: list[Array], size: int) -> Iterator[tuple[Array, ...]]:
     """Parts of the result with the same parts of the arrays, one-dimensional."""
     if all(value.shape == out.shape and value.flags.c_contiguous for value in arrays):
-        if out.ndim == 1 and 0 < out.size <= BLOCK:
+        if out.ndim == 1 and 0 < out.size <= size:
             yield (out, *arrays)
             return
         flat = [value.reshape(-1) for value in (out, *arrays)]
-        for first in range(0, out.size, BLOCK):
-            yield tuple(value[first : first + BLOCK] for value in flat)
+        for first in range(0, out.size, size):
+            yield tuple([value[first : first + size] for value in flat])
         return
     flags: list[Any] = [["writeonly"], *([["readonly"]] * len(arrays))]
-    with np.nditer([out, *arrays], ["external_loop", "buffered", "zerosize_ok"], flags, buffersize=BLOCK) as steps:
+    with np.nditer([out, *arrays], ["external_loop", "buffered", "zerosize_ok"], flags, buffersize=size) as steps:
         if out.size:
             yield from steps
 
