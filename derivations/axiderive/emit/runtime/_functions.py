@@ -10,6 +10,7 @@ from ._elementwise import Array
 from ._kernels import (
     ARCTAN_GAP,
     DAWSON,
+    GAMMA_RATIO,
     HANKEL_P_0,
     HANKEL_P_1,
     HANKEL_Q_0,
@@ -20,19 +21,6 @@ from ._kernels import (
     STRUVE_TAIL_1,
     TANH_GAP,
 )
-
-# Gamma(x + 1/2)/Gamma(x) = sqrt(w) (1 + c_1/w**2 + c_2/w**4 + ...), w = x - 1/4 (Tricomi and Erdelyi 1951);
-# the coefficients follow from ratio(x) ratio(x + 1/2) = x
-_RATIO = (
-    1 / 64,
-    -19 / 8192,
-    631 / 524288,
-    -174317 / 134217728,
-    20491783 / 8589934592,
-    -7334801895 / 1099511627776,
-    1858590154455 / 70368744177664,
-)
-_STEPS = 12
 
 
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
@@ -95,22 +83,15 @@ def lower_power(x: Array, n: Array) -> Array:
 
 def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
-    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
-    return a / r * rational(angle * angle, *kernel)
+    # the tangent of half the angle whose sine is a/r
+    tangent = a / (r + np.sqrt((r - a) * (r + a)))
+    return a / r * rational(tangent * tangent, *kernel)
 
 
 def gamma_ratio(x: Array) -> Array:
-    """Gamma(x + 1/2)/Gamma(x) for x > 0: shifted to x >= 12, then the asymptotic series."""
-    low, shifted, above, below = x < _STEPS, x, np.ones_like(x), np.ones_like(x)
-    for _ in range(_STEPS):
-        # the products of whole and half numbers are exact
-        above, below = np.where(low, above * shifted, above), np.where(low, below * (shifted + 0.5), below)
-        shifted = np.where(low, shifted + 1.0, shifted)
-    w = shifted - 0.25
-    series = np.zeros_like(w)
-    for coefficient in reversed(_RATIO):
-        series = (series + coefficient) / (w * w)
-    return above / below * np.sqrt(w) * (1.0 + series)
+    """Gamma(x + 1/2)/Gamma(x) for x > 0, from that at x + 2."""
+    w = x + 1.75
+    return x * (x + 1.0) / ((x + 0.5) * (x + 1.5)) * np.sqrt(w) * rational(1.0 / (w * w), *GAMMA_RATIO)
 
 
 def dawson(x: Array) -> Array:
