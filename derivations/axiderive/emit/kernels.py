@@ -14,7 +14,7 @@ EXPONENTS = (1, 2, 4, 6)
 
 
 def outside(n: int, v: mp.mpf) -> mp.mpf:
-    """pi/2 w/g(a) over s = a/r for f ~ r**n: (asin(s) - int_0^s t**n/sqrt(1 - t**2) dt/s**n)/s, v = tan(asin(s)/2)**2."""
+    """pi/2 w/g(a) over s = a/r for f ~ r**n, s = sin(x) and v = tan(x/2)**2: (x - int_0^x sin(t)**n dt/s**n)/s."""
     # next to v = 0 the difference loses (n + 1)/2 times the digits of v
     with mp.extradps(40):
         angle = 2 * mp.atan(mp.sqrt(v))
