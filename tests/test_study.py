@@ -161,7 +161,7 @@ def test_speed_compares_with_the_formula_itself():
     assert set(found) == {f"{name}.{suffix}" for name in ("cone", "paraboloid") for suffix in ("d", "F", "p", "w")}
     numbers = [x for row in found.values() for x in (row["scalar"], *row["arrays"], row["copy"])]
     assert min(numbers) > 0.0
-    assert all(row["ratio"] > 0.0 for row in record["imports"])
+    assert all(row["ratio"] > 0.0 for row in (*record["imports"], {"ratio": record["fresh"]}))
     assert "cone.p" in speed.text(record)
 
 

@@ -44,8 +44,9 @@ print((time.process_time() - between) / (between - start))
 NOTE = (
     "Medians over interleaved repeats in one run of ratios of processor times, two digits. scalar: a call with plain "
     "numbers over that of a function with the same signature that returns the printed formula in `math`; arrays: over "
-    "the printed formula by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; imports: over the "
-    "import of NumPy, in a process of its own. Functions whose printed formula `math` can evaluate."
+    "the printed formula by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; fresh: a copy into a "
+    "new array over np.copyto; imports: over the import of NumPy, in a process of its own. Functions whose printed formula "
+    "`math` can evaluate."
 )
 
 
@@ -58,6 +59,7 @@ def measure(names: Sequence[str] = NAMES, *, quick: bool = False) -> Record:
         "note": NOTE,
         "settings": {"rounds": rounds, "sizes": list(sizes), "largest": largest, "versions": versions()},
         "rows": rows,
+        "fresh": rounded(_copy(np.copy, np.ones(largest), rounds)),
         "imports": [{"module": module, "ratio": rounded(_import(module, rounds))} for module in IMPORTS],
     }
 
@@ -155,4 +157,5 @@ def text(record: Record) -> str:
     head = ("key", "scalar/math", *sizes, f"np.copyto, {record['settings']['largest']} points")
     rows = [(row["key"], row["scalar"], *row["arrays"], row["copy"]) for row in record["rows"]]
     imports = [f"import {row['module']}: {row['ratio']} of the import of NumPy more" for row in record["imports"]]
-    return "\n".join([table(head, rows), *imports])
+    fresh = f"a copy into a new array: {record['fresh']} of np.copyto"
+    return "\n".join([table(head, rows), fresh, *imports])

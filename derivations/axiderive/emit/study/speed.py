@@ -14,6 +14,7 @@ def table(record: Mapping[str, Any], keys: frozenset[str]) -> dict[str, Any]:
         "largest": _power(settings["largest"]),
         "rows": [row | {"known": row["key"] in keys, "arrays": list(map(_ratio, row["arrays"]))} | _ends(row)
                  for row in record["rows"]],
+        "fresh": f"{record['fresh']:.2g}",
         "imports": [f"{100 * row['ratio']:.2g}" for row in record["imports"]],
         "modules": [row["module"] for row in record["imports"]],
     }  # fmt: skip
