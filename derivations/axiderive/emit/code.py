@@ -25,11 +25,11 @@ FUNCTIONS = {
     opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
     masters.Dawson: "dawson", opaque.ArcStrips: "arc_strips", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
-    opaque.PowerStrips: "power_strips",
+    opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
 }  # fmt: skip
 HELPERS = (
     "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "lower_power",
-    "nth_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
+    "nth_root", "sine_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
 )  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 

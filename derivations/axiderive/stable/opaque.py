@@ -19,6 +19,12 @@ class Root(sp.Function):
     nargs = 2
 
 
+class SineRoot(sp.Function):
+    """sqrt(x**2 - (R sin(theta))**2), of (x, R, theta)."""
+
+    nargs = 3
+
+
 class Arctan2(sp.Function):
     """atan(y/x)."""
 

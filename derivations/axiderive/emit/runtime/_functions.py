@@ -57,6 +57,13 @@ def tanh_gap(y: Array) -> Array:
     return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
 
 
+def sine_root(x: Array, R: Array, theta: Array) -> Array:
+    """sqrt(x**2 - (R*sin(theta))**2), and zero for x below; a sine close to 1 is rounded away from its angle."""
+    sine, cosine = R * np.sin(theta), R * np.cos(theta)
+    square = np.where(cosine < sine, cosine * cosine - (R - x) * (R + x), (x - sine) * (x + sine))
+    return np.sqrt(np.maximum(square, 0.0))
+
+
 def difference_of_products(w: Array, x: Array, y: Array, z: Array) -> Array:
     """w*x - y*z with the rounding of both products made good (Dekker 1971)."""
     left, right = w * x, y * z
