@@ -119,7 +119,8 @@ def test_the_record_of_a_problem() -> None:
     assert found["d"]["bench"]["worst_ulp"] <= CLOSED < 1e4 < found["d"]["bench"]["naive"]["worst_ulp"]
     path, few = "axicontact/normal/rounded_punch.py", ("d", "ad")
     assert record("rounded_punch", closure(sources, path), entries, few, count=12) == {key: found[key] for key in few}
-    worse = sources | {path: sources[path].replace("arctan_gap(root / b)", "(root / b - np.arctan(root / b))")}
+    root = "np.sqrt((a - b) * (a + b)) / b"
+    worse = sources | {path: sources[path].replace("root_gap(a, b)", f"({root} - np.arctan({root}))")}
     assert record("rounded_punch", worse, entries, ["d"], count=12)["d"]["bench"]["worst_ulp"] > 1e4
 
 

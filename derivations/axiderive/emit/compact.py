@@ -13,7 +13,8 @@ from ..entry import Case, Entry
 from ..notation import a
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.opaque import ArcStrips, Arctan2, Root, SineRoot
+from ..stable.gaps import of_lengths
+from ..stable.opaque import ArcStrips, Arctan2, ArctanGap, Root, SineRoot
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, singular_at_break, slope_form
 from .code import python
@@ -107,7 +108,15 @@ class Compact:
             force = self.functions.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
-        given = ("a", ROOT) if self.rooted and suffix != "pm" else ("a",)
+        if not self.rooted or suffix == "pm":
+            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+        inner = self._joined(name, forms, ("a", ROOT))
+        if any(form.value.has(ArctanGap) for form in forms.values()):
+            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+        return self._from_radius(name, inner)
+
+    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
+        """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
         for key, form in forms.items():
             lines += self.functions.steps(form, given)
@@ -117,10 +126,9 @@ class Compact:
         if len(forms) > 1:
             lines.append(f"return np.where(a < {self.b}, tip, beyond)")
             needs.add(str(self.b))
-        if not self.rooted or suffix == "pm":
-            return self._limited(name, lines, needs)
-        inner = self.functions.add(f"{name}_at", given, lines, needs)
-        return self._from_radius(name, inner)
+        if ROOT in given:
+            return self.functions.add(f"{name}_at", given, lines, needs)
+        return self._limited(name, lines, needs)
 
     def _from_radius(self, name: str, inner: Private) -> Private:
         x, y = self.root_pair()
@@ -199,7 +207,7 @@ class Compact:
             tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
         )
         steps = self.functions.steps(moved)
-        for i, (name, expr) in enumerate(form.steps):
+        for i, (name, expr) in enumerate(form.steps if self.b is not None else ()):
             whole = without_subtraction(expr.subs(a, self.b), self.profile.abbreviations)
             if isinstance(expr, Root) and not isinstance(whole, Root):
                 steps[i] = f"{name} = np.where(a < {self.b}, {python(moved.steps[i][1])}, {python(whole)})"

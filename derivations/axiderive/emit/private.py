@@ -88,7 +88,10 @@ class PrivateFunctions:
             return python(outside * named("total")).replace("total", "sum(terms)")
         if inside.is_Add:
             plus = sp.Add(*(term for term in inside.args if not term.could_extract_minus_sign()))
-            lines += [f"plus = {python(plus)}", f"minus = {python(plus - inside)}"]
+            lines.append(f"plus = {python(plus)}")
+            if plus == inside:
+                return python(outside * named("plus"))
+            lines.append(f"minus = {python(plus - inside)}")
             return python(outside * (named("plus") - named("minus")))
         return text
 

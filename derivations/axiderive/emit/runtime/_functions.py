@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -14,6 +15,7 @@ from ._kernels import (
     HANKEL_P_1,
     HANKEL_Q_0,
     HANKEL_Q_1,
+    ROOT_GAP,
     STRUVE_0,
     STRUVE_1,
     STRUVE_TAIL_0,
@@ -33,6 +35,8 @@ _RATIO = (
     1858590154455 / 70368744177664,
 )
 _STEPS = 12
+_NEAR = 0.42
+"""Where the kernel of `root_gap` ends; the root is 1.008 there."""
 
 
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
@@ -49,6 +53,13 @@ def arctan_gap(x: Array) -> Array:
     """x - arctan(x) for x >= 0."""
     t = np.minimum(x, 1.0)
     return np.where(x < 1.0, t * (t * t) * rational(t * t, *ARCTAN_GAP), x - np.arctan(x))
+
+
+def root_gap(x: Array, y: Array) -> Array:
+    """arctan_gap(sqrt(x**2 - y**2)/y) for x >= y, through their difference: next to x = y it is a cube of the root."""
+    q = (x - y) / y
+    near, root = np.minimum(q, _NEAR), np.sqrt((x - y) * (x + y)) / y
+    return np.where(q < _NEAR, near * np.sqrt(near) * rational(near, *ROOT_GAP), root - np.arctan(root))
 
 
 def tanh_gap(y: Array) -> Array:
@@ -118,6 +129,12 @@ def gamma_ratio(x: Array) -> Array:
     for coefficient in reversed(_RATIO):
         series = (series + coefficient) / (w * w)
     return above / below * np.sqrt(w) * (1.0 + series)
+
+
+def depth_over_height(j: int) -> float:
+    """sqrt(pi) Gamma(j/2 + 1)/Gamma(j/2 + 1/2) for j = 1, 2, ...: j!!/(j - 1)!!, for an odd j times pi/2."""
+    ratio = math.prod(range(j, 0, -2)) / math.prod(range(j - 1, 0, -2))
+    return ratio * (math.pi / 2.0) if j % 2 else ratio
 
 
 def dawson(x: Array) -> Array:
