@@ -15,6 +15,7 @@ from stored_book import CATALOGUE, evidence, stored
 from axiderive import notation as nt
 from axiderive.emit.code import python
 from axiderive.emit.evaluated import evaluation_rows, form_of
+from axiderive.emit.private import PrivateFunctions, through_sine
 from axiderive.emit.readback.grammar import read
 from axiderive.emit.readback.nodes import environment
 from axiderive.emit.readback.points import points_of
@@ -22,6 +23,7 @@ from axiderive.emit.readback.printed import holds, name_in_print, named
 from axiderive.profiles import NAMES, load
 from axiderive.proof.evaluate import evaluate
 from axiderive.proof.unevaluated import evaluate_case
+from axiderive.stable.gaps import of_lengths
 
 READ_BACK = mp.mpf(10) ** -20
 DIGITS = 40
@@ -180,9 +182,12 @@ def test_the_catalogue_evaluates_what_is_printed(key: str) -> None:
     for one in _of("evaluation", key):
         for case, values in points_of(stored(name)[suffix], "formula", stored(name), 1, 7):
             if holds(_where(one), named(values)):
-                form = form_of(load(name), case.expr, case.chain)
-                assert python(form.value) in text
-                assert all(python(expr) in text for _, expr in form.steps)
+                form = of_lengths(form_of(load(name), case.expr, case.chain))
+                lines: list[str] = []
+                assert PrivateFunctions.value_lines(form.value, lines) in text
+                assert all(line in text for line in lines)
+                shorts = load(name).abbreviations
+                assert all(python(through_sine(expr, shorts)) in text for _, expr in form.steps)
                 break
         else:
             pytest.fail(f"{key} is printed for no case")

@@ -22,14 +22,16 @@ FUNCTIONS = {
     sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
     sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
     opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
-    opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap", opaque.GammaRatio: "gamma_ratio",
+    opaque.RootGap: "root_gap", opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap",
+    opaque.GammaRatio: "gamma_ratio",
     masters.Dawson: "dawson", opaque.ArcStrips: "arc_strips", opaque.PowerPressure: "power_pressure",
     opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
-    opaque.PowerStrips: "power_strips",
+    opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
+    opaque.DepthOverHeight: "depth_over_height",
 }  # fmt: skip
 HELPERS = (
-    "arctan_gap", "beside", "dawson", "difference_of_products", "gamma_ratio", "lower_power",
-    "nth_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
+    "arctan_gap", "beside", "dawson", "depth_over_height", "difference_of_products", "gamma_ratio", "lower_power",
+    "nth_root", "root_gap", "sine_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
 )  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 

@@ -13,12 +13,13 @@ from ..entry import Case, Entry
 from ..notation import a
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.opaque import ArcStrips, Arctan2, Root
+from ..stable.gaps import of_lengths
+from ..stable.opaque import ArcStrips, Arctan2, ArctanGap, Root, SineRoot
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, singular_at_break, slope_form
 from .code import python
 from .kernels import EXPONENTS
-from .private import Private, PrivateFunctions
+from .private import Private, PrivateFunctions, through_sine, without_subtraction
 
 SMOOTH = 32
 
@@ -107,7 +108,15 @@ class Compact:
             force = self.functions.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
-        given = ("a", ROOT) if self.rooted and suffix != "pm" else ("a",)
+        if not self.rooted or suffix == "pm":
+            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+        inner = self._joined(name, forms, ("a", ROOT))
+        if any(form.value.has(ArctanGap) for form in forms.values()):
+            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+        return self._from_radius(name, inner)
+
+    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
+        """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
         for key, form in forms.items():
             lines += self.functions.steps(form, given)
@@ -117,10 +126,9 @@ class Compact:
         if len(forms) > 1:
             lines.append(f"return np.where(a < {self.b}, tip, beyond)")
             needs.add(str(self.b))
-        if not self.rooted or suffix == "pm":
-            return self._limited(name, lines, needs)
-        inner = self.functions.add(f"{name}_at", given, lines, needs)
-        return self._from_radius(name, inner)
+        if ROOT in given:
+            return self.functions.add(f"{name}_at", given, lines, needs)
+        return self._limited(name, lines, needs)
 
     def _from_radius(self, name: str, inner: Private) -> Private:
         x, y = self.root_pair()
@@ -172,20 +180,38 @@ class Compact:
             lines.append(f"tip = {scale} * force_integral({slope.growth('t')}, {radius}, {SMOOTH})")
             needs |= set(slope.needs)
         else:
-            moved = EvaluationForm(
-                tuple((name, expr.subs(a, sp.Symbol(radius, positive=True))) for name, expr in tip.steps),
-                tip.value.subs(a, sp.Symbol(radius, positive=True)),
-                False,
-            )
-            lines += [*self.functions.steps(moved), f"tip = {python(moved.value)}"]
+            moved, steps = self._moved(tip, radius)
+            lines += [*steps, f"tip = {python(moved.value)}"]
         if self.b is None:
             lines.append("return tip")
             return self._limited("force", lines, needs)
         slope = self.slopes["beyond"][0]
         growth = slope.with_parameters()
-        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, a, {self.b}{self._width()})")
+        lines.append(f"reach = {self._reach()}")
+        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self._width()})")
         lines.append("return tip + beyond")
         return self.functions.add("force", ("a",), lines, {*needs, *slope.needs, str(self.b)})
+
+    def _reach(self) -> str:
+        """The text of sqrt(a**2 - b**2), and of zero within the break."""
+        reach = through_sine(Root(a, self.b), self.profile.abbreviations)
+        return python(reach) if isinstance(reach, SineRoot) else f"difference_root(a, {self.b})"
+
+    def _moved(self, form: EvaluationForm, radius: str) -> tuple[EvaluationForm, list[str]]:
+        """The form of the tip for another name of its radius, and its steps.
+
+        A root that vanishes at the end of an arc is taken from the angle of the break where the tip is whole.
+        """
+        symbol = sp.Symbol(radius, positive=True)
+        moved = EvaluationForm(
+            tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
+        )
+        steps = self.functions.steps(moved)
+        for i, (name, expr) in enumerate(form.steps if self.b is not None else ()):
+            whole = without_subtraction(expr.subs(a, self.b), self.profile.abbreviations)
+            if isinstance(expr, Root) and not isinstance(whole, Root):
+                steps[i] = f"{name} = np.where(a < {self.b}, {python(moved.steps[i][1])}, {python(whole)})"
+        return moved, steps
 
     def stiffness(self, form: EvaluationForm) -> Private:
         lines = [*self.functions.steps(form), f"return {python(form.value)}"]
@@ -243,11 +269,8 @@ class Compact:
         kind, length = self.scale("tip")
         more = {str(self.b)} if self.b is not None else set()
         if not form.cancels and (form.value.has(ArcStrips) or kind in ("", "waves") and self._plain(form)):
-            symbol = sp.Symbol(radius, positive=True)
-            moved = EvaluationForm(
-                tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
-            )
-            lines += self.functions.steps(moved)
+            moved, steps = self._moved(form, radius)
+            lines += steps
             value = self.functions.value_lines(moved.value, lines)
             more |= self.functions.needs(form, ("r", "a"))
         else:

@@ -83,7 +83,7 @@ def evaluated(left: str, expr: sp.Expr, form: EvaluationForm, chain: tuple[sp.Ex
 
 _KERNELS = (
     opaque.GammaRatio, opaque.ArcStrips, opaque.PowerPressure, opaque.PowerDisplacement, opaque.PowerPunches,
-    opaque.PowerStrips,
+    opaque.PowerStrips, opaque.DepthOverHeight,
 )  # fmt: skip
 """Functions of the generated code without a name in print."""
 GAPS = {

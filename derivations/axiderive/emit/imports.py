@@ -107,5 +107,7 @@ def imports(module: ModuleText) -> list[str]:
 def _rule_names() -> tuple[str, ...]:
     text = (RUNTIME / "_integrals.py").read_text()
     return tuple(
-        line[4 : line.index("(")] for line in text.splitlines() if line.startswith("def ") and "_integral" in line
+        line[4 : line.index("(")]
+        for line in text.splitlines()
+        if line.startswith("def ") and ("_integral" in line or "difference_root" in line)
     )

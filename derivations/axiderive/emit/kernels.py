@@ -25,6 +25,12 @@ def outside(n: int, v: mp.mpf) -> mp.mpf:
         return (angle - punches[n] / sine**n) / sine
 
 
+def root_gap(q: mp.mpf) -> mp.mpf:
+    """(x - atan x)/q**1.5 with x**2 = q (q + 2)."""
+    x = mp.sqrt(q * (q + 2))
+    return (x - mp.atan(x)) / q**1.5
+
+
 STRUVE_END = mp.mpf(4)
 """Where the series in ascending powers ends; below the first zero of H_0."""
 
@@ -69,6 +75,7 @@ POLYNOMIALS = ("LEGENDRE_CHI",)
 KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = (
     {
         "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
+        "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
         "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
         "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
         "GAMMA_RATIO": ("Gamma(x + 1/2)/Gamma(x)/sqrt(w) over 1/w**2, w = x - 1/4, x >= 2", gamma_ratio, 16 / 49),

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm
-from ..stable.opaque import Root, named
+from ..stable.opaque import Root, SineRoot, named
 from .code import python
 
 LINE = 116
@@ -88,13 +88,17 @@ class PrivateFunctions:
             return python(outside * named("total")).replace("total", "sum(terms)")
         if inside.is_Add:
             plus = sp.Add(*(term for term in inside.args if not term.could_extract_minus_sign()))
-            lines += [f"plus = {python(plus)}", f"minus = {python(plus - inside)}"]
+            lines.append(f"plus = {python(plus)}")
+            if plus == inside:
+                return python(outside * named("plus"))
+            lines.append(f"minus = {python(plus - inside)}")
             return python(outside * (named("plus") - named("minus")))
         return text
 
     def definition(self, expr: sp.Expr) -> str:
-        """The text of an intermediate; sqrt(R**2 - b**2) of an abbreviated b without the subtraction."""
-        return python(without_subtraction(expr, self.profile.abbreviations))
+        """The text of an intermediate; a root of the difference from an abbreviated b without its rounding."""
+        expr = without_subtraction(expr, self.profile.abbreviations)
+        return python(through_sine(expr, self.profile.abbreviations))
 
     def needs(self, form: EvaluationForm, given: Sequence[str]) -> set[str]:
         """Parameters a form needs beyond what is given, with those behind an abbreviated root."""
@@ -114,6 +118,18 @@ def without_subtraction(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, 
             sine = definition / length
             if short == symbol and isinstance(sine, sp.sin):
                 return length * sp.cos(sine.args[0])
+    return expr
+
+
+def through_sine(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """The root of x**2 - b**2 through R and theta where b is short for R sin(theta), else the expression itself."""
+    if isinstance(expr, Root):
+        length, short = expr.args
+        for symbol, definition in abbreviations:
+            sines = definition.atoms(sp.sin)
+            if short == symbol and len(sines) == 1:
+                sine = sines.pop()
+                return SineRoot(length, definition / sine, sine.args[0])
     return expr
 
 

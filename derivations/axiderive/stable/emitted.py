@@ -21,7 +21,8 @@ ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below"))
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
-        "power_displacement", "power_pressure", "power_punches", "power_strips", "struve_h0", "struve_h1", "tanh_gap",
+        "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap", "struve_h0", "struve_h1",
+        "tanh_gap",
     )
 )  # fmt: skip
 ARRAYS = frozenset(("outside_zero_pressure", "power_displacement", "power_pressure", "power_strips"))

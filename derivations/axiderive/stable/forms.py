@@ -15,7 +15,7 @@ import sympy as sp
 from ..abel.masters import Dawson, StruveH
 from ..notation import a, n
 from .arcs import arc_integrals
-from .opaque import Arcosh, Arctan2, ArctanGap, Expm1, GammaRatio, Log1p, Root, TanhGap, named
+from .opaque import Arcosh, Arctan2, ArctanGap, DepthOverHeight, Expm1, GammaRatio, Log1p, Root, TanhGap, named
 from .powers import power_integrals
 from .signs import Facts, cancels, difference, sign, squares
 
@@ -52,14 +52,23 @@ def gamma_ratios(expr: sp.Expr) -> sp.Expr:
     if not expr.args:
         return expr
     expr = expr.func(*(gamma_ratios(arg) for arg in expr.args))
+    if isinstance(expr, sp.Sum) and expr.has(DepthOverHeight):
+        number, term = expr.function.as_independent(*expr.function.free_symbols, as_Add=False)
+        return number * sp.Sum(term, *expr.limits)
     if not expr.is_Mul:
         return expr
     powers = dict(factor.as_base_exp() for factor in expr.args)
     for lower, power in powers.items():
         upper = sp.gamma(sp.expand(lower.args[0] + sp.S.Half)) if isinstance(lower, sp.gamma) else None
         if powers.get(upper) == -power:
-            return expr / lower**power * upper**power * GammaRatio(lower.args[0]) ** -power
+            return expr / lower**power * upper**power * _ratio(lower.args[0]) ** -power
     return expr
+
+
+def _ratio(argument: sp.Expr) -> sp.Expr:
+    """gamma(x + 1/2)/gamma(x); of half a whole number through the double factorials it stands for."""
+    degree = 2 * argument - 1
+    return DepthOverHeight(degree) / sp.sqrt(sp.pi) if degree.is_integer else GammaRatio(argument)
 
 
 @dataclass

@@ -19,6 +19,12 @@ class Root(sp.Function):
     nargs = 2
 
 
+class SineRoot(sp.Function):
+    """sqrt(x**2 - (R sin(theta))**2), of (x, R, theta)."""
+
+    nargs = 3
+
+
 class Arctan2(sp.Function):
     """atan(y/x)."""
 
@@ -49,6 +55,12 @@ class ArctanGap(sp.Function):
     nargs = 1
 
 
+class RootGap(sp.Function):
+    """ArctanGap(sqrt(x**2 - y**2)/y), of (x, y)."""
+
+    nargs = 2
+
+
 class TanhGap(sp.Function):
     """y - tanh(y)."""
 
@@ -57,6 +69,12 @@ class TanhGap(sp.Function):
 
 class GammaRatio(sp.Function):
     """Gamma(x + 1/2)/Gamma(x)."""
+
+    nargs = 1
+
+
+class DepthOverHeight(sp.Function):
+    """sqrt(pi) Gamma(j/2 + 1)/Gamma(j/2 + 1/2) of a whole j: the depth of r**j over a**j."""
 
     nargs = 1
 

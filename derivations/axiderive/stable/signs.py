@@ -17,7 +17,8 @@ Facts = frozenset[tuple[sp.Expr, sp.Expr]]
 POSITIVE = (
     sp.acos, sp.asin, sp.atan, sp.acosh, sp.asinh, sp.atanh, sp.sinh, sp.cosh, sp.tan, sp.sin, sp.cos, sp.gamma, sp.exp,
     masters.Dawson,
-    opaque.Root, opaque.Arctan2, opaque.Arcosh, opaque.Log1p, opaque.ArctanGap, opaque.TanhGap, opaque.GammaRatio,
+    opaque.Root, opaque.Arctan2, opaque.Arcosh, opaque.Log1p, opaque.ArctanGap, opaque.RootGap, opaque.TanhGap,
+    opaque.GammaRatio, opaque.DepthOverHeight,
     opaque.ArcStrips, opaque.PowerPressure, opaque.PowerDisplacement, opaque.PowerPunches, opaque.PowerStrips,
 )  # fmt: skip
 

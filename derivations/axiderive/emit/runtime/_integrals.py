@@ -325,9 +325,8 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
 
 
 @in_groups
-def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
-    """Integral of t g'(t) from b to a; `slope` takes t and sqrt(t**2 - b**2)."""
-    reach = difference_root(a, b)
+def force_integral_beyond(slope: Slope, reach: Array, b: Array) -> Strip:
+    """Integral of t g'(t) from b to sqrt(b**2 + reach**2); `slope` takes t and sqrt(t**2 - b**2)."""
     stop = np.arcsinh(reach / b)
     fallen = falling(stop)
 

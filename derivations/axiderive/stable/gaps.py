@@ -1,0 +1,21 @@
+"""What vanishes like the cube of a root, through the exact difference of its two lengths.
+
+The root of x**2 - y**2 is rounded twice, its quotient by y once more, and a cube takes all of that up three times:
+6 units of the last place next to x = y.  With q = (x - y)/y the gap is q sqrt(q) times a smooth function of q.
+"""
+
+from __future__ import annotations
+
+from .forms import EvaluationForm
+from .opaque import ArctanGap, Root, RootGap
+
+
+def of_lengths(form: EvaluationForm) -> EvaluationForm:
+    """The form with gaps and cubes of its roots taken from their lengths."""
+    value = form.value
+    for name, root in form.steps:
+        if isinstance(root, Root):
+            x, y = root.args
+            value = value.xreplace({ArctanGap(name / y): RootGap(x, y), name**3: name * (x**2 - y**2)})
+    used = value.free_symbols.union(*(expr.free_symbols for _, expr in form.steps))
+    return EvaluationForm(tuple(step for step in form.steps if step[0] in used), value, form.cancels)
