@@ -234,5 +234,16 @@ def test_work_that_takes_too_much_memory_is_stopped():
         limited(_greedy, megabytes=1024)
 
 
+def _telling(say) -> str:
+    say("first")
+    return "last"
+
+
+def test_work_tells_something_before_it_ends():
+    heard: list[str] = []
+    assert limited(_telling, hear=heard.append) == "last"
+    assert heard == ["first"]
+
+
 def test_symbols_of_the_notation_are_used():
     assert own_profile("r**2/(2*R) + r*b/R").profile.parameters == (R, b)

@@ -158,3 +158,34 @@ def test_random_text_is_read_or_refused():
 def test_much_random_text_is_read_or_refused():
     for seed in range(400, 8000):
         read_or_refused(seed)
+
+
+@pytest.mark.parametrize(
+    ("source", "step"),
+    [
+        ("x**2", "x would be a parameter; write r for x"),
+        ("b", "b would be a parameter; write the height"),
+        ("f(r) = r**2", "right of its ="),
+        ("2r**2", "write 2*r"),
+        ("r**2/2R", "write 2*R"),
+        ("0,5*r**2", "decimals have a point"),
+        ("ln(1 + r)", "write log(...)"),
+        ("abs(r)", "where abs(r) is r"),
+        ("max(0, r - b)", "write Max(0, r - b)"),
+        ("np.sqrt(r)", "write sqrt(...) alone"),
+        ("r*tan(20)", "write tan(20*pi/180)"),
+        ("r*tan(20 deg)", "deg is a unit"),
+        ("r*tan(20*deg)", "deg is a unit"),
+        ("r**2/(2*5mm)", "mm is a unit"),
+        ("r if r < b else 0", "Piecewise"),
+        ("(r - b)**n", "write Max(0, r - b)"),
+    ],
+)
+def test_what_newcomers_write_is_answered_with_what_to_write(source, step):
+    with pytest.raises(ExpressionError) as caught:
+        own_profile(source)
+    assert step in str(caught.value)
+
+
+def test_an_inclination_in_degrees_is_read_once_it_says_so():
+    assert own_profile("r*tan(20*pi/180)").profile.pieces[0].expr.subs(r, 1).evalf() == sp.tan(sp.pi / 9).evalf()

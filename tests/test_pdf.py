@@ -6,8 +6,12 @@ import os
 import re
 
 import pytest
+from scenes import NEEDLE, NO_PDF, OUTSIDE
 
 from axiderive import pdf
+from axiderive.scene import reading, text
+from axiderive.scene.commands import _request as request_of
+from axiderive.scene.compose import composed
 
 DOCUMENT = rb"""\documentclass{article}
 \begin{document}
@@ -29,6 +33,23 @@ def test_a_document_is_compiled_until_its_references_settle_and_always_to_the_sa
     assert content.startswith(b"%PDF")
     assert warnings == []
     assert pdf.compile_pdf(sources)[0] == content
+
+
+@with_latex
+@pytest.mark.parametrize("source", [NEEDLE + NO_PDF, f'profile = "{OUTSIDE}"{NO_PDF}'], ids=["catalogue", "own"])
+def test_the_page_of_a_scene_needs_one_pass(source: str, monkeypatch: pytest.MonkeyPatch):
+    passes, one_pass = [], pdf._one_pass
+    monkeypatch.setattr(pdf, "_one_pass", lambda *given: passes.append(one_pass(*given)))
+    pages: list[dict[str, bytes]] = []
+    composed(request_of(reading.read(text.parse("scene", source.encode())), source), typeset=pages.append)
+    assert pdf.compile_page(pages[0]).startswith(b"%PDF")
+    assert len(passes) == 1
+
+
+@with_latex
+def test_a_page_with_a_reference_gets_another_pass():
+    sources = {"main.tex": b"\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=-1 \\pdftrailerid{}\n" + DOCUMENT}
+    assert pdf.compile_page(sources) == pdf.compile_pdf(sources)[0]
 
 
 def test_pictures_are_left_out_line_for_line_and_by_boxes_of_their_size():

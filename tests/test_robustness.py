@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import random
 import signal
 import subprocess
 import sys
-import time
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -17,15 +16,38 @@ HANGS = 600
 """Seconds after which a build counts as hanging: it takes a few, and a minute where many share the machine."""
 
 ARGUMENTS = ["build", "--only", "loads.uniform,loads.hertzian,loads.punch", "--no-pdf", "--points", "4"]
-# the folder of the project holds cache and catalogue; here each build gets one of its own
+# the folder of the project holds cache and catalogue; here each build gets one of its own, and is killed with all of
+# its workers when it has touched that folder so many times, and so many seconds have passed since
 PROGRAM = """
-import sys
+import os, signal, sys, time
 from pathlib import Path
+from threading import Thread
 from axiderive import cli, commands
-commands.project_root = lambda: Path(sys.argv[1])
+root, steps = sys.argv[1], 0
+last, pause = int(os.environ.get("LAST_STEP", 0)), float(os.environ.get("PAUSE", 0))
+
+def die():
+    time.sleep(pause)
+    os.killpg(0, signal.SIGKILL)
+
+def count(event, given):
+    global steps
+    if event in ("open", "os.rename", "os.mkdir") and str(given[0]).startswith(root):
+        steps += 1
+        if steps == last:
+            Thread(target=die, daemon=True).start() if pause else die()
+
+commands.project_root = lambda: Path(root)
 if __name__ == "__main__":
-    sys.exit(cli.main(sys.argv[2:]))
+    sys.addaudithook(count)
+    code = cli.main(sys.argv[2:])
+    if 0 < last <= steps:
+        os.killpg(0, signal.SIGKILL)  # at the latest: the pause is longer than what was left
+    print(steps, "steps", file=sys.stderr)
+    sys.exit(code)
 """
+EARLY = 40
+"""Steps of a build by which everything is derived and verified, and nothing is published."""
 
 
 @pytest.fixture(scope="module")
@@ -43,9 +65,11 @@ def start(program: Path, root: Path, *more: str, **options: object) -> subproces
     )  # type: ignore[call-overload,no-any-return]
 
 
-def finish(process: subprocess.Popen[str]) -> None:
+def finish(process: subprocess.Popen[str]) -> int:
+    """How many steps the build took."""
     out, err = process.communicate(timeout=HANGS)
     assert process.returncode == 0, out + err
+    return int(err.split()[-2])
 
 
 def written(root: Path) -> dict[str, bytes]:
@@ -53,50 +77,63 @@ def written(root: Path) -> dict[str, bytes]:
     return {p.relative_to(catalogue).as_posix(): p.read_bytes() for p in catalogue.rglob("*") if p.is_file()}
 
 
+@dataclass(frozen=True)
+class Reference:
+    """What an undisturbed build writes, and its steps in a new folder and in one where all is there."""
+
+    files: dict[str, bytes]
+    anew: int
+    again: int
+
+    def steps(self, root: Path) -> int:
+        """Steps that a build takes from where the last one was stopped, by the files that are missing."""
+        missing = len(self.files.keys() - written(root).keys()) / len(self.files)
+        return self.again + int(missing * (self.anew - self.again))
+
+
 @pytest.fixture(scope="module")
-def reference(program: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, bytes], float]:
-    """What an undisturbed build writes, and how long it takes."""
+def reference(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Reference:
     root = tmp_path_factory.mktemp("reference")
-    begun = time.monotonic()
-    finish(start(program, root))
-    return written(root), time.monotonic() - begun
+    anew = finish(start(program, root))
+    files = written(root)
+    again = finish(start(program, root))
+    assert written(root) == files
+    return Reference(files, anew, again)
 
 
-def killed_builds(program: Path, root: Path, seconds: float, count: int, seed: int) -> int:
-    """Builds killed at random moments, each with all of its workers; how many were still running."""
+def killed_builds(program: Path, root: Path, reference: Reference, count: int, seed: int) -> int:
+    """Builds killed at a random step or soon after, each with all of its workers; how many did not come to an end."""
     dice, hit = random.Random(seed), 0
     for i in range(count):
-        process, begun = start(program, root, "--jobs", str(1 + i % 2), start_new_session=True), time.monotonic()
-        try:
-            process.wait(dice.uniform(0.1, 1.1) * seconds)
-            # a warm cache, or a machine that has become idle: the next one is killed sooner
-            seconds = min(seconds, time.monotonic() - begun)
-        except subprocess.TimeoutExpired:
-            hit += 1
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()
+        steps = reference.steps(root)
+        last = dice.randint(1, min(steps, dice.choice((EARLY, steps))))
+        pause = dice.choice((0.0, dice.uniform(0.0, 0.02), 0.0 if i else dice.uniform(0.0, 1.0)))
+        environment = {**os.environ, "LAST_STEP": str(last), "PAUSE": str(pause)}
+        process = start(program, root, "--jobs", str(1 + i % 2), start_new_session=True, env=environment)
+        _, err = process.communicate(timeout=HANGS)
+        assert process.returncode in (0, -signal.SIGKILL), err
+        hit += process.returncode != 0
     return hit
 
 
 @pytest.mark.parametrize("count", [4, pytest.param(100, marks=pytest.mark.slow)])
 def test_a_killed_build_is_recovered(program: Path, tmp_path: Path, reference, count: int) -> None:
-    """A fifth of the runs starts anew, so that early phases are hit as well as late ones."""
-    files, seconds = reference
-    hit = 0
-    for i in range(0, count, 4):
+    """Every tenth run starts anew, so that early phases are hit as well as late ones."""
+    hit, together = 0, min(count, 10)
+    for i in range(0, count, together):
         root = tmp_path / str(i)
-        hit += killed_builds(program, root, seconds, 4, i)
+        hit += killed_builds(program, root, reference, together, i)
         finish(start(program, root))
-        assert written(root) == files
-    assert hit >= count // 4
+        assert written(root) == reference.files
+    # with two processes a few of the steps are those of the workers
+    assert hit >= 0.9 * count
 
 
 def test_two_builds_at_once_in_one_folder(program: Path, tmp_path: Path, reference) -> None:
     both = [start(program, tmp_path), start(program, tmp_path)]
     for process in both:
         finish(process)
-    assert written(tmp_path) == reference[0]
+    assert written(tmp_path) == reference.files
 
 
 def test_truncated_cache_files_are_made_anew(program: Path, tmp_path: Path, reference) -> None:
@@ -105,7 +142,7 @@ def test_truncated_cache_files_are_made_anew(program: Path, tmp_path: Path, refe
         content = path.read_bytes()
         path.write_bytes(content[: len(content) // 2] if i % 2 else b"\0" * len(content))
     finish(start(program, tmp_path))
-    assert written(tmp_path) == reference[0]
+    assert written(tmp_path) == reference.files
 
 
 @pytest.mark.parametrize(
@@ -119,7 +156,7 @@ def test_truncated_cache_files_are_made_anew(program: Path, tmp_path: Path, refe
 def test_bytes_do_not_depend_on_the_environment(program: Path, tmp_path: Path, reference, environment) -> None:
     root = tmp_path / "with space, ümlaut"
     finish(start(program, root, "--jobs", "2", env={**os.environ, **environment}, cwd=tmp_path))
-    assert written(root) == reference[0]
+    assert written(root) == reference.files
 
 
 def test_a_disk_that_fills_up_leaves_the_old_catalogue(program: Path, tmp_path: Path, reference) -> None:
@@ -141,4 +178,4 @@ def test_a_disk_that_fills_up_leaves_the_old_catalogue(program: Path, tmp_path: 
     assert "File too large" in done.stderr
     assert written(tmp_path) == before
     finish(start(program, tmp_path))
-    assert written(tmp_path) == reference[0]
+    assert written(tmp_path) == reference.files

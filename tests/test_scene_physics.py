@@ -7,7 +7,7 @@ import json
 import math
 
 import pytest
-from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, titles
+from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, run_plainly, titles
 
 from axiderive.exits import CommandError
 from axiderive.scene import sources
@@ -40,6 +40,15 @@ def test_other_combinations(source):
     result = composed_from(source + NO_PDF)
     assert "values agree with the definition" in result.lines[-1]
     compile(result.files["test_scene.py"], "test_scene.py", "exec")
+
+
+@pytest.mark.parametrize("profile", ["A*r**(3/2)", "power_law"])
+def test_a_power_that_comes_off_at_the_depth_zero(profile, tmp_path):
+    """(1 - 2 n/3) g is all rounding at n = 3/2, which is what a free exponent is checked at."""
+    request = '[physics]\nadhesive = true\n[want]\nquantities = ["pull_off"]\n'
+    result = composed_from(f'profile = "{profile}"\n{request}{NO_PDF}')
+    assert ", 0.0)," in result.files["test_scene.py"].decode()
+    assert run_plainly(result, tmp_path) == "6 values agree\n"
 
 
 LAWS = {

@@ -154,3 +154,26 @@ def test_a_parameter_is_not_the_radius_of_stick() -> None:
     request = request_of(reading.read(text.parse("scene", scene.encode())), scene)
     with pytest.raises(CommandError, match="c is the radius of stick"):
         composed(request)
+
+
+@pytest.mark.parametrize(
+    ("source", "step"),
+    [
+        ('profile = "sphere"\nE = "2 GPa"\n', "write it below [medium]"),
+        ('profile = "sphere"\nR = "2 mm"\n', "write it below [parameters]"),
+        ('profile = "cone"\nquantities = ["force"]\n', "write it below [want]"),
+        ('profile = "cone"\n[material]\nnu = 0.3\n', "did you mean 'medium'?"),
+        ('profile = "cone"\n[want]\nquantities = ["F"]\n', "did you mean 'force'?"),
+        ('profile = "sphere"\n[parameters]\nR = "2,5 mm"\n', "write '2.5 mm'"),
+        ('profile = "cone"\n[parameters]\ntheta = "20 grad"\n', "did you mean 'deg'?"),
+        ('profile = "cone"\n[medium]\nE_star = "20 N/mm^2"\n', "did you mean 'MPa'?"),
+        ('profile = "cone"\n[medium]\nE_star = "20 gpa"\n', "did you mean 'GPa'?"),
+        ('profile = "cone"\n[physics]\nadhesive = 0.05\n', "write adhesive = { dgamma = ... }"),
+    ],
+)
+def test_what_newcomers_write_is_answered_with_what_to_write(source, step):
+    assert step in problems(source)
+
+
+def test_a_mark_of_byte_order_is_no_part_of_a_scene():
+    assert reading.read(text.parse("scene", b'\xef\xbb\xbfprofile = "cone"\n')).profile.name == "cone"

@@ -145,19 +145,24 @@ class Index:
         raise NoCatalogueError(message)
 
 
-def load() -> Index:
-    """The index of the installed package, or of the checkout this engine lives in."""
+def package() -> Path:
+    """Folder of the installed package that has an index, or of that of the checkout this engine lives in."""
     spec = find_spec("axicontact")
     folders = [Path(place) for place in (spec.submodule_search_locations or ())] if spec else []
     folders.append(Path(__file__).parents[2] / "catalogue" / "axicontact")
     for folder in folders:
-        path = folder / "index.json"
-        try:
-            return Index(folder, loads(path.read_bytes()))
-        except FileNotFoundError:
-            continue
-        except ValueError as error:
-            message = f"{path} is damaged ({error}); run axicontact build"
-            raise NoCatalogueError(message) from error
+        if (folder / "index.json").is_file():
+            return folder
     message = "there is no catalogue yet; run axicontact build"
     raise NoCatalogueError(message)
+
+
+def load() -> Index:
+    """The index of this package."""
+    folder = package()
+    path = folder / "index.json"
+    try:
+        return Index(folder, loads(path.read_bytes()))
+    except ValueError as error:
+        message = f"{path} is damaged ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error

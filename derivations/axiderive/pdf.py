@@ -87,6 +87,19 @@ def compile_pdf(sources: Mapping[str, bytes]) -> tuple[bytes, list[str]]:
         return (folder / f"{job}.pdf").read_bytes(), problems(log, sources)
 
 
+def compile_page(sources: Mapping[str, bytes]) -> bytes:
+    """PDF of a document without references: one pass, and another one only where LaTeX asks for it."""
+    main = main_file(sources)
+    with tempfile.TemporaryDirectory(prefix="axicontact-tex-") as name:
+        folder, job = Path(name), Path(main).stem
+        _write(folder, sources)
+        for _ in range(MOST_PASSES):
+            _one_pass(folder, main, sources)
+            if not _RERUN.search((folder / f"{job}.log").read_text(errors="replace")):
+                break
+        return (folder / f"{job}.pdf").read_bytes()
+
+
 def _write(folder: Path, sources: Mapping[str, bytes]) -> None:
     for path, content in sources.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -108,6 +121,7 @@ def _references(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.rglob("*.aux"))}
 
 
+_RERUN = re.compile(r"^(?:LaTeX|Package) .*Warning: .*\bRerun\b", re.MULTILINE)
 _PICTURE = re.compile(rb"\\begin\{tikzpicture\}(\[[^\]\n]*\])?.*?\\end\{tikzpicture\}", re.DOTALL)
 _BOX = re.compile(rb"\\path\[use as bounding box\][^;]*;")
 _FRAME = re.compile(rb"\\begin\{axis\}\[hb,pair(?:,height=(\d+)mm)?,")

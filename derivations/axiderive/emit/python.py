@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from typing import TYPE_CHECKING
 
-import jinja2
 import sympy as sp
 
 from ..entry import COMPACT, COMPLETE, Entry
@@ -25,6 +25,9 @@ from .kernels import kernels_source
 from .nodes import nodes_source
 from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
+
+if TYPE_CHECKING:
+    import jinja2
 
 NODE_COUNTS = (8, 16, 24, 32, 64, 128)
 
@@ -153,6 +156,8 @@ def _module_text(profile: Profile) -> str:
 
 @cache
 def _environment() -> jinja2.Environment:
+    import jinja2
+
     return jinja2.Environment(
         loader=jinja2.PackageLoader("axiderive.emit", "templates"),
         undefined=jinja2.StrictUndefined,

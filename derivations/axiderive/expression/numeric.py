@@ -7,12 +7,14 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from sympy.printing.numpy import NumPyPrinter
 
 from ..contact.general import Layer, beyond, excess, layers, steepness
 from ..notation import r
 from ..profiles.profile import Profile
 
 Array = Any
+PRINTED = {"fully_qualified_modules": False, "inline": True, "allow_unknown_functions": True}
 STEP = 0.125
 PLACES = np.arange(-14.0, 14.0, STEP)[:, None]
 RISE = np.exp(PLACES + PLACES**3 / 75.0)
@@ -31,7 +33,8 @@ class Numeric:
         self.layers = [self._layer(layer) for layer in layers(profile)]
 
     def _function(self, expr: sp.Expr, variable: sp.Symbol = r) -> Callable[[Array], Array]:
-        numeric = sp.lambdify(variable, expr.xreplace(self.values), "numpy")
+        # with "numpy" for the modules lambdify would import all of it, f2py and its tests included
+        numeric = sp.lambdify(variable, expr.xreplace(self.values), [{}], printer=NumPyPrinter(PRINTED))
         return lambda x: numeric(x) + np.zeros_like(x)
 
     def _layer(self, layer: Layer) -> tuple[float, Callable[[Array], Array], float]:

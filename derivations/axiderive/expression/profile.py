@@ -96,7 +96,8 @@ def _require_apex(expression: Expression, tip: sp.Expr) -> None:
             f"f(0) = {shown} is 0 for some values only; write a power of r with an exponent above 0 for all, as r**n"
         )
     else:
-        message = f"f(0) = {shown}, but a profile starts at its apex with f(0) = 0; subtract that value"
+        message = f"f(0) = {shown}, but a profile starts at its apex with f(0) = 0; "
+        message += "write Max(0, r - b) for what begins at r = b" if height.free_symbols else "subtract that value"
     raise ExpressionError(message, expression.text, 0, len(expression.text))
 
 

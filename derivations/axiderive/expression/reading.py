@@ -16,6 +16,7 @@ from typing import NoReturn
 import sympy as sp
 
 from ..notation import r
+from . import advice
 from .breaks import FORM, PIECES, BreakError, begins_at, joined, limit, step
 from .errors import ExpressionError
 from .names import FUNCTIONS, nearest_function, refusal
@@ -64,6 +65,9 @@ class _Reader:
 
     def read(self) -> Expression:
         node = self._parsed()
+        names = [inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)]
+        if "r" not in names:
+            raise ExpressionError(advice.without_r(self.text.strip(), names), self.text, 0, len(self.text))
         tree = self._walk(node, 0)
         if not tree.has(r):
             message = "f does not depend on r; write the height of the indenter over its tip, as r**2/(2*R)"
@@ -92,7 +96,7 @@ class _Reader:
                 return ast.parse(self.text, mode="eval").body
         except SyntaxError as error:
             place = min(max(0, (error.offset or 1) - 1), len(self.text) - 1)
-            message = f"not an expression: {error.msg}; write it as in Python, r**2/(2*R) + c*r**4"
+            message = advice.syntax(self.text, error.msg)
             raise ExpressionError(message, " " * stripped + self.text, stripped + place) from None
         except (RecursionError, MemoryError, ValueError):
             message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
@@ -137,16 +141,22 @@ class _Reader:
             case ast.Call(func=ast.Name(id="Piecewise"), args=arguments, keywords=[]):
                 return self._pieces(arguments, node, depth)
             case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in CALLS:
-                return CALLS[name](self._walk(inner, depth))
+                return CALLS[name](
+                    self._angle(self._walk(inner, depth), node) if name == "tan" else self._walk(inner, depth)
+                )
             case ast.Call(func=ast.Name(id="Max" | "Piecewise")):
                 self._refuse(f"keywords have no place here; {FORM}", node)
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
                 self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):
-                self._refuse(nearest_function(name), node.func)
-        kind = type(node).__name__
-        message = f"{self._segment(node)!r} ({kind}) has no place here; use names, numbers, + - * / ** and functions"
-        return self._refuse(message, node)
+                self._refuse(advice.function(name, nearest_function(name)), node.func)
+        return self._refuse(advice.misplaced(node, self._segment(node)), node)
+
+    def _angle(self, value: sp.Expr, node: ast.Call) -> sp.Expr:
+        if value.is_number and value > sp.pi / 2:
+            what = f"{self._segment(node)}: angles are in radians, and an inclination is below pi/2"
+            self._refuse(f"{what}; write tan({value}*pi/180) for degrees, or tan(theta) with a theta in a scene", node)
+        return value
 
     def _segment(self, node: ast.expr) -> str:
         return (ast.get_source_segment(self.text, node) or "")[:40]
@@ -171,7 +181,7 @@ class _Reader:
             return sp.pi
         if name in self.parameters:
             return self.parameters[name]
-        reason = refusal(name)
+        reason = advice.unit(name) or refusal(name)
         if reason:
             self._refuse(reason, node)
         if len(self.parameters) == MOST_PARAMETERS:

@@ -23,11 +23,18 @@ from .{module} import {radius}, {force}, {depth}
 def pull_off({parameters}):
     if control not in XI:
         raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    a = np.ravel({radius_call})
+"""
+IN_ARRAYS = """    a = np.ravel({radius_call})
     force = {force_call}
     depth = {depth_call}
     return PullOff(*(float(np.squeeze(x)) for x in (a, force, depth)))
 """
+AT_NUMBERS = """    a = {radius_call}
+    force = {force_call}
+    depth = {depth_call}
+    return PullOff(float(a), float(force), float(depth))
+"""
+"""The end of the same where the formulas take numbers as well as arrays."""
 PEELING = """from ._adhesion import PullOff
 from .{module} import {force}, {depth}
 
@@ -51,6 +58,8 @@ ORDER = """def _require_order({names}):
         )
 """
 WAVES = "from ._graded_growth import steepest_waves\n\n"
+PLAIN = frozenset(["_adhesion", "_domain", "_elementwise"])
+"""Modules of the runtime that have nothing but formulas for the state of pull-off."""
 REQUIRE_ORDER = "_require_order"
 SILENT = ('@np.errstate(all="ignore")',)
 
@@ -118,7 +127,8 @@ def pull_off(
         f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
     )
     radius = "_pull_off_radius"
-    form = PULL_OFF if radius in defined else PEELING
+    plain = {source for source, _ in modules[key].imported.values()} <= PLAIN
+    form = PULL_OFF + (AT_NUMBERS if plain else IN_ARRAYS) if radius in defined else PEELING
     text = form.format(
         module=key, radius=radius, force=force, depth=depth, parameters=", ".join(["control", *parameters]),
         radius_call=_call(modules, (key, radius)) if radius in defined else "",

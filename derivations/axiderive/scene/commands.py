@@ -9,15 +9,15 @@ import os
 import time
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
-from .. import pdf
 from ..exits import USAGE, CommandError
-from ..expression.show import shown
 from ..writing import write_atomic
 from . import interface, text
-from .compose import Result, composed, manifest
+from .compose import Result, Typesetter, composed, manifest
 from .reading import Scene, read
 from .request import Request
+from .typesetting import Typesetting
 from .worker import limited
 
 
@@ -32,6 +32,8 @@ def derive(arguments: argparse.Namespace) -> int:
 
 def _derived(expression: str, k: str, write: bool) -> tuple[list[str], Result | None]:
     """In the worker: the printed lines and the files."""
+    from ..expression.show import shown
+
     return shown(expression, k, write=write)
 
 
@@ -47,12 +49,23 @@ def emit(arguments: argparse.Namespace) -> int:
     if arguments.dry_run:
         print("\n".join(_plan(scene, folder)))
         return 0
-    result: Result = limited(composed, _request(scene, source.text))
-    for line in result.lines:
-        print(line)
-    _write(result, folder, with_pdf="pdf" in scene.formats)
+    with Typesetting() as typesetting:
+        request = _request(scene, source.text)
+        if "pdf" in scene.formats:
+            result = limited(_composed, request, hear=typesetting.start)
+        else:
+            result = limited(composed, request)
+        for line in result.lines:
+            print(line)
+        page = typesetting.page()
+    _write(result, folder, {"page.pdf": page} if page else {})
     print(f"{time.perf_counter() - started:.1f} s in all")
     return 0
+
+
+def _composed(request: Request, typeset: Typesetter) -> Result:
+    """In the worker: the files, the page of which is handed out before the rest is written."""
+    return composed(request, typeset=typeset)
 
 
 def _request(scene: Scene, source: str) -> Request:
@@ -125,17 +138,8 @@ def _written(path: Path) -> Mapping[str, str]:
     return found if isinstance(found, dict) else {}
 
 
-def _write(result: Result, folder: Path, *, with_pdf: bool = False) -> None:
-    files = dict(result.files)
-    if with_pdf and result.page:
-        try:
-            pdf.ensure_latex(install=False, say=print)
-            files["page.pdf"], _ = pdf.compile_pdf(result.page)
-        except pdf.NoLatexError as error:
-            print(error)
-        except pdf.LatexError as error:
-            message = f"the page does not compile, nothing was written\n{error}"
-            raise CommandError(message) from error
+def _write(result: Result, folder: Path, further: Mapping[str, bytes] = MappingProxyType({})) -> None:
+    files = {**result.files, **further}
     files["MANIFEST.json"] = manifest(files)
     _spare(folder, files)
     for name, content in files.items():

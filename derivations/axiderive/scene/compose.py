@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -14,7 +14,6 @@ from .. import notation as nt
 from ..emit.plane import document
 from ..emit.symbols import bounds
 from ..exits import USAGE, CommandError
-from ..expression.answer import Answer, answered
 from . import assembled, evidence, interface, rules, sources
 from .assembled import Assembled
 from .check import check_values
@@ -28,6 +27,11 @@ from .page import page_sources
 from .request import Request
 from .written import test_text
 
+if TYPE_CHECKING:
+    from ..expression.answer import Answer
+    from ..expression.profile import OwnProfile
+
+Typesetter = Callable[[Mapping[str, bytes]], None]
 OF_RUNTIME = {
     "adhesive": {"retraction": ("_adhesion", "hess_retraction")},
     "graded.adhesive": {"retraction": ("_graded_punch", "graded_retraction")},
@@ -42,14 +46,29 @@ class Result:
 
     files: dict[str, bytes]
     lines: tuple[str, ...]
-    page: dict[str, bytes]
-    """Sources of the page, for LaTeX."""
 
 
-def composed(request: Request, answer: Answer | None = None) -> Result:
-    """The files of a request; the answer to its expression, if it is known already."""
+def composed(request: Request, answer: Answer | None = None, typeset: Typesetter = lambda page: None) -> Result:
+    """The files of a request.
+
+    Parameters
+    ----------
+    request : Request
+        What is to be composed.
+    answer : Answer, optional
+        The answer to its expression, if it is known already.
+    typeset : callable, optional
+        Takes the sources of the page as soon as they are known, for LaTeX to work beside the rest.
+    """
     with nt.extended(request.own.notation if request.own else ()):
-        return _Composition(request, answer).result()
+        return _Composition(request, answer).result(typeset)
+
+
+def _derived(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational]) -> Answer:
+    # what a scene of the catalogue does not need is not imported for it
+    from ..expression.answer import answered
+
+    return answered(own, values)
 
 
 class _Composition:
@@ -61,7 +80,7 @@ class _Composition:
                 raise CommandError(message, USAGE)
             given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
             exact = {p: sp.Rational(v) for p, v in given.items() if v is not None}
-            self.answer = answer or answered(request.own, exact)
+            self.answer = answer or _derived(request.own, exact)
             self.profile, self.entries = self.answer.profile, self.answer.entries
             self.normal = self.answer.module
         else:
@@ -84,7 +103,13 @@ class _Composition:
             )
             raise CommandError(message, USAGE)
 
-    def result(self) -> Result:
+    def result(self, typeset: Typesetter) -> Result:
+        page: dict[str, bytes] = {}
+        if {"tex", "pdf"} & set(self.request.formats):
+            page = page_sources(
+                self.request, self.profile, self.entries, evidence.stored(self.request, self.profile, self.answer)
+            )
+            typeset(page)
         text = self._module()
         stem = self.request.module.removesuffix(".py")
         values = check_values(self.contact, self._keywords)
@@ -94,11 +119,6 @@ class _Composition:
         if "python" in self.request.formats:
             files[self.request.module] = text.encode()
             files[f"test_{stem}.py"] = test_text(stem, run, self._free(), self._origin()).encode()
-        page = {}
-        if {"tex", "pdf"} & set(self.request.formats):
-            page = page_sources(
-                self.request, self.profile, self.entries, evidence.stored(self.request, self.profile, self.answer)
-            )
         if "tex" in self.request.formats:
             files |= page
         if "json" in self.request.formats:
@@ -109,7 +129,7 @@ class _Composition:
             )
         if self.request.scene:
             files["scene.toml"] = self.request.scene.encode()
-        return Result(files, tuple(self._lines(run)), page)
+        return Result(files, tuple(self._lines(run)))
 
     def _free(self) -> dict[str, float]:
         """Values for the parameters that stay free, in the order of the interface."""
@@ -143,7 +163,7 @@ class _Composition:
             else:
                 above.append(one)
         texts += [one.text for one in above]
-        modules = {**modules, **({OWN: assembled.module(texts)} if texts else {})}
+        modules = modules | ({OWN: assembled.module(texts)} if texts else {})
         constants = [
             Constant(parameter, value, self._comment(parameter))
             for parameter, value in self._ordered(request.values).items()

@@ -17,6 +17,8 @@ NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
 STEP = 1e-6
 """Relative; the loads differ by its square, which 20 digits show."""
+NOTHING = 1e-14
+"""Of the retraction: a depth that is none."""
 State = tuple[float, float, float]
 """Radius, force and depth."""
 
@@ -33,7 +35,12 @@ def _least(contact: Contact, control: str, radius: float, corner: Any) -> State:
     here = load(place)
     # a flat tip carries nothing at a smaller radius
     turns = here < load(place * (1 + STEP)) and (contact.profile.truncated or here < load(place * (1 - STEP)))
-    return place if turns else math.nan, float(contact.force(radius)), float(contact.depth(radius))
+    return place if turns else math.nan, float(contact.force(radius)), _depth(contact, radius, contact.depth(radius))
+
+
+def _depth(contact: Contact, radius: float, depth: Any) -> float:
+    """The depth; where nothing but the rounding of the radius is left of it, as under r**(3/2), it is none."""
+    return float(depth) if abs(depth) > NOTHING * contact.moved(radius) else 0.0
 
 
 def detached(contact: Contact, control: str, radius: float) -> State | None:
@@ -61,4 +68,4 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         start = mp.mpf(1)
         scale = mp.findroot(missing, (start, start * (1 + mp.mpf(10) ** -6)), solver="secant", tol=1e-30, verify=False)
         a = radius * scale
-        return float(a), float(here.adhesive("F", a)), float(here.adhesive("d", a))
+        return float(a), float(here.adhesive("F", a)), _depth(contact, float(a), here.adhesive("d", a))

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from ..expression.answer import DIGITS, Answer
 from ..profiles.profile import Profile
 from . import interface, sources
 from .check import Value
 from .request import Request
+
+if TYPE_CHECKING:
+    from ..expression.answer import Answer
 
 
 def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
@@ -24,6 +26,8 @@ def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping
 
 def _found(answer: Answer, suffix: str) -> dict[str, Any]:
     """Certificate and comparisons of one entry as the handbook prints them."""
+    from ..expression.answer import DIGITS
+
     proof = answer.certificates.get(suffix)
     rows = [c for c in answer.comparisons if c.suffix == suffix]
     worst = max((c.residual for c in rows), default=0.0)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import textwrap
+from typing import TYPE_CHECKING
 
 from .. import __version__
 from ..emit.physics.viscoelastic import MATERIAL
-from ..expression.answer import Answer
 from ..profiles.profile import Profile
 from . import interface
 from .contact import Contact, worked
 from .request import Request
+
+if TYPE_CHECKING:
+    from ..expression.answer import Answer
 
 
 def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:

@@ -100,7 +100,9 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
         text.problem("physics", name, f"{name} takes no values of its own; write {name} = true")
         return
     if not isinstance(raw, dict):
-        text.problem("physics", name, f"{name} must be true or a table such as {{ {names[0]} = ... }}")
+        text.problem(
+            "physics", name, f"{name} = {raw!r:.40} is neither true nor a table; write {name} = {{ {names[0]} = ... }}"
+        )
         return
     for key, value in raw.items():
         if key in names:

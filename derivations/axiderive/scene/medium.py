@@ -34,7 +34,11 @@ def medium_values(text: SceneText) -> dict[str, float]:
         text.problem("medium", "E_star", "give either E_star, or E and nu of a half space under a rigid indenter")
     elif ("E" in table) != ("nu" in table):
         missing = "nu" if "E" in table else "E"
-        text.problem("medium", "E" if "E" in table else "nu", f"{missing} is missing: E_star = E/(1 - nu^2) needs both")
+        text.problem(
+            "medium",
+            "E" if "E" in table else "nu",
+            f"{missing} is missing: E_star = E/(1 - nu^2) needs both; give {missing}, or E_star alone",
+        )
     elif "E" in values and "nu" in values:
         nu, E = values.pop("nu"), values.pop("E")
         values["E_star"] = E / ((1.0 - nu) * (1.0 + nu))

@@ -13,7 +13,6 @@ from .. import notation as nt
 from ..contact import general
 from ..emit import front
 from ..emit.arrangement import ordered
-from ..emit.handbook import templates
 from ..emit.laws import laws
 from ..emit.page import symbols
 from ..emit.panel import shape_tex
@@ -22,7 +21,7 @@ from ..emit.printer import Printer
 from ..emit.prose import prose
 from ..emit.ranges import chain_of, condition, regions
 from ..entry import Entry
-from ..index import NoCatalogueError, load
+from ..index import NoCatalogueError, package
 from ..profiles.profile import Profile
 from . import interface
 from .request import Request
@@ -30,16 +29,19 @@ from .sections import sections_for
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \documentclass[10pt,a4paper,twoside]{article}
+%% without bookmarks, links and labels one pass of LaTeX is enough for the page
+\PassOptionsToPackage{bookmarks=false}{hyperref}
 \input{preamble}
+\renewcommand{\hyperref}[2][]{#2}\renewcommand{\label}[1]{}
 \begin{document}
 {\fontsize{17}{22}\selectfont\textcolor{ink}{%(title)s}\par}\vspace{2mm}
 {\fontsize{9}{12}\selectfont\sffamily\textcolor{note}{axicontact %(version)s}\par}\vspace{4mm}
 {\fontsize{9.4}{12.4}\selectfont
-\begin{longtable}{@{}l@{\hspace{6mm}}l@{\hspace{6mm}}l@{\hspace{6mm}}p{92mm}@{}}
-\toprule symbol & unit & domain & meaning\\\midrule\endhead
+\begin{tabular}{@{}l@{\hspace{6mm}}l@{\hspace{6mm}}l@{\hspace{6mm}}p{92mm}@{}}
+\toprule symbol & unit & domain & meaning\\\midrule
 %(rows)s
 \bottomrule
-\end{longtable}}
+\end{tabular}\par}
 %(laws)s\input{profiles/%(name)s}
 \end{document}
 """
@@ -74,6 +76,9 @@ def page_sources(
     if texts is None:
         closed = entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
+        # LaTeX of a profile of the catalogue is stored
+        from ..emit.handbook import templates
+
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
         texts = {path: body, "preamble.tex": preamble}
@@ -160,7 +165,7 @@ def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[
 
 def _stored(path: str, physics: str) -> dict[str, str] | None:
     try:
-        folder = load().folder.parent / "handbook"
+        folder = package().parent / "handbook"
         page, preamble = ((folder / name).read_text() for name in (path, "preamble.tex"))
         own = {path: sections_for(page, physics), "preamble.tex": preamble}
         return {name: ELSEWHERE.sub("in the handbook", text.replace(LAWS, ON_FIRST)) for name, text in own.items()}

@@ -14,11 +14,16 @@ from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
 from . import interface, rules, wishes
 from .freezing import frozen
-from .kinds import elsewhere, physics, pool
+from .kinds import PHYSICS, elsewhere, physics, pool
+from .medium import KEYS as MEDIUM
 from .medium import medium_values
 from .text import SceneText, near
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
+
+
+MEANT = {"material": "medium", "half_space": "medium", "contact": "physics", "load": "physics"}
+"""Other names of sections."""
 
 
 @dataclass
@@ -54,8 +59,8 @@ def read(text: SceneText) -> Scene:
     for key in text.values:
         if key not in SECTIONS:
             kind = "section" if isinstance(text.values[key], dict) else "key"
-            below = kind == "key" and nt.known(key)
-            hint = "; parameters stand below [parameters]" if below else near(key, SECTIONS)
+            below = kind == "key" and bool(_home(key))
+            hint = f"; write it below [{_home(key)}]" if below else near(MEANT.get(key, key), SECTIONS)
             text.problem(key, "", f"unknown {kind} {key[:40]!r}{hint}")
     scene = Scene(_string(text, "name", "scene"), _string(text, "title", ""))
     _profile(text, scene)
@@ -69,6 +74,14 @@ def read(text: SceneText) -> Scene:
     scene.title = scene.title or (scene.profile.title if scene.profile else "")
     text.finish()
     return scene
+
+
+def _home(key: str) -> str:
+    """The section a key belongs to, empty where there is none."""
+    homes = ((("kind", "expression"), "profile"), (MEDIUM, "medium"), (PHYSICS, "physics"),
+             (("quantities", "at"), "want"), (("folder", "module", "formats"), "output"))  # fmt: skip
+    found = next((home for keys, home in homes if key in keys), "")
+    return found or ("parameters" if nt.known(key) else "")
 
 
 def _string(text: SceneText, key: str, default: str) -> str:
@@ -131,7 +144,7 @@ def _parameters(text: SceneText, scene: Scene) -> None:
     for section, table in tables:
         for key, raw in table.items():
             if key not in names:
-                what = f"parameter of {scene.profile.name}"
+                what = "parameter of the expression" if scene.own else f"parameter of {scene.profile.name}"
                 text.problem(section, key, f"unknown {what} {key[:40]!r}{near(key, names) if names else ''}")
             else:
                 frozen(text, scene.values, section, key, raw, scene.profile)

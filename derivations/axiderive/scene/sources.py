@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+from collections import ChainMap
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -36,8 +37,7 @@ from ..emit.physics import loads as pressures
 from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
 from ..entry import Entry
-from ..index import NoCatalogueError
-from ..index import load as index
+from ..index import NoCatalogueError, package
 from ..profiles.loads import Load, load
 from ..profiles.profile import Profile
 from ..records import read_entry
@@ -50,15 +50,28 @@ OWN = Path(__file__).with_name("runtime")
 """New modules, and definitions in place of others of the same name."""
 
 
+class _Runtime(dict[str, Module]):
+    """The modules of the runtime by name, each parsed when it is asked for: a scene needs a third of them."""
+
+    def __missing__(self, name: str) -> Module:
+        if name == "_nodes":
+            found = _module(name, nodes_source(NODE_COUNTS))
+        elif name == "_kernels":
+            found = _module(name, polynomials(stored("_kernels.py") or kernels_source()))
+        else:
+            paths = [path for folder in (*FOLDERS, OWN) if (path := folder / f"{name}.py").is_file()]
+            if not paths:
+                raise KeyError(name)
+            first, *over = (_module(name, path.read_text()) for path in paths)
+            for other in over:
+                first.definitions.update(other.definitions)
+            found = first
+        return self.setdefault(name, found)
+
+
 @cache
 def runtime() -> dict[str, Module]:
-    texts = {path.stem: path.read_text() for folder in FOLDERS for path in sorted(folder.glob("*.py"))}
-    texts |= {"_nodes": nodes_source(NODE_COUNTS), "_kernels": polynomials(stored("_kernels.py") or kernels_source())}
-    modules = {name: _module(name, text) for name, text in texts.items()}
-    for path in sorted(OWN.glob("*.py")):
-        own = _module(path.stem, path.read_text())
-        modules.setdefault(path.stem, own).definitions.update(own.definitions)
-    return modules
+    return _Runtime()
 
 
 def polynomials(kernels: str) -> str:
@@ -86,7 +99,7 @@ def _module(name: str, text: str) -> Module:
 def stored(path: str) -> str | None:
     """A file of the package in the catalogue, if there is one."""
     try:
-        return (index().folder / path).read_text()
+        return (package() / path).read_text()
     except (NoCatalogueError, OSError):
         return None
 
@@ -104,7 +117,7 @@ def stored_entries(profile: Profile, physics: str) -> dict[str, Entry]:
 def evidence(name: str) -> dict[str, Any] | None:
     """The stored record of a profile of the catalogue."""
     try:
-        path = index().folder.parent / "evidence" / f"{name}.json"
+        path = package().parent / "evidence" / f"{name}.json"
         record: dict[str, Any] = json.loads(path.read_bytes())
     except (NoCatalogueError, OSError, ValueError):
         return None
@@ -169,7 +182,7 @@ def _graded(profile: Profile, wanted: str) -> dict[str, str]:
     return found
 
 
-def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> dict[str, Module]:
+def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> ChainMap[str, Module]:
     """All modules that the functions of one physics on one profile can reach.
 
     Parameters
@@ -182,20 +195,20 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         Name of the physics.
     """
     first = f"{wanted if wanted in ('plane', 'loads') else 'normal'}.{profile.name}"
-    modules = {**runtime(), first: _module(first, normal)}
+    modules = ChainMap({first: _module(first, normal)}, runtime())
     if wanted in ("normal", "plane", "loads"):
         return modules
     if wanted.startswith("graded"):
         return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}
     if wanted.startswith("viscoelastic."):
         key = f"viscoelastic.{profile.name}"
-        return {**modules, key: _module(key, _viscoelastic(profile.name))}
+        return modules | {key: _module(key, _viscoelastic(profile.name))}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
     if profile.contact == "complete":
         peeling = peeled.module_source(own, detachment.derive(profile))
-        return {**modules, key: _module(key, peeling)}
+        return modules | {key: _module(key, peeling)}
     write, above = {
         "adhesive": (adhesive.module_source, stuck.derive),
         "tangential": (tangential.module_source, slipping.derive),
     }[wanted]
-    return {**modules, key: _module(key, write(own, above(profile, plain=entries), interface=False))}
+    return modules | {key: _module(key, write(own, above(profile, plain=entries), interface=False))}

@@ -45,7 +45,7 @@ def parse(name: str, data: bytes) -> SceneText:
         message = f"{name}: {len(data)} bytes are no scene, at most {LARGEST} are read"
         raise SceneError(message)
     try:
-        text = data.decode()
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
         message = f"{name}:{line}: byte {data[error.start]:#04x} is no UTF-8; save the scene as UTF-8"

@@ -22,6 +22,10 @@ KINDS: dict[str, dict[str, Fraction]] = {
     "angle": {"rad": Fraction(1), "deg": Fraction(0)},
     "number": {"1": Fraction(1)},
 }  # fmt: skip
+OTHERS = {"grad": "deg", "degree": "deg", "degrees": "deg", "n/mm^2": "MPa", "n/mm2": "MPa", "micron": "um"}
+"""Other words for units, in small letters."""
+NOT_HERE = frozenset(["kg", "g"])
+"""Near to the name of a unit, and another thing."""
 NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*")
 POWER = re.compile(r"([a-z]+)\^\(?([-+]?\d{1,2}(?:\.\d+)?)\)?")
 
@@ -57,7 +61,7 @@ def value_of(raw: object, kind: str) -> float:
         raise UnitError(message)
     value = _with_unit(raw, kind) if isinstance(raw, str) else _plain(raw)
     if not math.isfinite(value):
-        message = f"{raw!r} is no finite number"
+        message = f"{raw!r} is no finite number; write {_example(kind)!r}"
         raise UnitError(message)
     return value
 
@@ -95,8 +99,12 @@ def _factor(unit: str, kind: str, text: str, example: str) -> Fraction:
     if other is not None:
         message = f"must be {_article(kind)}, but {text[:40]!r} is {_article(other)}; {example}"
         raise UnitError(message)
-    near = difflib.get_close_matches(unit, own, n=1, cutoff=0.4)
-    hint = f"did you mean {near[0]!r}?" if near else example
+    if re.match(r",\d", unit):
+        message = f"{text[:40]!r} has a comma, and decimals have a point; write '{text.replace(',', '.')[:40].strip()}'"
+        raise UnitError(message)
+    known = {name.lower(): name for name in own} | {wrong: right for wrong, right in OTHERS.items() if right in own}
+    near = difflib.get_close_matches(unit.lower(), known, n=1, cutoff=0.4) if unit not in NOT_HERE else []
+    hint = f"did you mean {known[near[0]]!r}?" if near else example
     message = f"unit {unit[:20]!r} in {text[:40]!r} is unknown; {hint}"
     raise UnitError(message)
 

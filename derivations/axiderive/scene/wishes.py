@@ -26,6 +26,9 @@ DEFAULT = {
     "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
 }
 OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
+SYMBOLS = {"d": "depth", "g": "depth", "F": "force", "p": "pressure", "w": "displacement", "f": "profile",
+           "a": "radius_from_force", "u": "displacement", "F_N": "force", "P": "load"}  # fmt: skip
+"""Letters by which a quantity may be asked for."""
 HIDDEN = sys.stdlib_module_names | {"numpy"}
 """Names of modules that the written one, or its test, may import."""
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
@@ -64,7 +67,8 @@ def _unknown(scene: Scene, name: str, contact: str, known: Collection[str]) -> s
             and (contact == "compact" and name in available(other, contact))
         ):
             return f"{name} is a function of {kind} contact; write [physics] {kind} = true"
-    return f"unknown quantity {name[:40]!r} of {scene.physics}{near(name, known)}"
+    meant = SYMBOLS.get(name, "")
+    return f"unknown quantity {name[:40]!r} of {scene.physics}{near(meant if meant in known else name, known)}"
 
 
 def _example(text: SceneText, scene: Scene, raw: object) -> None:

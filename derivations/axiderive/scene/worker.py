@@ -9,6 +9,7 @@ import os
 import resource
 import signal
 import sys
+import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any, TypeVar
@@ -30,9 +31,16 @@ class LimitError(CommandError):
 
 
 def limited(
-    function: Callable[..., Result], *arguments: object, seconds: float = SECONDS, megabytes: int = MEGABYTES
+    function: Callable[..., Result],
+    *arguments: object,
+    hear: Callable[[Any], None] | None = None,
+    seconds: float = SECONDS,
+    megabytes: int = MEGABYTES,
 ) -> Result:
     """`function(*arguments)` in a fresh process.
+
+    With `hear` the function gets one more argument, a callable; what it is called with
+    in the process is what `hear` is called with here, while the process goes on.
 
     Raises
     ------
@@ -43,15 +51,23 @@ def limited(
     """
     context: Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_work, args=(sender, function, arguments, seconds, megabytes), daemon=True)
+    process = context.Process(
+        target=_work, args=(sender, function, arguments, hear is not None, seconds, megabytes), daemon=True
+    )
     process.start()
     sender.close()
     try:
         stopped = f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
-        if not receiver.poll(PATIENCE * seconds):
-            raise LimitError(stopped)
+        end = time.monotonic() + PATIENCE * seconds
+        kind: str = "heard"
+        value: Any = None
         try:
-            kind, value = receiver.recv()
+            while kind == "heard":
+                if not receiver.poll(max(end - time.monotonic(), 0.0)):
+                    raise LimitError(stopped)
+                kind, value = receiver.recv()
+                if kind == "heard" and hear is not None:
+                    hear(value)
         except EOFError:
             process.join()
             if process.exitcode == -signal.SIGXCPU:
@@ -71,7 +87,12 @@ def limited(
 
 
 def _work(
-    sender: Connection, function: Callable[..., Any], arguments: tuple[object, ...], seconds: float, megabytes: int
+    sender: Connection,
+    function: Callable[..., Any],
+    arguments: tuple[object, ...],
+    heard: bool,
+    seconds: float,
+    megabytes: int,
 ) -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     _limit(resource.RLIMIT_AS, megabytes * 2**20)
@@ -79,6 +100,8 @@ def _work(
     # the process ends with its answer: collecting cost it 15 % of a derivation
     gc.disable()
     try:
+        if heard:
+            arguments = (*arguments, lambda value: sender.send(("heard", value)))
         answer: tuple[str, Any] = ("value", function(*arguments))
     except CommandError as error:
         answer = ("error", (str(error), error.code))
