@@ -13,7 +13,8 @@ from .values import Numbers
 
 SHARE = "0.6"
 """Retraction of the sketched contact over its depth, which fixes the work of separation of the plot."""
-LARGEST = "2"
+WIDEST, LARGEST = 2.0, 8
+"""Right end of the plot with adhesion, and the largest radius that is drawn to reach it, over that of the sketch."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +74,13 @@ def _states(profile: Profile, numbers: Numbers, largest: Any) -> list[tuple[Any,
 def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
     """The rule of Hess with E_star = 1; stability follows from where force and depth are least."""
     radius, depth, force = numbers["a"], numbers.depth, numbers("F")
-    largest = radius * mp.mpf(LARGEST) if profile.largest is None else radius * mp.mpf("1.3")
     scale = mp.mpf(SHARE) * depth / mp.sqrt(radius)
+    largest = radius * (2 if profile.largest is None else mp.mpf("1.3"))
+    while profile.largest is None and not profile.chain and largest < LARGEST * radius:
+        member = numbers.at(a=largest)
+        if member("d") - scale * mp.sqrt(largest) >= WIDEST * depth or member("F") >= 2 * HIGHEST * force:
+            break
+        largest *= mp.mpf("1.1")
     rows, plain = [], []
     for a, d, load in _states(profile, numbers, largest):
         shift = scale * mp.sqrt(a)
