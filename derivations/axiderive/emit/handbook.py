@@ -137,7 +137,11 @@ def templates() -> jinja2.Environment:
         undefined=jinja2.StrictUndefined,
     )
     environment.globals.update(
-        remark=remark, shade=shade, tone=tone, numbers=numbers, chapter_source=references.label("Popov, Heß & Willert 2019")
+        remark=remark,
+        shade=shade,
+        tone=tone,
+        numbers=numbers,
+        chapter_source=references.label("Popov, Heß & Willert 2019"),
     )
     return environment
 

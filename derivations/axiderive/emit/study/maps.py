@@ -58,7 +58,7 @@ class Figure:
 
     @property
     def lines(self) -> list[list[tuple[Map, ...]]]:
-        """The maps of a page line by line; those of one ratio fill up, one above the other, the last line of squares."""
+        """The maps line by line; those of one ratio fill up, one above the other, the last line of squares."""
         cells: list[tuple[Map, ...]] = [(one,) for one in self.square]
         room = STACKED * (-len(cells) % ABREAST)
         stacks = [self.plain[i : i + STACKED] for i in range(0, min(room, len(self.plain)), STACKED)]
