@@ -9,6 +9,7 @@ import pytest
 from scenes import NEEDLE, NO_PDF, OUTSIDE
 
 from axiderive import pdf
+from axiderive.emit.handbook import templates
 from axiderive.scene import reading, text
 from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import composed
@@ -62,7 +63,7 @@ def test_pictures_are_left_out_line_for_line_and_by_boxes_of_their_size():
     found = pdf.without_pictures(b"\n".join((framed, sketched, unknown)))
     assert found.count(b"\n") == b"\n".join((framed, sketched, unknown)).count(b"\n")
     assert b"\n\n" not in found
-    assert rb"\rule[-9.6mm]{79.5mm}{44.6mm}" in found
+    assert rb"\rule[-9.6mm]{79.5mm}{\dimexpr34mm+10.6mm\relax}" in found
     assert rb"\begin{tikzpicture}[x=9mm]\path[use as bounding box] (0,0) rectangle (1,1);\end{tikzpicture}" in found
     assert found.endswith(unknown)
 
@@ -87,6 +88,37 @@ def test_overfull_lines_and_dangling_references_are_remarks_with_a_key():
     remarks = pdf.compile_pdf({"main.tex": DOCUMENT.replace(b"THE ROW", row)})[1]
     assert any(re.fullmatch(r"main\.tex:\d+: \[cone\.w\] line is \d+\.\d mm too wide", remark) for remark in remarks)
     assert any(remark.startswith("reference nowhere ") for remark in remarks)
+
+
+def test_a_nearly_empty_page_is_a_remark_unless_it_is_the_title_page():
+    log = "Page 1 is filled to 20 of 1000\nPage 2 is filled to 1004 of 1000\nPage 3 is filled to 90 of 1000\n"
+    assert pdf.filled(log) == {1: 0.02, 2: 1.004, 3: 0.09}
+    assert pdf.problems(log, {"main.tex": DOCUMENT}) == ["page 3 is filled to 9 % only"]
+
+
+def _entry(key: str, rows: int) -> str:
+    shown = "\\hairline\n".join(rf"\frow{{Row}}{{}}{{x=\frac{{a}}{{b}}}}{{k{i}}}" for i in range(rows))
+    return rf"\entryhead{{1}}{{{key}}}{{{key}}}{{words}}\sect{{Rows}}{shown}\entryend"
+
+
+@with_latex
+@pytest.mark.slow
+def test_an_entry_ends_on_a_full_page_or_shares_the_last_two(tmp_path):
+    """25 rows are set tighter on one page, and of 29 enough move on to the second; 40 fill two as they are."""
+    entries = "\n".join(_entry(key, rows) for key, rows in (("tight", 25), ("early", 29), ("plain", 40)))
+    head = b"\\documentclass[10pt,a4paper,twoside]{article}\\input{preamble}\\begin{document}\\thispagestyle{empty}x\n"
+    sources = {
+        "book.tex": head + entries.encode() + b"\n\\end{document}\n",
+        "preamble.tex": templates().get_template("preamble.tex.j2").render(version="0").encode(),
+    }
+    pdf._write(tmp_path, sources)
+    pdf._until_settled(tmp_path, "book.tex", sources)
+    log = (tmp_path / "book.log").read_text(errors="replace")
+    found = pdf.filled(log)
+    assert pdf.problems(log, sources) == []
+    assert len(found) == 6
+    assert found[2] > 0.9
+    assert min(found[page] for page in range(2, 7)) > 0.32
 
 
 def test_without_latex_the_command_that_installs_it_is_printed(monkeypatch):

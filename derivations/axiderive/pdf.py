@@ -17,8 +17,10 @@ NEEDED = ("tikz.sty", "tgpagella.sty", "tgheros.sty", "mathpazo.sty", "booktabs.
 PDFLATEX = ("pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error")
 TIMEOUT = 600
 """Seconds for one pass: it takes about 20 s of processor time, on a machine that may be busy with other things."""
-MOST_PASSES = 4
+MOST_PASSES = 7
 WIDEST_OVERFULL_PT = 2.0
+LEAST_FILLED = 0.3
+"""Share of its height that a page holds; only the title page, the first, may hold less."""
 
 
 class LatexError(RuntimeError):
@@ -72,14 +74,14 @@ def main_file(sources: Mapping[str, bytes]) -> str:
 def compile_pdf(sources: Mapping[str, bytes]) -> tuple[bytes, list[str]]:
     """PDF of the handbook and the warnings of the last pass.
 
-    Passes are repeated until the .aux files no longer change; the first one only gathers the references, with
-    boxes in place of the pictures, which take four fifths of the time of a pass.
+    Passes are repeated until the .aux files no longer change: first with boxes in place of the pictures, which
+    take four fifths of the time of a pass, then with the pictures, which as a rule takes one.
     """
     main = main_file(sources)
     with tempfile.TemporaryDirectory(prefix="axicontact-tex-") as name:
         folder = Path(name)
         _write(folder, {path: without_pictures(content) for path, content in sources.items()})
-        _one_pass(folder, main, sources)
+        _until_settled(folder, main, sources)
         _write(folder, sources)
         _until_settled(folder, main, sources)
         job = Path(main).stem
@@ -138,8 +140,8 @@ def _box(match: re.Match[bytes]) -> bytes:
         stub = b"\\begin{tikzpicture}" + (match[1] or b"") + box[0] + b"\\end{tikzpicture}"
     elif frame := _FRAME.search(picture):
         # the frame, and the ticks and names of its axes, as the style `pair` bounds them
-        height = int(frame[1] or 40) + 9.6 + 1
-        stub = b"\\rule[-9.6mm]{79.5mm}{%.1fmm}" % height
+        height = frame[1] + b"mm" if frame[1] else b"\\plotheight"
+        stub = b"\\rule[-9.6mm]{79.5mm}{\\dimexpr" + height + b"+10.6mm\\relax}"
     else:
         return picture
     # a comment in front: behind the box it would leave an empty line, which ends the paragraph
@@ -174,9 +176,18 @@ def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
     found = [*stops(log, sources), *_overfull_lines(log, sources)]
     for match in re.finditer(r"^LaTeX Warning: (?:Hyper )?[Rr]eference `([^']+)' on page (\d+) undefined", log, re.M):
         found.append(f"reference {match[1]} (page {match[2]}) does not exist")
+    for page, share in filled(log).items():
+        if page > 1 and share < LEAST_FILLED:
+            found.append(f"page {page} is filled to {100 * share:.0f} % only")
     if "LaTeX Font Warning: Font shape" in log:
         found.append(f"a font shape was substituted; the fonts come with: {INSTALL}")
     return found
+
+
+def filled(log: str) -> dict[int, float]:
+    """How much of the height of each page is used, as the preamble of the handbook writes it into the log."""
+    found = re.findall(r"^Page (\d+) is filled to (\d+) of 1000$", log, re.M)
+    return {int(page): int(share) / 1000 for page, share in found}
 
 
 def stops(log: str, sources: Mapping[str, bytes]) -> list[str]:

@@ -32,7 +32,7 @@ QUESTIONS = (
     ("Is the shape a ball or an ellipsoid, and the contact not small against it?", ("sphere", "ellipsoid")),
     ("Is the tip pointed, with straight flanks?", ("cone",)),
     ("Is it round, with one radius of curvature?", ("paraboloid",)),
-    ("Is it flatter than that at the tip, or a power of r that was measured?", (
+    ("Is it flatter than that at the tip, or a power of $r$ that was measured?", (
         "quartic", "sextic", "power_law", "polynomial",
     )),
 )  # fmt: skip

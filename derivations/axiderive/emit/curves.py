@@ -13,7 +13,8 @@ from .values import Numbers
 
 SHARE = "0.6"
 """Retraction of the sketched contact over its depth, which fixes the work of separation of the plot."""
-LARGEST = "2"
+WIDEST, LARGEST = 2.0, 8
+"""Right end of the plot with adhesion, and the largest radius that is drawn to reach it, over that of the sketch."""
 
 
 @dataclass(frozen=True)
@@ -70,13 +71,26 @@ def _states(profile: Profile, numbers: Numbers, largest: Any) -> list[tuple[Any,
     return [(radius, member("d"), member("F")) for radius, member in members]
 
 
+def _largest(profile: Profile, numbers: Numbers, scale: Any) -> Any:
+    """The radius at which the curve with adhesion leaves the frame, or the largest that is drawn."""
+    radius, depth, force = numbers["a"], numbers.depth, numbers("F")
+    if profile.largest is not None:
+        return radius * mp.mpf("1.3")
+    largest = radius * 2
+    while not profile.chain and largest < LARGEST * radius:
+        member, shift = numbers.at(a=largest), scale * mp.sqrt(largest)
+        if member("d") - shift >= WIDEST * depth or member("F") - 2 * largest * shift >= HIGHEST * force:
+            break
+        largest *= mp.mpf("1.1")
+    return largest
+
+
 def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
     """The rule of Hess with E_star = 1; stability follows from where force and depth are least."""
     radius, depth, force = numbers["a"], numbers.depth, numbers("F")
-    largest = radius * mp.mpf(LARGEST) if profile.largest is None else radius * mp.mpf("1.3")
     scale = mp.mpf(SHARE) * depth / mp.sqrt(radius)
     rows, plain = [], []
-    for a, d, load in _states(profile, numbers, largest):
+    for a, d, load in _states(profile, numbers, _largest(profile, numbers, scale)):
         shift = scale * mp.sqrt(a)
         rows.append((float((d - shift) / depth), float((load - 2 * a * shift) / force)))
         plain.append((float(d / depth), float(load / force)))

@@ -70,13 +70,13 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
     values: Values = {nt.a: sp.S.One, nt.P: sp.Integer(2), nt.E_star: sp.S.One}
     pressures: list[Rows] = []
     for e in ECCENTRICITIES:
-        numbers = _Strip(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
+        numbers = Strip(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
         places = [mp.sin(mp.pi * (mp.mpf(i) / 60 - mp.mpf(1) / 2)) for i in range(1, 60)]
         pressures.append([(float(x), y) for x in places if (y := float(numbers("p", x))) < HIGHEST * 1.06])
     tilt = []
     for share in (mp.mpf(i) / 50 for i in range(46)):
         e = sp.Rational(str(share)) + sp.Rational(1, 10**9)  # the border of lift-off belongs to neither case
-        tilt.append((float(share), float(mp.pi / 2 * _Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
+        tilt.append((float(share), float(mp.pi / 2 * Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
     return (
         axes(
             ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), HIGHEST, pressures, list(ECCENTRICITIES),
@@ -89,7 +89,7 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
     )  # fmt: skip
 
 
-class _Strip(Numbers):
+class Strip(Numbers):
     def place(self, suffix: str) -> sp.Symbol:
         return nt.x
 

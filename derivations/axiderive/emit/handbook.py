@@ -137,7 +137,11 @@ def templates() -> jinja2.Environment:
         undefined=jinja2.StrictUndefined,
     )
     environment.globals.update(
-        remark=remark, shade=shade, numbers=numbers, chapter_source=references.label("Popov, Heß & Willert 2019")
+        remark=remark,
+        shade=shade,
+        tone=tone,
+        numbers=numbers,
+        chapter_source=references.label("Popov, Heß & Willert 2019"),
     )
     return environment
 
@@ -167,3 +171,8 @@ def shade(index: int, count: int) -> str:
         return "100!black"
     steps = ("50!white", "75!white", "95!black", "62!black")
     return steps[round(index * (len(steps) - 1) / (count - 1))]
+
+
+def tone(index: int, count: int) -> str:
+    """The shade of a curve for its label, which is too thin for the lightest."""
+    return shade(index, count).replace("50!", "78!").replace("75!", "90!")

@@ -23,6 +23,7 @@ Rows = list[tuple[float, float]]
 
 HIGHEST = 3.2
 """Upper end of the pressure axis; curves are cut a little above it."""
+TOP = HIGHEST * 1.06
 WIDEST = 2.0
 PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
 RATIOS = ("0.25", "0.5", "0.8")
@@ -160,7 +161,14 @@ def _pressure(numbers: Numbers) -> Rows:
     radius, mean = numbers["a"], numbers.mean_pressure
     breaks = [float(numbers[b.name] / radius) for b in numbers.profile.breaks]
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in _radii(breaks)]
-    return [(x, y) for x, y in rows if y < HIGHEST * 1.06]
+    rows += [(b, TOP) for b in breaks if b < 1 and _grows([y for x, y in rows if 0 < b - x < 2e-4 * b])]
+    return [(x, y) for x, y in sorted(rows) if y <= TOP]
+
+
+def _grows(towards: list[float]) -> bool:
+    """Whether the last of three decades adds to a pressure as much as the one before it: it is infinite."""
+    first, second, third = towards[-3:]
+    return third - second > max(0.5 * (second - first), 1e-3)
 
 
 def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:

@@ -143,7 +143,7 @@ class Printer:
         if (
             out
             and tail
-            and (tail[0][-1:] in ")]" or tail[0].startswith((r"\Bigl", r"\bigl", r"\operatorname", r"\mathrm")))
+            and (tail[0][-1:] in ")]" or tail[0].startswith((r"\Bigl", r"\bigl", r"\operatorname", r"\mathrm", "{}_")))
         ):
             out.append(r"\,")
         return " ".join(out + tail) or "1"

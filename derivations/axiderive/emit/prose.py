@@ -12,9 +12,9 @@ from .. import notation as nt
 
 _FUNCTION = r"(?:tan|sin|cos|ln|exp|abs)\([^()]*\)"
 _SUBSCRIPTED = r"(?:[A-Za-z]_(?:\d|[A-Za-z]+))"
-_WORDS = ("theta", "wavelength")
+_WORDS = ("theta", "wavelength", "mu")
 _NUMBER = r"(?:(?<![^\s(])-)?\d+(?:\.\d+)?"
-_ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|R[12]|[a-zA-Z]'?(?![a-zA-Z])|{_NUMBER})"
+_ATOM = rf"(?:{_FUNCTION}|{_SUBSCRIPTED}|theta|wavelength|mu|R[12]|[a-zA-Z]'?(?![a-zA-Z])|{_NUMBER})"
 _POWER = r"(?:\^(?:\([^()]*\)|\d+|[a-z]))?"
 _FACTOR = rf"{_ATOM}{_POWER}"
 _LINK = r"(?: ?/ ?| ?[-+*] | ?<< | ?>> | ?<= | ?>= | ?[<>=~] |, (?=-?\d)| \.\.\. | (?=[0-9a-zA-Z(]))"

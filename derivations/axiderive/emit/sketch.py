@@ -18,6 +18,7 @@ HALF_WIDTH = 4.7
 RADIUS = 1.75
 DEEPEST = 1.3
 TOP = 0.66
+NAME = 0.36
 BODY = 1.95
 """The indenter is drawn up to this multiple of the contact radius, or to the height of its top."""
 
@@ -57,6 +58,8 @@ class Picture:
     arrow_end: float
     dimensions: tuple[Dimension, ...]
     angle: Angle | None
+    name: float
+    """Where `rigid` stands: in the left half of the body at the height NAME."""
 
 
 def sketch(profile: Profile, numbers: Numbers) -> Picture:
@@ -81,6 +84,7 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
         arrow_end=_short(-float(numbers("w", x_arrow / scale)) * scale),
         dimensions=_dimensions(profile, numbers, scale, depth),
         angle=_angle(profile, numbers, scale, depth),
+        name=_short(-min(0.85, max(x for x, y in right if y <= NAME) / 2)),
     )
 
 

@@ -20,6 +20,7 @@ from .plots import plots
 from .prose import prose
 from .sketch import sketch
 from .sketch_given import load_sketch
+from .sketch_tilted import tilted_sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
 from .worked import worked
@@ -95,6 +96,7 @@ NOTHING: dict[str, Any] = {
     "worked": None,
     "picture": None,
     "load_picture": None,
+    "tilted_picture": None,
     "plots": None,
     "checks": None,
     "calls": [],
@@ -111,8 +113,10 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
-        picture = load_sketch(profile, main) if isinstance(profile, Load) else None
-        return texts | {"worked": worked_given(profile, main), "load_picture": picture}
+        texts["worked"] = worked_given(profile, main)
+        if isinstance(profile, Load):
+            return texts | {"load_picture": load_sketch(profile, main)}
+        return texts | {"tilted_picture": tilted_sketch(profile, main)}
     if not main or "p" not in main:
         return texts
     values = sketch_values(profile)

@@ -96,7 +96,7 @@ def adhesion(curves: Any) -> Figure:
     _curve(figure, scale, "load", found.stable)
     _curve(figure, scale, "load dashed", found.grips)
     _curve(figure, scale, "load dotted", found.unstable)
-    points = ((r"F_{\mathrm c}", found.force, "below-left"), (r"d_{\mathrm m}", found.depth, "above-right"))
+    points = ((r"F_{\mathrm c}", found.force, "below-left"), (r"d_{\mathrm m}", found.depth, "below-right"))
     for name, place, side in points:
         x, y = scale.at(*place)
         figure.add("circle", "dot", cx=x, cy=y, r=2.6)

@@ -167,9 +167,4 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         further = _apart([_further(one, model["name"]) for line in block["further"] for one in line])
         shown = [known.row(one) for one in rows]
         sections.append(Section(anchor, title, note, shown, further=further, figures=drawn.get(name, ())))
-    picture = model["picture"]
-    return {
-        **model,
-        "sections": sections,
-        "sketch": sketch(picture, model) if picture else None,
-    }
+    return {**model, "sections": sections, "sketch": sketch(model)}

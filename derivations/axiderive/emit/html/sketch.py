@@ -1,29 +1,36 @@
-"""The sketch of a page: the contact to scale, as the book draws it."""
+"""The sketch of a page, as the book draws it: a contact to scale, a prescribed pressure, a punch that tilts."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from .drawing import Figure, Scale, pairs
+from .drawing import Figure, Pairs, Scale, pairs
 
 WIDE, HIGH, LOW = 4.75, 1.66, -2.16
 UNIT = 84.0
 """SVG units to one unit of the sketch."""
 
 
-def sketch(picture: Any, model: Mapping[str, Any]) -> Figure:
-    """The contact to scale, from the exact deflected surface."""
-    figure = Figure(2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", "to scale, at the parameters of the check values"))
-    scale = Scale(WIDE * UNIT, HIGH * UNIT, UNIT, UNIT)
+def sketch(model: Mapping[str, Any]) -> Figure | None:
+    """The picture a page opens with, from the exact deflected surface; None for a page without one."""
+    if model["picture"]:
+        return _contact(model["picture"], model)
+    if model["load_picture"]:
+        return _pressed(model["load_picture"])
+    return _tilted(model["tilted_picture"], model) if model["tilted_picture"] else None
+
+
+def _frame(words: str) -> tuple[Figure, Scale]:
+    figure = Figure(2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", words))
+    return figure, Scale(WIDE * UNIT, HIGH * UNIT, UNIT, UNIT)
+
+
+def _contact(picture: Any, model: Mapping[str, Any]) -> Figure:
+    figure, scale = _frame("to scale, at the parameters of the check values")
     left, contact, right = pairs(picture.surface_left), pairs(picture.contact), pairs(picture.surface)
     ground = [(-4.7, LOW), (-4.7, left[0][1]), *left, *contact, *right, (4.7, LOW)]
-    figure.add("polygon", "ground", points=scale.points(ground))
-    figure.add("polygon", "body", points=scale.points(pairs(picture.body)))
-    figure.add("polyline", "surface", points=scale.points(right))
-    figure.add("polyline", "surface", points=scale.points(left))
-    figure.add("polyline", "contact", points=scale.points(contact))
-    figure.line("dashed thin", scale.at(-4.7, 0), scale.at(4.7, 0))
+    _body(figure, scale, ground, picture)
     figure.line("dashed thin", scale.at(0, 0.66), scale.at(0, LOW))
     _arrow(figure, scale, (0, 1.62), (0, 0.7))
     figure.label(model["load"], scale.at(0.12, 1.45), "left")
@@ -31,30 +38,89 @@ def sketch(picture: Any, model: Mapping[str, Any]) -> Figure:
     figure.line("thin", scale.at(-3.95, 0), scale.at(-3.95, -picture.depth))
     figure.label("d", scale.at(-4.02, -picture.depth / 2), "right")
     for dimension in picture.dimensions:
-        figure.line("thin", scale.at(dimension.at, dimension.start), scale.at(dimension.at, dimension.level - 0.1))
-        figure.line("thin", scale.at(0, dimension.level), scale.at(dimension.at, dimension.level))
-        figure.label(dimension.name, scale.at(dimension.at / 2, dimension.level + 0.04), "above")
+        _dimension(figure, scale, dimension.name, (dimension.at, dimension.start), dimension.level)
     if picture.angle:
         figure.line(
             "thin", scale.at(picture.angle.x, picture.angle.y), scale.at(picture.angle.x + 1.55, picture.angle.y)
         )
         figure.label(r"\theta", scale.at(picture.angle.x + 1.3, picture.angle.y + 0.2))
-    _arrow(figure, scale, (picture.arrow, 0), (picture.arrow, picture.arrow_end))
-    figure.label("w", scale.at(picture.arrow + 0.05, 0.02), "above-left")
-    _arrow(figure, scale, (3.7, -1.35), (4.3, -1.35))
-    _arrow(figure, scale, (3.7, -1.35), (3.7, -1.95))
-    figure.label(model["place"], scale.at(4.35, -1.35), "left")
-    figure.label("z", scale.at(3.64, -1.85), "right")
+    _displacement(figure, scale, picture)
+    _coordinates(figure, scale, model["place"])
     return figure
 
 
-def _arrow(figure: Figure, scale: Scale, start: tuple[float, float], end: tuple[float, float]) -> None:
+def _pressed(picture: Any) -> Figure:
+    """A prescribed pressure over the surface it makes."""
+    figure, scale = _frame("the pressure, and the surface it makes, to the scale of its deepest point")
+    surface = pairs(picture.surface)
+    figure.add("polygon", "ground", points=scale.points([(-4.7, LOW), *surface, (4.7, LOW)]))
+    figure.add("polyline", "surface", points=scale.points(surface))
+    figure.add("polygon", "pressure", points=scale.points(pairs(picture.pressure)))
+    for x, top in picture.arrows:
+        _arrow(figure, scale, (x, top), (x, picture.base), "pressing")
+    figure.line("dashed thin", scale.at(-4.7, 0), scale.at(4.7, 0))
+    figure.line("dashed thin", scale.at(0, 0), scale.at(0, LOW))
+    _dimension(figure, scale, "a", (picture.radius, 0.0), -1.8)
+    figure.label("p(r)", scale.at(picture.radius + 0.1, 0.6), "left", "accent")
+    _coordinates(figure, scale, "r")
+    return figure
+
+
+def _tilted(picture: Any, model: Mapping[str, Any]) -> Figure:
+    """A punch under an eccentric load."""
+    figure, scale = _frame("to scale, with both edges in contact")
+    _body(figure, scale, [(-4.7, LOW), *pairs(picture.surface_left), *pairs(picture.surface), (4.7, LOW)], picture)
+    figure.line("dashed thin", scale.at(0, 1.4), scale.at(0, LOW))
+    _arrow(figure, scale, (picture.load, 1.62), (picture.load, picture.top))
+    figure.label(model["load"], scale.at(picture.load + 0.12, 1.45), "left")
+    figure.line("thin", scale.at(0, 1.22), scale.at(picture.load, 1.22))
+    figure.label("e", scale.at(picture.load / 2, 1.26), "above")
+    _dimension(figure, scale, "a", (picture.radius, picture.edge), -1.78)
+    left = -picture.radius
+    figure.line("thin", scale.at(left, picture.corner), scale.at(left + 1.6, picture.corner))
+    figure.label(r"\varphi", scale.at(left + 1.3, picture.corner - 0.15), "left")
+    _displacement(figure, scale, picture)
+    _coordinates(figure, scale, model["place"])
+    return figure
+
+
+def _body(figure: Figure, scale: Scale, ground: Pairs, picture: Any) -> None:
+    figure.add("polygon", "ground", points=scale.points(ground))
+    figure.add("polygon", "body", points=scale.points(pairs(picture.body)))
+    figure.add("polyline", "surface", points=scale.points(pairs(picture.surface)))
+    figure.add("polyline", "surface", points=scale.points(pairs(picture.surface_left)))
+    figure.add("polyline", "contact", points=scale.points(pairs(picture.contact)))
+    figure.line("dashed thin", scale.at(-4.7, 0), scale.at(4.7, 0))
+
+
+def _dimension(figure: Figure, scale: Scale, name: str, end: tuple[float, float], level: float) -> None:
+    """A length from the axis to a point of the picture."""
+    figure.line("thin", scale.at(*end), scale.at(end[0], level - 0.1))
+    figure.line("thin", scale.at(0, level), scale.at(end[0], level))
+    figure.label(name, scale.at(end[0] / 2, level + 0.04), "above")
+
+
+def _displacement(figure: Figure, scale: Scale, picture: Any) -> None:
+    _arrow(figure, scale, (picture.arrow, 0), (picture.arrow, picture.arrow_end))
+    figure.label("w", scale.at(picture.arrow + 0.05, 0.02), "above-left")
+
+
+def _coordinates(figure: Figure, scale: Scale, place: str) -> None:
+    _arrow(figure, scale, (3.7, -1.35), (4.3, -1.35))
+    _arrow(figure, scale, (3.7, -1.35), (3.7, -1.95))
+    figure.label(place, scale.at(4.35, -1.35), "left")
+    figure.label("z", scale.at(3.64, -1.85), "right")
+
+
+def _arrow(
+    figure: Figure, scale: Scale, start: tuple[float, float], end: tuple[float, float], kind: str = ""
+) -> None:
     """A line with a head, which shrinks with a short line."""
     (x1, y1), (x2, y2) = scale.at(*start), scale.at(*end)
     length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
     if length < 2:
         return
     u, v, size = (x2 - x1) / length, (y2 - y1) / length, min(11.0, length / 2)
-    figure.line("arrow", (x1, y1), (x2, y2))
+    figure.line(f"arrow {kind}".strip(), (x1, y1), (x2, y2))
     corners = [(x2, y2)] + [(x2 - size * u + s * size * 0.35 * v, y2 - size * v - s * size * 0.35 * u) for s in (1, -1)]
-    figure.add("polygon", "head", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in corners))
+    figure.add("polygon", f"head {kind}".strip(), points=" ".join(f"{x:.1f},{y:.1f}" for x, y in corners))
