@@ -12,11 +12,13 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .plots import HIGHEST, Curve, Rows, coordinates, labelled
+from .plots import HIGHEST, TALL, Curve, Rows, coordinates, labelled
 from .values import Numbers, Values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")
+LOW_TALL = TALL * 40 / 27
+"""Height of a label in a frame of 27 mm instead of 40 mm."""
 ECCENTRICITIES = ("0", "0.25", "0.5", "0.75")
 
 
@@ -110,7 +112,7 @@ def axes(
         if not label:
             curves.append(Curve(coordinates(rows), "", 0.0, 0.0))
             continue
-        placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves])
+        placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves], LOW_TALL)
         curves.append(replace(placed, coordinates=coordinates(rows)))
     curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
     step = 4.0 if top > 8 else 1.0

@@ -100,7 +100,7 @@ PLANE_START = (
     r"strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one algebraic integral each."
 )
 LOAD_START = (
-    r"(11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\frac12,s+1)\,(1-x^2/a^2)^{s+1/2}$; "
+    r"(11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}$; "
     r"(11.105) is then one moment, over $(0,r)$ inside and over $(0,a)$ outside."
 )
 TILTED_START = (

@@ -171,7 +171,11 @@ def _grows(towards: list[float]) -> bool:
     return third - second > max(0.5 * (second - first), 1e-3)
 
 
-def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]]) -> Curve:
+TALL = 0.24
+"""Height of a label in units of the vertical axis, in the frame of the pressure."""
+
+
+def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]], tall: float = TALL) -> Curve:
     """The label sits where it has most room above or below its curve, away from other curves and labels."""
     own, others = family[index], [rows for i, rows in enumerate(family) if i != index]
     half = 0.01 + 0.009 * len(label)
@@ -180,21 +184,17 @@ def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float
         x = step / 50
         near = [x + half * shift / 4 for shift in range(-4, 5)]
         top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
-        crowded = any(abs(x - x1) < half + 0.1 and abs(top - y1) < 0.45 for x1, y1 in taken)
+        crowded = any(abs(x - x1) < half + 0.1 and min(abs(top - y1), abs(bottom - y1)) < 2 * tall for x1, y1 in taken)
         if x - half < 0.01 or x + half > 1.0 or not own[0][0] <= x <= own[-1][0] or top > HIGHEST - 0.3 or crowded:
             continue
         spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
         apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))
-        above = min([_clear(span, top, top + TALL) for span in spans] + [HIGHEST - top - TALL])
-        below = min([_clear(span, bottom - TALL, bottom) for span in spans] + [bottom - TALL])
+        above = min([_clear(span, top, top + tall) for span in spans] + [HIGHEST - top - tall])
+        below = min([_clear(span, bottom - tall, bottom) for span in spans] + [bottom - tall])
         base = apart - (top - bottom)
         best = max(best, (min(above, 0.2) + base, x, top, True), (min(below, 0.2) + base - 0.05, x, bottom, False))
     _, x, y, up = best
     return Curve(coordinates(own), label, x, round(y, 3), up)
-
-
-TALL = 0.24
-"""Height of a label in units of the vertical axis."""
 
 
 def _clear(span: tuple[float, float], low: float, high: float) -> float:

@@ -39,7 +39,7 @@ _PHRASES = {
     "J = (t/t_0)^alpha/E": r"$J=(t/t_0)^\alpha/E$",
 }
 """Formulas of the notation that no rule reads."""
-_MINIMA = {"F_min": r"F_{\mathrm{min}}", "d_min": r"d_{\mathrm{min}}"}
+_MINIMA = {name: rf"{name[0]}_{{\mathrm{{min}}}}" for name in ("F_min", "P_min", "d_min")}
 
 
 def prose(text: str) -> str:
