@@ -17,6 +17,8 @@ from .values import Numbers, Values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")
+NEAR = mp.mpf(10) ** -9
+"""Distance from the edge of a contact at which its pressure is finite."""
 LOW_TALL = TALL * 40 / 27
 """Height of a label in a frame of 27 mm instead of 40 mm."""
 ECCENTRICITIES = ("0", "0.25", "0.5", "0.75")
@@ -73,7 +75,9 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
     pressures: list[Rows] = []
     for e in ECCENTRICITIES:
         numbers = Strip(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
-        places = [mp.sin(mp.pi * (mp.mpf(i) / 60 - mp.mpf(1) / 2)) for i in range(1, 60)]
+        end = max(4 * mp.mpf(e) - 3, -1) + NEAR  # of the contact, where the pressure rises as a root
+        rising = {end + (1 - NEAR - end) * mp.sin(mp.pi * i / 240) ** 2 for i in range(120)}
+        places = sorted({NEAR - 1} | rising)
         pressures.append([(float(x), y) for x in places if (y := float(numbers("p", x))) < HIGHEST * 1.06])
     tilt = []
     for share in (mp.mpf(i) / 50 for i in range(46)):

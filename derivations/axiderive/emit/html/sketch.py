@@ -78,7 +78,7 @@ def _tilted(picture: Any, model: Mapping[str, Any]) -> Figure:
     _dimension(figure, scale, "a", (picture.radius, picture.edge), -1.78)
     left = -picture.radius
     figure.line("thin", scale.at(left, picture.corner), scale.at(left + 1.6, picture.corner))
-    figure.label(r"\varphi", scale.at(left + 1.3, picture.corner - 0.15), "left")
+    figure.label(r"\varphi", scale.at(left + 1.66, picture.corner - 0.03), "left")
     _displacement(figure, scale, picture)
     _coordinates(figure, scale, model["place"])
     return figure
