@@ -63,7 +63,7 @@ def test_pictures_are_left_out_line_for_line_and_by_boxes_of_their_size():
     found = pdf.without_pictures(b"\n".join((framed, sketched, unknown)))
     assert found.count(b"\n") == b"\n".join((framed, sketched, unknown)).count(b"\n")
     assert b"\n\n" not in found
-    assert rb"\rule[-10.6mm]{80mm}{\dimexpr34mm+11.6mm\relax}" in found
+    assert rb"\rule[-10.9mm]{80mm}{\dimexpr34mm+11.9mm\relax}" in found
     assert rb"\begin{tikzpicture}[x=9mm]\path[use as bounding box] (0,0) rectangle (1,1);\end{tikzpicture}" in found
     assert found.endswith(unknown)
 

@@ -141,7 +141,7 @@ def _box(match: re.Match[bytes]) -> bytes:
     elif frame := _FRAME.search(picture):
         # the frame, and the ticks and names of its axes, as the style `pair` bounds them
         height = frame[1] + b"mm" if frame[1] else b"\\plotheight"
-        stub = b"\\rule[-10.6mm]{80mm}{\\dimexpr" + height + b"+11.6mm\\relax}"
+        stub = b"\\rule[-10.9mm]{80mm}{\\dimexpr" + height + b"+11.9mm\\relax}"
     else:
         return picture
     # a comment in front: behind the box it would leave an empty line, which ends the paragraph
