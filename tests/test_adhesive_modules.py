@@ -175,3 +175,29 @@ def test_fields_and_material_broadcast(name: str) -> None:
     apart = [module.radius_from_force(value[0, i], **(given | {"E_star": modulus[i]})) for i in range(3)]
     np.testing.assert_allclose(together, [apart, apart], rtol=1e-13)
     assert module.pull_off(**(given | {"E_star": modulus})).force.shape == (3,)
+
+
+FAR = {
+    "sphere": {"R": 1.0},
+    "rounded_punch": {"R": 2.0, "b": 0.5},
+    "capped_paraboloid": {"R1": 2.0, "R2": 1.0, "b": 0.3},
+    "rounded_cone": {"theta": 0.3, "b": 0.31},
+}
+
+
+@pytest.mark.parametrize("name", FAR)
+@pytest.mark.parametrize("power", [-900, 300])
+def test_inverses_are_scaled_by_powers_of_two(name: str, power: int) -> None:
+    """To the last digit, over 600 decades: the cubes of such radii are no doubles."""
+    module, unit = emitted(f"adhesive.{name}"), 2.0**power
+    far = {key: value if key == "theta" else value * unit for key, value in FAR[name].items()}
+    near, far = FAR[name] | {"E_star": 3.0, "dgamma": 0.05}, far | {"E_star": 3.0, "dgamma": 0.05 * unit}
+    for control, scale in (("depth", unit), ("force", unit * unit if abs(power) < 500 else 0.0)):
+        if not scale:
+            continue
+        a = module.pull_off(control, **near).radius
+        assert module.pull_off(control, **far).radius == a * unit
+        load = getattr(module, control)(1.3 * a, **near)
+        inverse = getattr(module, f"radius_from_{control}")
+        assert inverse(load * scale, **far) == inverse(load, **near) * unit
+        assert inverse(load, **near) == pytest.approx(1.3 * a, rel=2e-14)

@@ -123,3 +123,22 @@ def test_least_depth_of_a_concave_face(n: float, k: str) -> None:
     assert p.min() > -1e-13 * scale
     assert face.minimum_force(**given, H=2.0) == pytest.approx(face.force(depth, **given, H=2.0), rel=1e-14)
     assert face.depth_from_force(face.minimum_force(**given, H=2.0), **given, H=2.0) == pytest.approx(depth, rel=1e-13)
+
+
+@pytest.mark.parametrize("k", (-0.6, 0.3))
+@pytest.mark.parametrize("power", [-450, 900])
+@pytest.mark.parametrize("name", ["sphere", "rounded_punch", "capped_paraboloid"])
+def test_adhesive_inverses_far_out(name: str, power: int, k: float) -> None:
+    """The cubes of such radii are no doubles, nor are those of the lengths of the profile."""
+    unit, module = 2.0**power, emitted(f"adhesive.{name}")
+    own = {"sphere": {"R": 1.0}, "rounded_punch": {"R": 2.0, "b": 0.5}}.get(name, {"R1": 2.0, "R2": 1.0, "b": 0.3})
+    given = {key: value * unit for key, value in own.items()}
+    given |= {"H": 2.0 ** (-power * (0.5 + k)), "dgamma": 0.05 * 2.0 ** (power / 2), "k": k}
+    for control in ("force", "depth"):
+        a = 1.3 * module.pull_off(control, **given).radius
+        load = getattr(module, control)(a, **given)
+        if 0.0 < abs(load) < math.inf:
+            assert getattr(module, f"radius_from_{control}")(load, **given) == pytest.approx(a, rel=2e-14)
+        else:
+            assert control == "force"
+            assert abs(power) == 900

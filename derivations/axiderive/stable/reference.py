@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
@@ -42,10 +42,10 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
     return arguments, _at(entries, suffix, arguments)
 
 
-def condition(entries: dict[str, Entry], suffix: str, arguments: Floats) -> float:
-    """The sum of |d ln value/d ln x| over the arguments, by exact differences."""
+def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: Collection[sp.Symbol] = ()) -> float:
+    """The sum of |d ln value/d ln x| over the arguments but for those that are `held`, by exact differences."""
     entry, total = entries[suffix], arb(0)
-    hidden = {nt.a} if _is_inverse(entry) else set()
+    hidden = {*held, nt.a} if _is_inverse(entry) else set(held)
     with _precision(4 * BITS):
         here = _at(entries, suffix, arguments, STEP + WANTED)
         for symbol, number in arguments.items():

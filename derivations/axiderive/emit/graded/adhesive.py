@@ -12,6 +12,7 @@ from ...profiles.profile import Profile
 from ..code import python
 from ..physics import text
 from ..physics.adhesive import SUMMARY
+from ..physics.own_units import own_units, returned
 from ..physics.text import Function, name_of
 from .families import family
 from .module import Writer
@@ -136,17 +137,23 @@ class _Adhesive:
         lines = [f"return graded_branches(normal._rate, {geometry}, {grid}, {high}, H, k, dgamma, control)"]
         writer.rule("_branches", [], [*needs, "control"], lines)
         writer.private[-1] = writer.private[-1].replace("-> Array", "-> Branches")
+        units = own_units(self.profile, self.geometry, "H")
         lines = [
+            *units,
             f"found = _branches({both}, control)",
             'load = _force if control == "force" else _depth',
-            f"return lowest(found, lambda a: load(a, {both}))",
+            *returned(f"lowest(found, lambda a: load(a, {both}))", units),
         ]
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
+            units = own_units(self.profile, self.geometry, "H", field)
             lines = [
+                *units,
                 f'found = _branches({both}, control="{quantity}")',
                 f'slope = growth_of(normal._rate, {geometry}, H, k, dgamma, control="{quantity}")',
-                f"return stable_radius({field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0)",
+                *returned(
+                    f"stable_radius({field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0)", units
+                ),
             ]
             writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
 

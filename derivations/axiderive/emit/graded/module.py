@@ -24,8 +24,8 @@ from .examples import Example
 RUNTIME = Path(__file__).with_name("runtime")
 SHARED = (
     "..._adhesion: PullOff, power_law_radius, require_control",
-    "..._branches: Branches, branches, decades, lowest, radii_around, radii_below, radii_beyond, radii_of_waves,"
-    " radii_to, stable_radius",
+    "..._branches: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond,"
+    " radii_of_waves, radii_to, stable_radius",
     "..._domain: numbers, require, require_coefficients, require_order, require_reach",
     "..._elementwise: Array, Result, elementwise",
     "..._integrals: difference_root",

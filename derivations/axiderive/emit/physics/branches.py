@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..code import python
+from .own_units import own_units, returned
 from .text import NormalModule, private
 
 
@@ -14,31 +15,29 @@ def branch_functions(module: NormalModule) -> list[str]:
     grid, high = _radii(module)
     rate = f"lambda a: _rate({', '.join(['a', *geometry])})"
     found = [f"return branches({rate}, {grid}, {high}, control, E_star, dgamma)"]
+    units = own_units(module.profile, geometry, "E_star")
     lowest = [
+        *units,
         f"found = _branches({passed}, control)",
         'load = _force if control == "force" else _depth',
-        f"return lowest(found, lambda a: load({arguments}))",
+        *returned(f"lowest(found, lambda a: load({arguments}))", units),
     ]
     return [
         private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
         private("_pull_off_radius", [], [*needs, "control"], lowest),
-        *(_inverse(quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
+        *(_inverse(module, quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
 
-def _inverse(quantity: str, field: str, needs: list[str], rate: str) -> str:
+def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str], rate: str) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
+    load, xi = f"lambda a: _{quantity}({arguments})", f'XI["{quantity}"]'
+    units = own_units(module.profile, module.geometry, "E_star", field)
     lines = [
-        "return stable_radius(",
-        f"    {field},",
-        f'    _branches({passed}, control="{quantity}"),',
-        f"    lambda a: _{quantity}({arguments}),",
-        f"    {rate},",
-        f'    XI["{quantity}"],',
-        "    E_star,",
-        "    dgamma,",
-        ")",
+        *units,
+        f'found = _branches({passed}, control="{quantity}")',
+        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma)", units),
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
 

@@ -62,6 +62,11 @@ def halfway(low: Array, high: Array) -> Array:
     return (bits[0] + (bits[1] - bits[0]) // 2).view(np.float64)
 
 
+def exponent_of(x: Array) -> Array:
+    """The whole m with 2**m <= x < 2**(m + 1)."""
+    return np.frexp(x)[1] - 1
+
+
 def lowest(found: Branches, load: Load) -> Array:
     """Radius at which the load is lowest: pull-off; NaN without a stable contact."""
     if not len(found.first):
