@@ -28,7 +28,7 @@ from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
 from .routes import Derived, Route, derived
-from .validity import Validity, drawn, examine
+from .validity import Validity, drawn, examine, require_slopes
 
 FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
@@ -112,6 +112,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     """
     profile = own.profile
     known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | dict(values or {})
+    require_slopes(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
     if not _real(profile, known):
         known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *(values or {}))}
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
