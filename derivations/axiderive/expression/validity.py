@@ -125,8 +125,8 @@ def require_slopes(profile: Profile, values: Mapping[sp.Symbol, float], text: st
         if not layer.kink.xreplace(dict(values)).is_finite:
             power = next((p for p in sorted(layer.shape.atoms(sp.Pow), key=str) if _broken(p, layer.start)), None)
             message = (
-                f"f has a power {sp.sstr(power or layer.shape)[:60]} beyond the break r = {layer.start}, where broken and "
-                f"free exponents are not derived; write powers of r - {layer.start} with whole numbers of 1 or more"
+                f"f has a power {sp.sstr(power or layer.shape)[:60]} beyond the break r = {layer.start}, where broken "
+                f"and free exponents are not derived; write powers of r - {layer.start} with whole numbers of 1 or more"
             )
             raise ExpressionError(message, text)
 
