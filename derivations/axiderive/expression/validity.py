@@ -122,7 +122,7 @@ def drawn(values: Mapping[sp.Symbol, float]) -> str:
 def require_slopes(profile: Profile, values: Mapping[sp.Symbol, float], text: str) -> None:
     """A finite slope on the outer side of every break."""
     for layer in layers(profile):
-        if not layer.kink.xreplace(dict(values)).is_finite:
+        if not sp.sympify(layer.kink.xreplace(dict(values))).is_finite:
             power = next((p for p in sorted(layer.shape.atoms(sp.Pow), key=str) if _broken(p, layer.start)), None)
             message = (
                 f"f has a power {sp.sstr(power or layer.shape)[:60]} beyond the break r = {layer.start}, where broken "
