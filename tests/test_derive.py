@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import random
+import signal
 import subprocess
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -17,6 +21,7 @@ from axiderive.contact import normal
 from axiderive.contact.medium import HOMOGENEOUS
 from axiderive.emit import python
 from axiderive.expression import own_profile, routes, undetermined
+from axiderive.expression.beside import Beside
 from axiderive.expression.definition import Definition
 from axiderive.expression.routes import Route
 from axiderive.notation import R, a, b, theta
@@ -243,6 +248,51 @@ def test_work_tells_something_before_it_ends():
     heard: list[str] = []
     assert limited(_telling, hear=heard.append) == "last"
     assert heard == ["first"]
+
+
+def _failing() -> None:
+    message = "seen"
+    raise ValueError(message)
+
+
+def _dying(first: int) -> int:
+    if os.getpid() != first:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return 7
+
+
+def test_what_is_worked_on_beside_comes_back_or_fails_as_it_would_here():
+    assert Beside(divmod, 7, 2).result() == (3, 1)
+    with pytest.raises(ValueError, match="seen"):
+        Beside(_failing).result()
+    assert Beside(_dying, os.getpid()).result() == 7
+
+
+def test_what_nobody_asks_for_is_ended():
+    unasked = Beside(_forever)
+    process = unasked._process
+    del unasked
+    if process:
+        with pytest.raises(ProcessLookupError):
+            os.kill(process, 0)
+
+
+def _with_another(say: Callable[[int], None]) -> None:
+    # which takes no time of the processor, of which there is a limit of its own
+    another = Beside(time.sleep, 60)
+    say(another._process)
+    _forever()
+
+
+def test_work_that_is_stopped_takes_with_it_what_it_began():
+    begun: list[int] = []
+    with pytest.raises(LimitError):
+        limited(_with_another, hear=begun.append, seconds=0.5)
+    stat = Path(f"/proc/{begun[0]}/stat")
+    deadline = time.monotonic() + 20
+    while begun[0] and stat.exists() and stat.read_text().split()[2] != "Z":
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
 
 
 def test_symbols_of_the_notation_are_used():

@@ -60,6 +60,13 @@ def test_a_profile_that_does_not_touch_with_its_apex_is_refused(text, message):
         examine(own.profile, dict(own.profile.sketch.values), text)
 
 
+@pytest.mark.parametrize("expression", ["Max(0, r - b)**n", "Max(0, r - b)**(5/2)", "r**2 + sqrt(Max(0, r - b))"])
+def test_broken_and_free_powers_beyond_a_break_are_named(expression):
+    own = own_profile(expression)
+    with nt.extended(own.notation), pytest.raises(ExpressionError, match=r"-b \+ r.* whole numbers of 1 or more"):
+        answered(own)
+
+
 def test_a_sphere_is_drawn_so_that_it_ends_after_a_break():
     """Its radius is drawn larger than the break; where both are given and it ends before, that is said."""
     own = own_profile("R - sqrt(R**2 - r**2) + c*Max(0, r - b)")

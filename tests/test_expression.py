@@ -179,6 +179,7 @@ def test_much_random_text_is_read_or_refused():
         ("r**2/(2*5mm)", "mm is a unit"),
         ("r if r < b else 0", "Piecewise"),
         ("(r - b)**n", "write Max(0, r - b)"),
+        ("sqrt(sin(r/q)**2)", "whose slope jumps"),
     ],
 )
 def test_what_newcomers_write_is_answered_with_what_to_write(source, step):

@@ -42,6 +42,16 @@ def test_other_combinations(source):
     compile(result.files["test_scene.py"], "test_scene.py", "exec")
 
 
+@pytest.mark.parametrize(("expression", "count"), [("q*r**n", 6), ("q*r**2 + Max(0, r - b)*tan(theta)", 4)])
+def test_an_expression_on_a_viscoelastic_half_space(expression, count, tmp_path):
+    """Under a sum the force is no power of the depth, and there is no function of the ramp; measured 4e-16 at worst."""
+    result = composed_from(f'profile = "{expression}"\n[physics]\nviscoelastic = {{ model = "power_creep" }}{NO_PDF}')
+    assert ("def ramp_force" in result.files["scene.py"].decode()) == (count == 6)
+    errors = json.loads(result.files["evidence.json"])["module against 20-digit quadrature"]
+    assert max(map(float, errors.values())) < 1e-14
+    assert run_plainly(result, tmp_path) == f"{count} values agree\n"
+
+
 @pytest.mark.parametrize("profile", ["A*r**(3/2)", "power_law"])
 def test_a_power_that_comes_off_at_the_depth_zero(profile, tmp_path):
     """(1 - 2 n/3) g is all rounding at n = 3/2, which is what a free exponent is checked at."""

@@ -51,6 +51,11 @@ def without_r(text: str, names: Iterable[str]) -> str:
     return f"{text[:40]!r} does not depend on r, the distance from the axis{read}; {step}"
 
 
+def kinked(part: str) -> str:
+    """About an absolute value, which the root of a square is."""
+    return f"f has {part[:60]}, whose slope jumps where that is 0; write its parts with Max or Piecewise"
+
+
 def syntax(text: str, reason: str) -> str:
     """About a text that is no expression of Python."""
     if re.match(r"\s*\w+\s*(\([^()]*\))?\s*=(?!=)", text):

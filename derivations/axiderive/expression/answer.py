@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import mpmath as mp
 import numpy as np
@@ -28,7 +29,7 @@ from .errors import ExpressionError
 from .numeric import Numeric
 from .profile import OwnProfile
 from .routes import Derived, Route, derived
-from .validity import Validity, drawn, examine
+from .validity import Validity, drawn, examine, require_slopes
 
 FIELDS = ("d", "F", "p", "w")
 PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
@@ -57,7 +58,7 @@ class Answer:
     profile: Profile
     entries: dict[str, Entry]
     route: Route
-    certificates: dict[str, Certificate]
+    proofs: Callable[[], dict[str, Certificate]]
     validity: Validity
     comparisons: tuple[Comparison, ...]
     module: str
@@ -65,6 +66,10 @@ class Answer:
     values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
     """Exponent of the graded half space; the entries hold for any."""
+
+    @cached_property
+    def certificates(self) -> dict[str, Certificate]:
+        return self.proofs()
 
     @property
     def bounded(self) -> bool:
@@ -112,6 +117,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     """
     profile = own.profile
     known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | dict(values or {})
+    require_slopes(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
     if not _real(profile, known):
         known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *(values or {}))}
     validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
@@ -130,7 +136,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     closed = found.route is Route.NORMAL_FORM
     frozen = all(p in (values or {}) for p in profile.parameters)
     module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
-    return Answer(own, profile, entries, found.route, found.certificates, validity, compared, module, known, k)
+    return Answer(own, profile, entries, found.route, found.proofs, validity, compared, module, known, k)
 
 
 def _real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> bool:

@@ -72,6 +72,10 @@ class _Reader:
         if not tree.has(r):
             message = "f does not depend on r; write the height of the indenter over its tip, as r**2/(2*R)"
             raise ExpressionError(message, self.text, 0, len(self.text))
+        kinked = next(iter(sorted(tree.atoms(sp.Abs), key=str)), None)
+        if kinked is not None:
+            message = advice.kinked(str(kinked).replace("Abs", "abs"))
+            raise ExpressionError(message, self.text, 0, len(self.text))
         return Expression(self.text.strip(), tree, tuple(self.parameters.values()), tuple(self.breaks.values()))
 
     def _parsed(self) -> ast.expr:

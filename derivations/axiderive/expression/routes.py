@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -16,6 +17,7 @@ from ..notation import a
 from ..profiles.profile import Profile
 from ..proof.certificate import Certificate, certify_profile
 from . import algebraic
+from .beside import Beside
 from .errors import ExpressionError
 from .undetermined import NotSolvableError
 
@@ -35,7 +37,8 @@ class Derived:
     profile: Profile
     entries: dict[str, Entry]
     route: Route
-    certificates: dict[str, Certificate]
+    proofs: Callable[[], dict[str, Certificate]]
+    """The certificates by suffix, once they are there."""
 
 
 def derived(profile: Profile, medium: Medium) -> Derived:
@@ -48,7 +51,7 @@ def derived(profile: Profile, medium: Medium) -> Derived:
     """
     try:
         found = _normal_form(profile, medium)
-        return Derived(*found, Route.NORMAL_FORM, certify_profile(*found))
+        return Derived(*found, Route.NORMAL_FORM, Beside(certify_profile, *found).result)
     except (NotReducibleError, AssertionError, BasePolynomialError):
         if medium is not HOMOGENEOUS:
             message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
@@ -56,7 +59,7 @@ def derived(profile: Profile, medium: Medium) -> Derived:
     try:
         return _by_coefficients(profile)
     except (NotSolvableError, BasePolynomialError, NotImplementedError):
-        return Derived(profile, general.derive(profile), Route.INTEGRALS, {})
+        return Derived(profile, general.derive(profile), Route.INTEGRALS, dict)
 
 
 def _normal_form(profile: Profile, medium: Medium) -> tuple[Profile, dict[str, Entry]]:
@@ -85,4 +88,4 @@ def _by_coefficients(profile: Profile) -> Derived:
     for suffix in ("p", "w"):
         if not certificates[suffix].proved:
             entries[suffix] = single[suffix]
-    return Derived(profile, entries, Route.COEFFICIENTS, certificates)
+    return Derived(profile, entries, Route.COEFFICIENTS, lambda: certificates)

@@ -29,8 +29,8 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     with nt.extended(own.notation):
         answer = answered(own, k=exponent)
         lines = _head(own) + [line for suffix in SHOWN for line in _entry(answer, suffix)] + _tail(answer)
-    if not write:
-        return lines, None
+    if not write and all(answer.entries[suffix].status == "closed" for suffix in SHOWN):
+        return lines, None  # else the rules of the module give the values, and their error is measured
     from ..scene import interface
     from ..scene.compose import composed
     from ..scene.request import Request
@@ -38,12 +38,12 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
 
     physics, values = ("normal", {}) if exponent == 0 else ("graded", {"k": float(exponent)})
     if exponent != 0 and (reason := graded_refusal(answer.profile)):
-        return [*lines, f"written   nothing: {reason}"], None
+        return [*lines, *([f"written   nothing: {reason}"] if write else [])], None
     names = list(interface.functions(physics))
     if answer.bounded:
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
-        lines.append(f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}")
+        lines += [f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}"] if write else []
     request = Request(
         "Contact of a profile of one's own",
         f"{own.profile.name}.py",
@@ -55,7 +55,7 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         formats=("python", "json"),
     )
     result = composed(request, answer)
-    return [*lines, *(line for line in result.lines if line not in lines)], result
+    return [*lines, *(line for line in result.lines if line not in lines)], result if write else None
 
 
 def exponent_of(text: str) -> sp.Rational:

@@ -72,7 +72,7 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
     if all(_rises(layer.shape, layer.start) for layer in layers(profile)):
         ends = None if all(piece.expr.is_polynomial(r) for piece in profile.pieces) else _end(profile, values)
         return Validity(True, None, where, ends=ends)
-    _require_slopes(profile, values, text)
+    require_slopes(profile, values, text)
     numeric = Numeric(profile, values)
     for b, kink in numeric.kinks():
         if kink < 0.0:
@@ -119,15 +119,21 @@ def drawn(values: Mapping[sp.Symbol, float]) -> str:
     return ", ".join(f"{s.name} = {float(v):g}" for s, v in values.items()) or "these numbers"
 
 
-def _require_slopes(profile: Profile, values: Mapping[sp.Symbol, float], text: str) -> None:
+def require_slopes(profile: Profile, values: Mapping[sp.Symbol, float], text: str) -> None:
     """A finite slope on the outer side of every break."""
     for layer in layers(profile):
-        if not layer.kink.xreplace(dict(values)).is_finite:
+        if not sp.sympify(layer.kink.xreplace(dict(values))).is_finite:
+            power = next((p for p in sorted(layer.shape.atoms(sp.Pow), key=str) if _broken(p, layer.start)), None)
             message = (
-                f"the slope of f is not finite at the break r = {layer.start} for all values of the parameters; write "
-                f"powers of r - {layer.start} with numbers of 1 or more as exponents"
+                f"f has a power {sp.sstr(power or layer.shape)[:60]} beyond the break r = {layer.start}, where broken "
+                f"and free exponents are not derived; write powers of r - {layer.start} with whole numbers of 1 or more"
             )
             raise ExpressionError(message, text)
+
+
+def _broken(power: sp.Pow, start: sp.Expr) -> bool:
+    """Whether it is a power of r - start that is no whole one."""
+    return sp.expand(power.base.subs(r, start)) == 0 and not (power.exp.is_Integer and power.exp > 0)
 
 
 def _sampled(numeric: Numeric) -> tuple[float, Array]:

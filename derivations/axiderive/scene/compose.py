@@ -95,11 +95,15 @@ class _Composition:
     def _require_reach(self) -> None:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
         free = [p for p in self.parameters if p not in self.request.values]
-        wanted = sorted(interface.INVERSES & set(self.request.quantities))
-        if self.answer and self.answer.bounded and free and wanted and self.request.physics == "normal":
+        # all that a viscoelastic contact has is an inverse of the elastic one
+        inverses = {"normal": interface.INVERSES, "viscoelastic": frozenset(self.request.quantities)}
+        wanted = sorted(
+            inverses.get(interface.kind_of(self.request.physics), frozenset()) & set(self.request.quantities)
+        )
+        if self.answer and self.answer.bounded and free and wanted:
             message = (
                 f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
-                "freeze the parameters, or leave these functions out"
+                f"freeze the parameters{', or leave these functions out' if self.request.physics == 'normal' else ''}"
             )
             raise CommandError(message, USAGE)
 

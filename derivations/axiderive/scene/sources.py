@@ -38,6 +38,7 @@ from ..emit.physics.text import NormalModule
 from ..emit.python import NODE_COUNTS
 from ..entry import Entry
 from ..index import NoCatalogueError, package
+from ..notation import r
 from ..profiles.loads import Load, load
 from ..profiles.profile import Profile
 from ..records import read_entry
@@ -147,7 +148,10 @@ def _viscoelastic(name: str) -> str:
 
 def ramps(profile: Profile | None) -> bool:
     """Whether the force under a ramp of the depth is known: that on the elastic half space is a power of the depth."""
-    return profile is not None and "def _ramp_force" in _viscoelastic(profile.name)
+    if profile is None or profile.name in profiles.NAMES:
+        return profile is not None and "def _ramp_force" in _viscoelastic(profile.name)
+    power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1]
+    return not profile.breaks and bool(power.as_base_exp()[0] == r)
 
 
 def graded_refusal(profile: Profile) -> str:
@@ -202,7 +206,11 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}
     if wanted.startswith("viscoelastic."):
         key = f"viscoelastic.{profile.name}"
-        return modules | {key: _module(key, _viscoelastic(profile.name))}
+        known = profile.name in profiles.NAMES
+        text = (
+            _viscoelastic(profile.name) if known else viscoelastic.formulas_source(NormalModule.read(entries, normal))
+        )
+        return modules | {key: _module(key, text)}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
     if profile.contact == "complete":
         peeling = peeled.module_source(own, detachment.derive(profile))

@@ -38,7 +38,7 @@ def want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
     contact = interface.contact_of(scene.profile) if scene.profile else "compact"
     known = available(scene.physics, contact)
-    if scene.physics.startswith("viscoelastic") and not scene.own and not ramps(scene.profile):
+    if scene.physics.startswith("viscoelastic") and not ramps(scene.profile):
         known.remove("ramp_force")
     default = [name for name in DEFAULT[interface.kind_of(scene.physics)] if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import math
 import multiprocessing
@@ -75,6 +76,9 @@ def limited(
             message = f"the process died (more than {megabytes} MB?); use a shorter expression or fewer breaks"
             raise LimitError(message) from None
     finally:
+        # with what it has begun beside itself
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         if process.is_alive():
             process.kill()
         process.join()
@@ -95,6 +99,7 @@ def _work(
     megabytes: int,
 ) -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    os.setpgid(0, 0)
     _limit(resource.RLIMIT_AS, megabytes * 2**20)
     _limit(resource.RLIMIT_CPU, math.ceil(seconds))
     # the process ends with its answer: collecting cost it 15 % of a derivation

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from ...contact.viscoelastic import LAWS, Law, elastic_exponent
-from ...entry import Entry
+from ...contact.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent
+from ...entry import Entry, Quantity
 from ..code import python
 from . import text
 from .examples import Example
@@ -34,20 +34,29 @@ def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
     """The module of one profile; a ramp only where the force is a power of the depth."""
     example = Example(module.profile, entries, "viscoelastic", module.entries)
     public = [_public(module, entry, example) for entry in entries.values()]
-    formulas = [_formula(module, entry) for entry in entries.values()]
+    formulas = [_formula(module, entry.quantity) for entry in entries.values()]
     title = f"{module.profile.title} on a viscoelastic half space"
     source = text.module(title, module.profile.subtitle, IMPORTS, public, formulas)
     return source.replace(text.NORMAL, module.profile.name)
 
 
-def kind_and_law(entry: Entry) -> tuple[str, Law]:
-    """The loading and the material of an entry."""
-    kind, suffix = entry.suffix.split("_")
+def formulas_source(module: NormalModule) -> str:
+    """What the interface of any profile rests on, which the functions of its normal contact are enough for."""
+    ramp = _exponent(module) is not None
+    wanted = [quantity for quantity in QUANTITIES.values() if ramp or not quantity.suffix.startswith("ramp")]
+    formulas = [_formula(module, quantity) for quantity in wanted]
+    source = text.module(module.profile.title, module.profile.subtitle, IMPORTS, [], formulas)
+    return source.replace(text.NORMAL, module.profile.name)
+
+
+def kind_and_law(quantity: Quantity) -> tuple[str, Law]:
+    """The loading and the material of a result."""
+    kind, suffix = quantity.suffix.split("_")
     return kind, next(law for law in LAWS if law.suffix == suffix)
 
 
 def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
-    kind, law = kind_and_law(entry)
+    kind, law = kind_and_law(entry.quantity)
     symbols = [*entry.quantity.arguments[1:], *entry.parameters]
     keywords, name = [text.name_of(symbol) for symbol in symbols], entry.quantity.function
     body = [*module.check(symbols), f"return {evaluate(f'_{name}', ['t'], keywords, module.summed)}"]
@@ -59,10 +68,10 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
     return Function(name, ["t"], keywords, summary, document, body, example=example.lines(entry.suffix))
 
 
-def _formula(module: NormalModule, entry: Entry) -> str:
-    kind, law = kind_and_law(entry)
+def _formula(module: NormalModule, quantity: Quantity) -> str:
+    kind, law = kind_and_law(quantity)
     material = [text.name_of(symbol) for symbol in law.parameters]
-    name, needs, passed = f"_{entry.quantity.function}", [*module.geometry, *material], ", ".join(material)
+    name, needs, passed = f"_{quantity.function}", [*module.geometry, *material], ", ".join(material)
     elastic = "_force_from_depth" if "_force_from_depth" in module.functions else "_force"
     if kind == "step":
         lines = [f"return relaxation_{law.name}(t, {passed}) * {module.call(elastic, 'd', E_star='1.0')}"]
@@ -74,8 +83,12 @@ def _formula(module: NormalModule, entry: Entry) -> str:
     return private(name, ["t"], ["v", *needs], _ramp(module, law, elastic, passed))
 
 
+def _exponent(module: NormalModule) -> sp.Expr | None:
+    return elastic_exponent(module.entries["Fd"] if "Fd" in module.entries else module.entries["F"])
+
+
 def _ramp(module: NormalModule, law: Law, elastic: str, passed: str) -> list[str]:
-    m = elastic_exponent(module.entries["Fd"] if "Fd" in module.entries else module.entries["F"])
+    m = _exponent(module)
     assert m is not None
     lines, power = ([], repr(float(m))) if m.is_number else ([f"m = {python(m)}"], "m")
     lines.append(f"force = {module.call(elastic, 'v * t', E_star='1.0')} * ramp_{law.name}(t, {power}, {passed})")
