@@ -119,6 +119,11 @@ class Compact:
         """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
         for key, form in forms.items():
+            if key == "beyond" and len(forms) > 1 and suffix != "pm":
+                inner = self._beyond(name, form)
+                lines += [f"root = np.sqrt((a - {self.b}) * (a + {self.b}))", f"beyond = {inner.call()}"]
+                needs |= {*inner.needs}
+                continue
             lines += self.functions.steps(form, given)
             needs |= self.functions.needs(form, given)
             value = self.functions.value_lines(form.value, lines)
@@ -129,6 +134,13 @@ class Compact:
         if ROOT in given:
             return self.functions.add(f"{name}_at", given, lines, needs)
         return self._limited(name, lines, needs)
+
+    def _beyond(self, name: str, form: EvaluationForm) -> Private:
+        """In the radius and its root, which says more of a radius next to the break."""
+        lines = self.functions.steps(form, ("a", ROOT))
+        value = self.functions.value_lines(form.value, lines)
+        needs = self.functions.needs(form, ("a", ROOT))
+        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"], needs)
 
     def _from_radius(self, name: str, inner: Private) -> Private:
         x, y = self.root_pair()
