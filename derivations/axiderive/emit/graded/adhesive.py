@@ -12,6 +12,7 @@ from ...profiles.profile import Profile
 from ..code import python
 from ..physics import text
 from ..physics.adhesive import SUMMARY
+from ..physics.branches import corner
 from ..physics.text import Function, name_of
 from .families import family
 from .module import Writer
@@ -143,10 +144,12 @@ class _Adhesive:
         ]
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
+            bend = corner(self.profile)
+            bend = f", corner={bend}" if bend else ""
             lines = [
                 f'found = _branches({both}, control="{quantity}")',
                 f'slope = growth_of(normal._rate, {geometry}, H, k, dgamma, control="{quantity}")',
-                f"return stable_radius({field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0)",
+                f"return stable_radius({field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0{bend})",
             ]
             writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...profiles.profile import Profile
 from ..code import python
 from .text import NormalModule, private
 
@@ -23,11 +24,11 @@ def branch_functions(module: NormalModule) -> list[str]:
         private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
         private("_pull_off_radius", [], [*needs, "control"], lowest),
-        *(_inverse(quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
+        *(_inverse(quantity, field, needs, rate, corner(module.profile)) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
 
-def _inverse(quantity: str, field: str, needs: list[str], rate: str) -> str:
+def _inverse(quantity: str, field: str, needs: list[str], rate: str, bend: str) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
     lines = [
         "return stable_radius(",
@@ -38,9 +39,17 @@ def _inverse(quantity: str, field: str, needs: list[str], rate: str) -> str:
         f'    XI["{quantity}"],',
         "    E_star,",
         "    dgamma,",
+        *([f"    corner={bend},"] if bend else []),
         ")",
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
+
+
+def corner(profile: Profile) -> str:
+    """The break inside the domain, "" without one."""
+    if profile.truncated or not profile.breaks:
+        return ""
+    return python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))
 
 
 def _rate(module: NormalModule) -> list[str]:

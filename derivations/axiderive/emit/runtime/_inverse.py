@@ -41,11 +41,13 @@ def inverse(
     error = _missed(value, y)
     low, high = _bracket(position, error, exponents, largest)
     step = error / slope
+    solvable = (value > 0.0) & (value < np.inf) & (y == y)
     for iteration in range(ITERATIONS):
-        left = np.abs(error) > SETTLED * np.minimum(slope, 1.0)
-        left = left & (np.abs(value - y) > np.maximum(ROUNDING * value, noise))
+        # written so that a curve which has left the range of doubles is not met
+        left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
+        left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
         if share is not None:
-            left = left & (np.abs(error) * share(t) > 4.0 * ROUNDING * slope)
+            left = left & ~(np.abs(error) * share(t) <= 4.0 * ROUNDING * slope)
         if not np.any(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)
@@ -56,6 +58,7 @@ def inverse(
         t = np.where(left, np.exp(position), t)
         before, slope_before = error, slope
         y, slope = curve(t)
+        y = np.where(y == y, y, np.inf)
         error = _missed(value, y)
         step = _step(step, before, slope_before, error, slope)
     for _ in range(1 if smooth else POLISHING):
