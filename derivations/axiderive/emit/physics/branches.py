@@ -20,11 +20,12 @@ def branch_functions(module: NormalModule) -> list[str]:
         'load = _force if control == "force" else _depth',
         f"return lowest(found, lambda a: load({arguments}))",
     ]
+    bend = corner(module.profile)
     return [
         private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
         private("_pull_off_radius", [], [*needs, "control"], lowest),
-        *(_inverse(quantity, field, needs, rate, corner(module.profile)) for quantity, field in (("depth", "d"), ("force", "F"))),
+        *(_inverse(quantity, field, needs, rate, bend) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
 

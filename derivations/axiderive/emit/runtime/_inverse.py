@@ -68,19 +68,18 @@ def inverse(
         if smooth or not np.any(np.abs(change) > 1e-14 * t):
             break
         y, slope = curve(t)
-    root = np.minimum(t, largest)
+    root = np.where(value >= 0.0, np.minimum(t, largest), np.nan)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))
 
 
 def _missed(value: Array, y: Array) -> Array:
     """ln value - ln y, to the last digit where they are close."""
-    close = (value - y) / y
-    return np.where(np.abs(close) < 0.5, np.log1p(close), np.log(value / y))
+    missed = (value - y) / y
+    near = np.abs(missed) < 0.5
+    return np.where(near, np.log1p(np.where(near, missed, 0.0)), np.log(value / y))
 
 
-def _bracket(
-    position: Array, error: Array, exponents: Exponents, largest: Array | float
-) -> tuple[Array, Array]:
+def _bracket(position: Array, error: Array, exponents: Exponents, largest: Array | float) -> tuple[Array, Array]:
     """Bounds of ln t by the least and the largest slope."""
     low, high = exponents
     ends = position + error / np.maximum(low, 1e-300), position + error / high
@@ -143,7 +142,8 @@ def inverse_across(
 ) -> Array:
     """The radius with curve(radius) = value, for a curve whose slope jumps or bends sharply at b.
 
-    It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the curve below would be infinitely steep at `end`.
+    It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the
+    curve below would be infinitely steep at `end`.
     Above, the excess over curve(b) grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a higher one,
     even where the curve leaves b with an infinite slope.
     There `beyond` gives the value and its derivative by ln t, from the radius and b t.
@@ -160,7 +160,8 @@ def inverse_across(
     def excess(t: Array) -> tuple[Array, Array]:
         y, rate = beyond(b * np.sqrt(1.0 + t * t), b * t)
         more = np.maximum(y - base, ROUNDING * base)
-        return more, rate / more
+        # next to b the difference is all rounding
+        return more, np.maximum(rate / more, least)
 
     # both the value and that at the break are rounded, some of them sums
     noise = 8.0 * ROUNDING * high
@@ -168,9 +169,7 @@ def inverse_across(
     return np.where(above, b * np.sqrt(1.0 + t * t), radius)
 
 
-def _below(
-    curve: Curve, value: Array, base: Array, b: Array, tip: Array | float, end: Array | None
-) -> Array:
+def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float, end: Array | None) -> Array:
     """The radius up to b."""
     if end is None:
         # a parabolic tip is met at once

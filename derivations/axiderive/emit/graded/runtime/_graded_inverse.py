@@ -28,7 +28,9 @@ def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[A
 def radius_up_to(load: Load, rate: Load, value: Array, largest: Array, needs: tuple[Array, ...]) -> Array:
     """The same where the load ends at `largest` with slope zero; NaN beyond."""
     value = value + np.zeros(1)
-    return inverse_below(_curve(load, rate, needs), value, largest + np.zeros_like(value), (1.0, 4.0))
+    # the rate there must not round to less than zero
+    largest = largest * (1.0 - 2.0**-49) + np.zeros_like(value)
+    return inverse_below(_curve(load, rate, needs), value, largest, (1.0, 4.0))
 
 
 def _curve(load: Load, rate: Load, needs: tuple[Array, ...]) -> Curve:

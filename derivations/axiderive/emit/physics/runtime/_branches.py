@@ -84,8 +84,8 @@ def stable_radius(
 ) -> Array:
     """The largest radius of a stable contact under this load; NaN below pull-off.
 
-    The load in excess of the least of a branch is nearly a power of t = (a - first)/first at both ends,
-    or of t = (a - first)/(last - a) where the branch has an end.  A `corner` of the load divides a branch.
+    The load in excess of the least of a branch is nearly a power of t at both ends, with
+    t = (a - first)/first times last/(last - a) where the branch has an end.  A `corner` of the load divides a branch.
     """
     value = np.atleast_1d(value)
     low, high, least = (np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan) for _ in range(3))
@@ -101,12 +101,12 @@ def stable_radius(
         high = np.where(inside & ~beyond, corner, high)
         low, least = np.where(beyond, corner, low), np.where(beyond, bend, least)
     ends = np.isfinite(high)
-    last = np.where(ends, high, 0.0)
+    share_of_last = np.where(ends, low / high, 0.0)
     # the load is a difference, known to the rounding of its parts
     parts = np.abs(value) + np.abs(least) + _scale(low, xi, E_star) * hess_retraction(low, E_star, dgamma)
 
     def place(t: Array) -> Array:
-        return np.where(ends, (low + last * t) / (1.0 + t), low * (1.0 + t))
+        return low * ((1.0 + t) / (1.0 + share_of_last * t))
 
     def share(t: Array) -> Array:
         return (place(t) - low) / place(t)
@@ -114,8 +114,10 @@ def stable_radius(
     def excess(t: Array) -> tuple[Array, Array]:
         a = place(t)
         more = np.maximum(load(a) - least, EPS * parts)
-        step = np.where(ends, (last - low) / (1.0 + t) ** 2, low) * t
-        return more, step * growth(rate, a, xi, E_star, dgamma) / more
+        step = low * t * (1.0 - share_of_last) / (1.0 + share_of_last * t) ** 2
+        slope = step * growth(rate, a, xi, E_star, dgamma) / more
+        # from a flat stretch, the step to a load far above would leave the range of doubles
+        return more, np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
 
     wanted = np.where(value < np.inf, np.maximum(value - least, 0.0), 0.0)
     one = np.ones_like(low)
