@@ -113,16 +113,22 @@ def stable_radius(
 
     def excess(t: Array) -> tuple[Array, Array]:
         a = place(t)
-        more = np.maximum(load(a) - least, EPS * parts)
+        own = load(a) - least
+        lost = own <= EPS * parts
+        more = np.where(lost, EPS * parts, own)
         step = low * t * (1.0 - share_of_last) / (1.0 + share_of_last * t) ** 2
         slope = step * growth(rate, a, xi, E_star, dgamma) / more
         # from a flat stretch, the step to a load far above would leave the range of doubles
-        return more, np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
+        slope = np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
+        return more, np.where(lost, 0.3, slope)
 
     wanted = np.where(value < np.inf, np.maximum(value - least, 0.0), 0.0)
     one = np.ones_like(low)
     # next to a least that is no corner the excess is a square
-    start = np.minimum(one, np.sqrt(wanted / excess(one)[0]))
+    scale = excess(one)[0]
+    start = np.minimum(one, np.sqrt(wanted / scale))
+    # without adhesion the least radius says nothing of the others
+    start = np.where(ends & (scale <= EPS * parts), 1.0 / share_of_last, start)
     t = inverse(excess, wanted, start, (0.0, np.inf), share=share, smooth=True, noise=4.0 * EPS * parts)
     return np.where((value == np.inf) & (high == np.inf), np.inf, place(t))
 
