@@ -9,8 +9,11 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+import mpmath as mp
 import numpy as np
 import pytest
+
+from axicontact import _adhesion, _inverse
 
 STEPS = 6
 BESIDE = 2
@@ -186,3 +189,33 @@ def test_adhesive_contact(name: str, control: str, monkeypatch: pytest.MonkeyPat
         assert abs(found[0] / a - 1.0) <= 1e-6, (known, a)
         assert calls[0] <= WITH_ADHESION, (known, a)
     assert tried > 4
+
+
+@pytest.mark.parametrize("largest", [2.0, 50.0, 1e3, 1e6, 1e9])
+def test_universal_adhesive_curve(largest: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """((1 + s)**m - 1 - m s)/(m - 1) = e for e from 1e-16, next to pull-off, to 1e60, against 400 digits."""
+    steps: list[int] = []
+
+    def counting(curve: Callable[..., Any], *given: Any) -> Any:
+        steps.append(0)
+
+        def watched(s: Any) -> Any:
+            steps[-1] += 1
+            return curve(s)
+
+        return _inverse.inverse(watched, *given)
+
+    monkeypatch.setattr(_adhesion, "inverse", counting)
+    rng = np.random.default_rng(3)
+    m = largest ** rng.uniform(0.01, 1.0, 60)
+    e = 10.0 ** np.concatenate([rng.uniform(-16, -8, 20), rng.uniform(-60, 60, 40)])
+    with np.errstate(all="ignore"):
+        found = _adhesion._growth(e, m)
+    assert steps == [max(steps)]
+    assert max(steps) <= STEPS
+    with mp.workdps(400):
+        for power, wanted, got in zip(m, e, found, strict=True):
+            s, power = mp.mpf(float(got)), mp.mpf(float(power))  # noqa: PLW2901 - the same numbers, exact
+            value = (mp.power(1 + s, power) - 1 - power * s) / (power - 1)
+            slope = s * power * (mp.power(1 + s, power - 1) - 1) / (power - 1) / value
+            assert abs(value / float(wanted) - 1) <= 4e-16 * (1 + slope), (float(power), wanted)

@@ -108,6 +108,8 @@ class Compact:
             force = self.functions.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
+        if len(forms) > 1 and suffix != "pm":
+            self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
             return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
         inner = self._joined(name, forms, ("a", ROOT))
@@ -119,11 +121,6 @@ class Compact:
         """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
         for key, form in forms.items():
-            if key == "beyond" and len(forms) > 1 and suffix != "pm":
-                inner = self._beyond(name, form)
-                lines += [f"root = np.sqrt((a - {self.b}) * (a + {self.b}))", f"beyond = {inner.call()}"]
-                needs |= {*inner.needs}
-                continue
             lines += self.functions.steps(form, given)
             needs |= self.functions.needs(form, given)
             value = self.functions.value_lines(form.value, lines)
@@ -136,7 +133,7 @@ class Compact:
         return self._limited(name, lines, needs)
 
     def _beyond(self, name: str, form: EvaluationForm) -> Private:
-        """In the radius and its root, which says more of a radius next to the break."""
+        """In the radius and its root, which says more of a radius next to the break: for the inverse."""
         lines = self.functions.steps(form, ("a", ROOT))
         value = self.functions.value_lines(form.value, lines)
         needs = self.functions.needs(form, ("a", ROOT))
