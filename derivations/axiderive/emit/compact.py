@@ -108,6 +108,8 @@ class Compact:
             force = self.functions.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
+        if len(forms) > 1 and suffix != "pm":
+            self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
             return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
         inner = self._joined(name, forms, ("a", ROOT))
@@ -129,6 +131,13 @@ class Compact:
         if ROOT in given:
             return self.functions.add(f"{name}_at", given, lines, needs)
         return self._limited(name, lines, needs)
+
+    def _beyond(self, name: str, form: EvaluationForm) -> Private:
+        """In the radius and its root, which says more of a radius next to the break: for the inverse."""
+        lines = self.functions.steps(form, ("a", ROOT))
+        value = self.functions.value_lines(form.value, lines)
+        needs = self.functions.needs(form, ("a", ROOT))
+        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"], needs)
 
     def _from_radius(self, name: str, inner: Private) -> Private:
         x, y = self.root_pair()

@@ -77,10 +77,14 @@ def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
     if compact.scale("tip")[0] == "waves":
         # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
         return "0.0", f"{math.ceil(high) + 3}.0"
-    if compact.b is not None and not compact.profile.truncated:
-        # beyond the break the depth may rise as steeply as the parameters let it
-        return f"{math.floor(low + 1e-6)}.0", "np.inf"
     return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"
+
+
+def tip_exponent(compact: Compact, suffix: str) -> str:
+    """The power of the radius that the curve begins with."""
+    with mp.workdps(DIGITS):
+        growth = Growth(compact, suffix)
+        return f"{_power(growth, growth.places[0])[1]}"
 
 
 def ends(compact: Compact, suffix: str) -> tuple[Power, Power, float]:

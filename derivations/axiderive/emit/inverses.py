@@ -13,7 +13,7 @@ from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
 from .code import python
 from .compact import Compact
-from .growth import ends, exponents
+from .growth import ends, exponents, tip_exponent
 from .private import Private
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
@@ -126,33 +126,54 @@ class Inverses:
 
     def _newton(self, suffix: str, name: str) -> Private:
         curve, field = TARGET[suffix]
-        target = self.functions.functions[curve]
-        slope_text, needs = self._slope_of_radius()
-        rate = f"a * {slope_text}"
-        if suffix == "aF":
-            rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
-            needs = needs | {"E_star"}
+        lines, needs = self._curve(suffix)
         largest = self.profile.largest
-        start = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
-        options = ", smooth=True" if self.compact.b is None else ""
-        lines = [
-            "def curve(a: Array) -> tuple[Array, Array]:",
-            f"    value = {target.call('a')}",
-            f"    return value, {rate} / value",
-            "",
-        ]
-        call = f"inverse(curve, {field}, {start}, {self._exponents(suffix)}{options})"
-        if self._bends_freely():
-            lines.append(f"return inverse_across(curve, {field}, {self.compact.b}, {self._exponents(suffix)})")
-            needs = needs | {str(self.compact.b)}
-        elif largest is None:
-            needs = needs | {str(s) for s in self._start().free_symbols}
-            lines += [*self._least_start(suffix), f"return {call}"]
-        else:
+        if self.compact.b is not None:
+            return self._across(suffix, name)
+        if largest is not None:
             needs = needs | {str(s) for s in largest.free_symbols}
             lines.append(f"largest = {python(largest)} * np.ones_like({field})")
             lines.append(f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)})")
-        return self.functions.add(name, (field,), lines, needs | set(target.needs))
+            return self.functions.add(name, (field,), lines, needs)
+        start = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
+        needs = needs | {str(s) for s in self._start().free_symbols}
+        lines += self._least_start(suffix)
+        lines.append(f"return inverse(curve, {field}, {start}, {self._exponents(suffix)}, smooth=True)")
+        return self.functions.add(name, (field,), lines, needs)
+
+    def _curve(self, suffix: str) -> tuple[list[str], set[str]]:
+        """Value and logarithmic slope over the radius."""
+        target = self.functions.functions[TARGET[suffix][0]]
+        slope, more = self._slope_of_radius()
+        lines = [
+            "def curve(a: Array) -> tuple[Array, Array]:",
+            f"    value = {target.call('a')}",
+            f"    return value, {self._scaled(suffix, 'a')} * {slope} / value",
+            "",
+        ]
+        return lines, {*target.needs, *more, *({"E_star"} if suffix == "aF" else ())}
+
+    @staticmethod
+    def _scaled(suffix: str, factor: str) -> str:
+        return f"{python(HOMOGENEOUS.stiffness())} * {factor}" if suffix == "aF" else factor
+
+    def _across(self, suffix: str, name: str) -> Private:
+        """Below and beyond the break, each with its own unknown."""
+        curve, field = TARGET[suffix]
+        target, b = self.functions.functions[curve], str(self.compact.b)
+        slope = self.compact.slopes["beyond"][0]
+        beyond = self.functions.functions.get(f"{curve}_beyond")
+        lines, needs = self._curve(suffix)
+        kind, length = self.compact.scale("tip")
+        end = f", {length}" if kind == "tanh" else ""
+        lines += [
+            "def beyond(a: Array, root: Array) -> tuple[Array, Array]:",
+            f"    value = {beyond.call() if beyond else target.call('a')}",
+            f"    return value, {self._scaled(suffix, 'root * root / a')} * {slope.call('a', 'root')}",
+            "",
+            f"return inverse_across(curve, beyond, {field}, {b}, {tip_exponent(self.compact, suffix)}{end})",
+        ]
+        return self.functions.add(name, (field,), lines, {*needs, *slope.needs, *target.needs, b})
 
     def _least_start(self, suffix: str) -> list[str]:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
@@ -166,17 +187,8 @@ class Inverses:
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
-    def _bends_freely(self) -> bool:
-        """Whether g' has a parameter of its own beyond the break, so that it may outgrow the tip at will."""
-        if set(self.compact.slopes) != {"tip", "beyond"}:
-            return False
-        tip, beyond = (self.compact.slopes[key][1].needs() for key in ("tip", "beyond"))
-        return bool({str(symbol) for symbol in beyond - tip} - {"t", "root", str(self.compact.b)})
-
     def _start(self) -> sp.Expr:
-        """The break, or a length of the profile that is small against the largest contact radius."""
-        if self.compact.b is not None:
-            return dict(self.profile.abbreviations).get(self.compact.b, self.compact.b)
+        """A length of the profile that is small against the largest contact radius."""
         lengths = [p for p in self.profile.parameters if p.name in ("b", "s", "wavelength")]
         return lengths[-1] / 1000 if lengths else sp.S.One
 

@@ -26,6 +26,10 @@ def module_source(entries: Mapping[str, Entry]) -> str:
     return _Normal(entries).source()
 
 
+LIMITS = {"flank": ("1.0 + k", 1.0), "rim": ("1.0 + k", 2.0), "rounding": ("3.0 + k", 2.0)}
+"""Powers of the root with which the depth of a break begins, and of the radius with which it ends."""
+
+
 class _Normal:
     def __init__(self, entries: Mapping[str, Entry]) -> None:
         self.entries, self.profile = entries, entries["d"].profile
@@ -100,11 +104,6 @@ class _Normal:
     def limited(self, value: str) -> str:
         return f"np.where({self.domain()}, {value}, np.nan)" if self.domain() else value
 
-    @property
-    def rooted(self) -> bool:
-        """Whether the inverse runs in the root, which carries what the radius cannot near the end of its domain."""
-        return bool(self.family.root) and (self.profile.truncated or self.family.has("sphere"))
-
     def growth(self) -> None:
         """Depth, its rate and the force, in the radius or in the radius and its root."""
         writer, own = self.writer, self.family
@@ -121,7 +120,6 @@ class _Normal:
                 value = f"_{name}_at({', '.join(['a', own.root, *symbols])})"
                 writer.rule(f"_{name}", ["a"], symbols, [f"return {self.limited(value)}"])
         if own.power is None:
-            fields, at = (("a", "root"), "_at") if self.rooted else (("a",), "")
             lines = [f"return punch_stiffness(a, H, k) * _rate{at}({', '.join([*fields, *self.geometry])})"]
             writer.rule(f"_force_rate{at}", fields, self.material, lines, "Derivative of the force.")
         writer.rule("_stiffness", ["a"], ["H", "k"], ["return punch_stiffness(a, H, k)"])
@@ -170,18 +168,28 @@ class _Normal:
                 exponent = f"({float(order) + 1.0} + k)" if order.is_number else f"({order} + (1.0 + k))"
             root = {"1.0": unit, "2.0": f"np.sqrt({unit})"}
             return [f"return {root.get(exponent, f'({unit}) ** (1.0 / {exponent})')}"]
-        if self.rooted:
-            kind, length = (
-                ("below", self.profile.chain[-1]) if own.has("sphere") else ("beyond", self.profile.breaks[0])
-            )
-            return [f"return radius_{kind}(_{quantity}_at, _{rate}_at, {field}, {length}, {passed})"]
+        call = f"(_{quantity}{{at}}, _{rate}{{at}}, {field}, {{length}}, {passed}{{more}})"
         if own.has("gaussian"):
-            return [
-                "largest = gaussian_reach(s, k)",
-                f"found = radius_to(_{quantity}, _{rate}, {field}, 1e-3 * s, {passed}, largest)",
-                f"return np.where(_{quantity}({', '.join(['largest', *needs])}) >= {field}, found, np.nan)",
-            ]
+            text = call.format(at="", length="gaussian_reach(s, k)", more="")
+            return [f"return radius_up_to{text}"]
+        if own.root:
+            return [f"return {self.through_root(quantity, call)}"]
         lengths = [*self.writer.geometry, *(str(symbol) for symbol, _ in self.profile.abbreviations)]
         # off the break itself, where the rate is infinite
         start = next((f"1.5 * {name}" for name in ("b", "wavelength") if name in lengths), "1.0")
         return [f"return radius_to(_{quantity}, _{rate}, {field}, {start}, {passed})"]
+
+    def through_root(self, quantity: str, call: str) -> str:
+        """The call of the iteration whose unknown is made of the root."""
+        own, force = self.family, quantity == "force"
+        tip = "3.0 + k" if force else "2.0"
+        if self.profile.truncated:
+            (term,) = own.terms
+            first, last = LIMITS[term.shape]
+            more = f", ({first}, {f'{last + 1.0} + k' if force else last})"
+            return "radius_beyond" + call.format(at="_at", length=self.profile.breaks[0], more=more)
+        if own.has("sphere"):
+            return "radius_below" + call.format(at="_at", length=self.profile.chain[-1], more=f", {tip}, k")
+        bends = any(LIMITS.get(term.shape, ("",))[0] == "1.0 + k" for term in own.terms)
+        more = f", {tip}" + (f", least={LIMITS['rim'][0]}" if bends else "") + (", end=R" if own.has("tipped") else "")
+        return "radius_across" + call.format(at="_at", length=self.profile.breaks[0], more=more)

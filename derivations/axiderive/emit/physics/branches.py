@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...profiles.profile import Profile
 from ..code import python
 from .own_units import own_units, returned
 from .text import NormalModule, private
@@ -33,13 +34,20 @@ def branch_functions(module: NormalModule) -> list[str]:
 def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str], rate: str) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
     load, xi = f"lambda a: _{quantity}({arguments})", f'XI["{quantity}"]'
-    units = own_units(module.profile, module.geometry, "E_star", field)
+    units, bend = own_units(module.profile, module.geometry, "E_star", field), corner(module.profile)
     lines = [
         *units,
         f'found = _branches({passed}, control="{quantity}")',
-        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma)", units),
+        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma{bend})", units),
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
+
+
+def corner(profile: Profile) -> str:
+    """The break inside the domain as the last argument of a call, "" without one."""
+    if profile.truncated or not profile.breaks:
+        return ""
+    return f", corner={python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))}"
 
 
 def _rate(module: NormalModule) -> list[str]:
