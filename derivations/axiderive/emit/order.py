@@ -95,7 +95,7 @@ def factor_key(factor: Factor) -> tuple[int, int, str]:
     if base.is_Add and is_scale(base):  # (n+1) F, for F (n+1) would read as a function
         return (2, ORDER.index("j"), str(base))
     if isinstance(base, TRIGONOMETRIC):
-        return (3, 0, str(base))
+        return (3, TRIGONOMETRIC.index(type(base)), str(base))
     kinds = (sp.gamma, sp.Pow, sp.Add, sp.Function, sp.Sum, sp.Integral)
     return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, str(base))
 

@@ -291,7 +291,7 @@ class Printer:
         variable, lo, hi = e.limits[0]
         body = e.function
         text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
-        return rf"\int_{{{self.sum(lo)}}}^{{{self.sum(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
+        return rf"\int_{{{self._exponent(lo)}}}^{{{self._exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
 
     def _derivative(self, e: sp.Derivative) -> str:
         inner, variable = e.expr, e.variables[0]

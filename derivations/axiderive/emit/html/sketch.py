@@ -112,9 +112,7 @@ def _coordinates(figure: Figure, scale: Scale, place: str) -> None:
     figure.label("z", scale.at(3.64, -1.85), "right")
 
 
-def _arrow(
-    figure: Figure, scale: Scale, start: tuple[float, float], end: tuple[float, float], kind: str = ""
-) -> None:
+def _arrow(figure: Figure, scale: Scale, start: tuple[float, float], end: tuple[float, float], kind: str = "") -> None:
     """A line with a head, which shrinks with a short line."""
     (x1, y1), (x2, y2) = scale.at(*start), scale.at(*end)
     length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
