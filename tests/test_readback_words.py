@@ -188,8 +188,8 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
         for one in further(text_of(path)):
             if one.kind in ENDS:
                 assert one.small.partition(",")[0] in ENDS[one.kind], f"{path}: {one}"
-            if one.kind not in KINDS:
-                continue
+            if one.kind not in KINDS or one.kind == "evaluation" and r"\int" in one.tex:
+                continue  # integrals are read back with the evaluation forms
             assert not wrong(one, stored), f"{path}: {one}"
             count[one.kind] += 1
             if count[one.kind] % 3:

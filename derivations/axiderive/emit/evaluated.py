@@ -60,19 +60,16 @@ def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:
     return EvaluationForm(steps, form.value, form.cancels)
 
 
-def evaluation_row(entry: Entry, region: Region, remark: str = "") -> dict[str, Any]:
-    """The form of a case with its range; an integral says how it is summed."""
+def evaluation_row(entry: Entry, region: Region) -> dict[str, Any]:
+    """The form of a case with its range."""
     return {
         "half": False,
         "comment": f"evaluation {entry.key}",
         "label": "Evaluated as",
         "small": region.condition and f"${region.condition}$",
         "tex": region.tex,
-        "remark": remark or (BY_RULE if r"\int" in region.tex else ""),
+        "remark": "",
     }
-
-
-BY_RULE = "the integral by a Gauss rule"
 
 
 def evaluated(left: str, expr: sp.Expr, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list[str]:

@@ -28,7 +28,6 @@ from .rows import Region, broken
 from .shorthand import LINE
 from .width import width
 
-BY_KERNEL = r"the bracket as a rational function of $\psi$"
 ROOT_INSIDE, ROOT_OUTSIDE = r"\sqrt{(a-r) (a+r)}", r"\sqrt{(r-a) (r+a)}"
 ANGLE = rf"\psi=\arctan \frac{{a}}{{{ROOT_OUTSIDE}}}"
 
@@ -56,7 +55,7 @@ def beside(n: int) -> sp.Expr:
     return psi - (inside / (common * sine**n)).xreplace({sine: sp.sin(psi), cosine: sp.cos(psi)})
 
 
-def _row(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], value: sp.Expr, angle: str, remark: str = "") -> Rows:
+def _row(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], value: sp.Expr, angle: str) -> Rows:
     """The value in lines that fit, with its angle behind it."""
     printer = Printer(chain, {psi: r"\psi"})
     lines = broken(f"{LEFT[entry.suffix]}=", value, printer)
@@ -66,7 +65,7 @@ def _row(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], value: sp.Expr,
         lines[-1] += ","
         lines.append(r"\qquad " + angle)
     region = Region(condition(entry, pairs, chain, Printer(chain)), tuple(lines))
-    return [evaluation_row(entry, region, remark)]
+    return [evaluation_row(entry, region)]
 
 
 def _beside(profile: Profile, entries: Mapping[str, Entry]) -> Iterator[dict[str, Any]]:
@@ -78,7 +77,7 @@ def _beside(profile: Profile, entries: Mapping[str, Entry]) -> Iterator[dict[str
     ((pairs, expr),) = regions(entry)
     chain = chain_of(entry, expr)
     if form_of(profile, expr, chain).cancels:
-        yield from _row(entry, pairs, chain, HOMOGENEOUS.displacement_scale * depth * beside(n), ANGLE, BY_KERNEL)
+        yield from _row(entry, pairs, chain, HOMOGENEOUS.displacement_scale * depth * beside(n), ANGLE)
 
 
 def _capped(entries: Mapping[str, Entry]) -> Iterator[dict[str, Any]]:
@@ -101,7 +100,7 @@ def _capped(entries: Mapping[str, Entry]) -> Iterator[dict[str, Any]]:
         (scale * d * kernel, scale * (depth * kernel + (d - depth) * psi)),
         strict=True,
     ):
-        yield from _row(entries["w"], pairs, chain_of(entries["w"], expr), value, angle, BY_KERNEL)
+        yield from _row(entries["w"], pairs, chain_of(entries["w"], expr), value, angle)
 
 
 def _concave(profile: Profile, entries: Mapping[str, Entry]) -> Iterator[dict[str, Any]]:
@@ -133,27 +132,27 @@ def _of_load(load: Load, entries: Mapping[str, Entry]) -> Iterator[dict[str, Any
     for pairs, expr in regions(entry):
         chain = chain_of(entry, expr)
         inside = chain[0] == r
-        value, angle, remark = _over_circle(exponent, inside)
+        value, angle = _over_circle(exponent, inside)
         if value is not None:
-            yield from _row(entry, pairs, chain, value, angle, remark)
+            yield from _row(entry, pairs, chain, value, angle)
 
 
-def _over_circle(s: sp.Expr, inside: bool) -> tuple[sp.Expr | None, str, str]:
+def _over_circle(s: sp.Expr, inside: bool) -> tuple[sp.Expr | None, str]:
     scale, quarter = p_0 * a / E_star, (psi, 0, sp.pi / 2)
     sine, cosine = sp.sin(psi), sp.cos(psi)
     if s == -sp.S.Half and not inside:
-        return 2 * scale * psi, ANGLE, ""
+        return 2 * scale * psi, ANGLE
     if s == sp.S.Half and not inside:
-        return scale * beside(2), ANGLE, BY_KERNEL
+        return scale * beside(2), ANGLE
     if s == 0 and not inside:
         mean = sp.Integral(cosine**2 / sp.sqrt(1 - a**2 / r**2 * sine**2), quarter)
-        return 4 * scale * a / (sp.pi * r) * mean, "", "by an arithmetic--geometric mean"
+        return 4 * scale * a / (sp.pi * r) * mean, ""
     if s == nt.sigma:
         weight = 2 / sp.pi * scale * sp.beta(sp.S.Half, s + 1)
         if inside:
             base = sine**2 + (1 - r**2 / a**2) * cosine**2
-            return weight * sp.Integral(base ** (s + sp.S.Half), quarter), "", "by a rule that crowds at both ends"
+            return weight * sp.Integral(base ** (s + sp.S.Half), quarter), ""
         rest = sp.sqrt(sine**2 + r**2 / a**2 - 1)
         integral = sp.Integral(sine ** (2 * s + 2) / rest, quarter)
-        return weight * integral, "", "by a rule that crowds at both ends"
-    return None, "", ""
+        return weight * integral, ""
+    return None, ""
