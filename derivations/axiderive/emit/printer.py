@@ -159,12 +159,12 @@ class Printer:
         return exponent.free_symbols == {nt.k} and self.positive(exponent)
 
     def _plain(self, base: sp.Expr, exponent: sp.Expr) -> bool:
-        """Whether a bracket may become the numerator: a short sum without functions."""
+        """Whether a bracket may become the numerator: a short sum without functions of more than a symbol."""
         return (
             base.is_Add
             and exponent.is_Integer
             and len(base.args) <= 3
-            and not base.atoms(sp.Function)
+            and all(isinstance(f, TRIGONOMETRIC) and f.args[0].is_Symbol for f in base.atoms(sp.Function))
             and not has_fraction(base)
         )
 
