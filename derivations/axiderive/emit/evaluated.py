@@ -19,7 +19,7 @@ from .naming import LEFT
 from .printer import Printer
 from .private import PrivateFunctions, without_subtraction
 from .ranges import chain_of, condition, regions
-from .rows import MOST_LINES, Region, broken
+from .rows import MOST_LINES, Region, broken, row
 from .shorthand import LINE, with_kappa
 from .width import width
 
@@ -44,6 +44,8 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
         for pairs, expr in regions(entry):
             chain = chain_of(entry, expr)
             lines = evaluated(SHOWN[suffix], expr, form_of(profile, expr, chain), chain)
+            if len(lines) == 1 and lines[0].partition("=")[2] in " ".join(region.tex for region in row(entry).regions):
+                continue  # the same in print
             if 0 < len(lines) <= MOST_LINES + 1 and max(map(width, lines)) <= LINE:
                 rows.append(evaluation_row(entry, Region(condition(entry, pairs, chain, Printer(chain)), tuple(lines))))
     ruled = [suffix for suffix in ("F", "p", "w") if measured.get(suffix, {}).get("form") == "rule"]
