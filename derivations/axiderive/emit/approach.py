@@ -10,12 +10,14 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
+from ..abel.masters import C0, StruveH
 from ..entry import Case, Entry
 from ..proof.evaluate import evaluate, holds
 from ..proof.unevaluated import evaluate_case
 from .printer import Printer
 from .readback.points import points_of
 from .shorthand import LINE, with_kappa
+from .values import evaluated
 from .width import width
 
 NEAR = sp.Symbol("near", positive=True)
@@ -77,15 +79,26 @@ class Approach:
             if leading is None or own is None:
                 continue
             with mp.workdps(2 * DIGITS):
-                wanted = evaluate(leading.expr, values, DIGITS)
-                worst = max(worst, abs(self._value(own, values) / wanted - 1))
+                wanted = self._leading(leading, values)
+                worst = max(worst, abs(self.value(own, values) / wanted - 1))
             count += 1
         digits = int(min(DIGITS, -mp.log10(worst))) if worst else DIGITS
         return {"key": self.entry.key, "digits": digits if count else 0, "count": count}
 
-    def _value(self, case: Case, values: Mapping[Any, Any]) -> Any:
+    @staticmethod
+    def _leading(case: Case, values: Mapping[Any, Any]) -> Any:
+        if case.expr.has(sp.Integral):
+            return evaluated(case.expr, dict(values))
+        if case.expr.has(C0):
+            return evaluate_case(case, dict(values), DIGITS)
+        return evaluate(case.expr, dict(values), DIGITS)
+
+    def value(self, case: Case, values: Mapping[Any, Any]) -> Any:
+        """The entry itself in one of its cases."""
         if self.entry.profile.contact == "prescribed":  # Arb has no complete elliptic integrals
             return evaluate(case.expr, dict(values), DIGITS)
+        if case.expr.has(sp.Integral) and case.expr.has(StruveH):  # boxes around zero are not enclosed
+            return evaluated(case.expr, dict(values))
         return evaluate_case(case, dict(values), DIGITS)
 
     def points(self) -> list[dict[Any, Any]]:

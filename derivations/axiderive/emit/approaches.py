@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import C0
+from ..abel.masters import IncompleteBeta
 from ..contact.normal import derive
 from ..entry import Case, Entry
 from ..notation import E_star, P, a, b, r, x
@@ -36,8 +36,9 @@ def approach_rows(profile: Profile, entries: Entries) -> Rows:
         rows = [*_edge(profile, entries, x), *approach_row("Far field", r"x\to\infty", [_far_slope(entries)])]
     else:
         rows = [*_edge(profile, entries, r), *approach_row("Far field", r"r\to\infty", [_far(entries)])]
+    rows += _axis(entries, place)
     if profile.contact == "compact":
-        rows += _axis(entries, place) + _small(profile, entries) + _onset(profile, entries)
+        rows += _small(profile, entries) + _onset(profile, entries)
     return rows
 
 
@@ -100,21 +101,49 @@ def _pressure(place: sp.Symbol) -> str:
 
 
 def _axis(entries: Entries, place: sp.Symbol) -> Rows:
-    """The pressure in the middle, or its logarithm: arcosh(a/r) is ln(2 a/r) there."""
-    cases = []
-    for case in entries["p"].cases:
-        if case.chain[0] != place or case.expr.has(C0, sp.Integral, nt.n, sp.Sum):
-            continue
-        logarithm = case.expr.replace(sp.acosh, lambda u: sp.log(2 * u) if u.has(place) else sp.acosh(u))
-        kept = {e: sp.Dummy(positive=True) for e in logarithm.atoms(sp.log) if e.has(place)}
-        value = logarithm.xreplace(kept).subs(place, 0).xreplace({new: old for old, new in kept.items()})
-        cases.append(Case(case.chain, sp.factor_terms(_at_zero(value))))
-    if not cases or len(cases) < sum(case.chain[0] == place for case in entries["p"].cases):
+    """The pressure in the middle by region, or its logarithm: arcosh(a/r) is ln(2 a/r) there."""
+    if entries["p"].cases[0].expr.has(sp.Sum):  # a sum over powers of which the first has a logarithm
         return []
-    part = Approach(entries["p"], _pressure(place), ((place, a * NEAR),), tuple(cases))
-    name = "Axis" if place == r else "Middle"
-    found = approach_row(name, rf"{place}\to 0", [part])
-    return found or approach_row(name, rf"{place}\to 0", [part], half=False)
+    name, found = ("Axis" if place == r else "Middle"), dict[sp.Expr, list[Case]]()
+    for case in entries["p"].cases:
+        if case.chain[0] == place:
+            value = _in_the_middle(case.expr, place)
+            found.setdefault(value, []).append(Case(case.chain, value))
+    rows: Rows = []
+    for value, cases in found.items():
+        if value.has(sp.Integral) and entries["p"].profile.breaks:
+            continue  # its integral ends on a branch point, next to which no quadrature reaches the digits of a check
+        named = MIDDLE if value.has(sp.Integral) else ""
+        part = Approach(entries["p"], _pressure(place), ((place, a * NEAR),), tuple(cases), named)
+        small = rf"{place}\to 0" + _told_apart(cases, len(found) > 1) + (r",\; n>1" if value.has(nt.n) else "")
+        rows += approach_row(name, small, [part]) or approach_row(name, small, [part], half=False)
+    return rows
+
+
+MIDDLE = r"\frac{E^{*}}{\pi}\int_{0}^{a} \frac{g'(t)}{t}\,\mathrm{d}t"
+"""The pressure on the axis where no function in print has its value."""
+
+
+def _told_apart(cases: list[Case], several: bool) -> str:
+    """The range of a formula among several: the lengths beside the place."""
+    if not several:
+        return ""
+    chains = [tuple(Printer().small(x) for x in case.chain[1:]) for case in cases]
+    shared = [x for x in chains[0] if all(x in chain for chain in chains)]
+    return r",\; " + "<".join(shared)
+
+
+def _in_the_middle(expr: sp.Expr, place: sp.Symbol) -> sp.Expr:
+    """The value, or what is left of it beside a logarithm."""
+    if expr.has(sp.Integral):
+        return expr.subs(place, 0)
+    if expr.has(IncompleteBeta):  # B(1 - (r/a)**2; p, q) goes with (r/a)**(2 q)/(-q), q < 0
+        fallen = expr.replace(IncompleteBeta, lambda z, p, q: 2 * (place / a) ** (2 * q) / sp.expand(-2 * q))
+        expr = sp.powsimp(sp.factor_terms(sp.expand(sp.expand_power_base(fallen))))
+    logarithm = expr.replace(sp.acosh, lambda u: sp.log(2 * u) if u.has(place) else sp.acosh(u))
+    kept = {e: sp.Dummy(positive=True) for e in logarithm.atoms(sp.log) if e.has(place)}
+    value = logarithm.xreplace(kept).subs(place, 0).xreplace({new: old for old, new in kept.items()})
+    return sp.factor_terms(_at_zero(value))
 
 
 def _at_zero(expr: sp.Expr) -> sp.Expr:

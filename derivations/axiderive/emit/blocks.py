@@ -12,6 +12,8 @@ from . import laws
 from .approaches import approach_rows
 from .arrangement import lines, ordered
 from .evaluated import evaluation_rows
+from .evaluated_fields import field_rows
+from .evaluated_plane import plane_rows
 from .limits import limit_rows
 from .prose import prose
 from .reductions import reduction_rows
@@ -123,18 +125,30 @@ def _further(
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
         return [
-            *evaluation_rows(problem.profile, entries, evidence),
+            *evaluations(problem, entries, evidence),
             *approach_rows(problem.profile, entries),
             *limit_rows(problem.profile, entries, evidence),
             *reduction_rows(problem.profile, entries),
         ]
     if system in ("plane", "loads"):
-        return [*approach_rows(problem.profile, entries), *reduction_rows(problem.profile, entries)]
+        return [
+            *evaluations(problem, entries, evidence),
+            *approach_rows(problem.profile, entries),
+            *reduction_rows(problem.profile, entries),
+        ]
     if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
         graded = system.startswith("graded")
         base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)
         return universal_rows(problem.key, derived[base.key]["d"], graded)
     return []
+
+
+def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """How the generated functions of a problem compute what the rows above say, where that is another formula."""
+    if problem.system.name == "plane":
+        return plane_rows(problem.profile, entries)
+    found = evaluation_rows(problem.profile, entries, evidence) if problem.system.name == "normal" else []
+    return [*found, *field_rows(problem.profile, entries)]
 
 
 def _halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:

@@ -68,6 +68,7 @@ def model(
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],
+        "symbol_index": front.symbol_index(summaries),
         "key_groups": front.by_problem(keys),
         "keys_count": {"profiles": len(summaries), "entries": len(keys)},
         "version": __version__,

@@ -314,12 +314,11 @@ class Compact:
 
     def _monomial_displacement(self, radius: str) -> str:
         """The displacement of a tip whose depth is a power of its radius, through the kernel of that power."""
-        symbol = sp.Symbol(radius, positive=True)
-        depth = sp.factor_terms(self.regimes("d")["tip"].expr.subs(a, symbol))
-        power = depth.as_independent(symbol, as_Add=False)[1]
-        if power not in [symbol**exponent for exponent in EXPONENTS]:
+        found = monomial(self.regimes("d")["tip"].expr)
+        if found is None:
             return ""
-        return f"{python(depth)} * beside(r, {radius}, OUTSIDE_{power.as_base_exp()[1]})"
+        depth, exponent = found
+        return f"{python(depth.subs(a, sp.Symbol(radius, positive=True)))} * beside(r, {radius}, OUTSIDE_{exponent})"
 
     def displacement(self) -> Private:
         lines: list[str] = []
@@ -362,6 +361,13 @@ class Compact:
         return self.functions.add(
             "displacement", ("r", "a"), lines, needs | set(depth.needs) | set(profile.needs) | more
         )
+
+
+def monomial(depth: sp.Expr) -> tuple[sp.Expr, int] | None:
+    """The depth and its power of the radius where that has a kernel of its own."""
+    depth = sp.factor_terms(depth)
+    power = depth.as_independent(a, as_Add=False)[1]
+    return (depth, int(power.as_base_exp()[1])) if power in [a**exponent for exponent in EXPONENTS] else None
 
 
 def strip_width(profile: Profile) -> str:

@@ -102,7 +102,7 @@ class Complete:
         form = evaluation_form(expr, facts_of((r, a)))
         lines, needs = self.functions.steps(form), self.functions.needs(form, ("r", "d"))
         value = self.functions.value_lines(form.value, lines)
-        excess = self._excess_over_threshold() if self.concave else None
+        excess = excess_over_threshold(self.entries) if self.concave else None
         if excess is not None:
             least = self.functions.functions["minimum_depth"]
             scale = HOMOGENEOUS.pressure_scale
@@ -114,26 +114,12 @@ class Complete:
         value, needs = self._from_threshold(lines, value, needs | {"a"}, "dmin")
         self._add("p", value, lines, needs - {"r"})
 
-    def _excess_over_threshold(self) -> sp.Expr | None:
-        """M(r) >= 0 in p = E*/pi (d - d_min + M)/root."""
-        expr = self.entries["p"].cases[0].expr
-        root = sp.sqrt(a**2 - r**2)
-        bracket = sp.expand(sp.expand(expr * root / HOMOGENEOUS.pressure_scale))
-        face = sp.factor(sp.expand(bracket - d + self.entries["dmin"].cases[0].expr))
-        return (
-            face
-            if face.is_polynomial(r) and not cancels(sp.numer(face), facts_of((r, a))) or _is_square(face)
-            else None
-        )
-
     def _displacement(self) -> None:
         expr = self.entries["w"].cases[0].expr
         form = evaluation_form(expr, facts_of((a, r)))
         lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
         if form.cancels:
-            n = self.profile.pieces[0].expr.as_independent(r, as_Add=False)[1].as_base_exp()[1]
-            stiffness = HOMOGENEOUS.stiffness()
-            sunk = sp.factor((sp.expand(self.entries["F"].cases[0].expr / stiffness) - d) * (n + 1))
+            sunk, n = sunk_power(self.entries)
             lines = ["angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))"]
             scale = python(HOMOGENEOUS.displacement_scale)
             value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
@@ -222,3 +208,19 @@ class Complete:
 def _is_square(face: sp.Expr) -> bool:
     """Whether r occurs only in a squared factor."""
     return all(not factor.has(r) or (factor.is_Pow and factor.exp == 2) for factor in sp.Mul.make_args(sp.numer(face)))
+
+
+def excess_over_threshold(entries: Mapping[str, Entry]) -> sp.Expr | None:
+    """M(r) >= 0 in p = E*/pi (d - d_min + M)/root, None where it has subtractions of its own."""
+    root = sp.sqrt(a**2 - r**2)
+    bracket = sp.expand(sp.expand(entries["p"].cases[0].expr * root / HOMOGENEOUS.pressure_scale))
+    face = sp.factor(sp.expand(bracket - d + entries["dmin"].cases[0].expr))
+    plain = face.is_polynomial(r) and not cancels(sp.numer(face), facts_of((r, a)))
+    return face if plain or _is_square(face) else None
+
+
+def sunk_power(entries: Mapping[str, Entry]) -> tuple[sp.Expr, sp.Expr]:
+    """C and n in w = 2/pi (d angle + C/a**n times the integral of t**n/sqrt(r**2 - t**2))."""
+    n = entries["F"].profile.pieces[0].expr.as_independent(r, as_Add=False)[1].as_base_exp()[1]
+    excess = sp.expand(entries["F"].cases[0].expr / HOMOGENEOUS.stiffness()) - d
+    return sp.factor(excess * (n + 1)), n

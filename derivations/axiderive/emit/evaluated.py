@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import sympy as sp
@@ -19,8 +19,8 @@ from .naming import LEFT
 from .printer import Printer
 from .private import PrivateFunctions, without_subtraction
 from .ranges import chain_of, condition, regions
-from .rows import MOST_LINES, Region, broken
-from .shorthand import LINE
+from .rows import MOST_LINES, Region, broken, row
+from .shorthand import LINE, with_kappa
 from .width import width
 
 Rows = list[dict[str, Any]]
@@ -35,16 +35,19 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
     are rules; further kernels and iterations are only named in the table of the evidence.
     """
     measured = evidence.get("evaluation", {})
+    powers = nt.n in profile.parameters or nt.coefficients in profile.parameters
     rows = []
     for suffix in SHOWN:
-        if measured.get(suffix, {}).get("form") not in ("closed", "kernel"):
+        if measured.get(suffix, {}).get("form") not in ("closed", "kernel", *("rule" for _ in [0] if powers)):
             continue
         entry = entries[suffix]
         for pairs, expr in regions(entry):
             chain = chain_of(entry, expr)
             lines = evaluated(SHOWN[suffix], expr, form_of(profile, expr, chain), chain)
+            if len(lines) == 1 and lines[0].partition("=")[2] in " ".join(region.tex for region in row(entry).regions):
+                continue  # the same in print
             if 0 < len(lines) <= MOST_LINES + 1 and max(map(width, lines)) <= LINE:
-                rows.append(_row(entry, Region(condition(entry, pairs, chain, Printer(chain)), tuple(lines))))
+                rows.append(evaluation_row(entry, Region(condition(entry, pairs, chain, Printer(chain)), tuple(lines))))
     ruled = [suffix for suffix in ("F", "p", "w") if measured.get(suffix, {}).get("form") == "rule"]
     return rows + _by_rules(profile, entries, ruled)
 
@@ -59,7 +62,8 @@ def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:
     return EvaluationForm(steps, form.value, form.cancels)
 
 
-def _row(entry: Entry, region: Region) -> dict[str, Any]:
+def evaluation_row(entry: Entry, region: Region) -> dict[str, Any]:
+    """The form of a case with its range."""
     return {
         "half": False,
         "comment": f"evaluation {entry.key}",
@@ -76,16 +80,40 @@ def evaluated(left: str, expr: sp.Expr, form: EvaluationForm, chain: tuple[sp.Ex
     for name, definition in reversed(form.steps):
         value = value if isinstance(definition, opaque.Root) else value.subs(name, _plain(definition))
     roots = {name: sp.sqrt(x**2 - y**2) for name, (x, y) in _lengths(form).items()}
-    if form.cancels or value.has(*_KERNELS) or sp.expand(value.subs(roots) - expr) == 0:
+    if form.cancels or sp.expand(_spelled(value).subs(roots) - expr) == 0:
         return []
     return printed(left, form, chain)
 
 
-_KERNELS = (
-    opaque.GammaRatio, opaque.ArcStrips, opaque.PowerPressure, opaque.PowerDisplacement, opaque.PowerPunches,
-    opaque.PowerStrips, opaque.DepthOverHeight,
-)  # fmt: skip
-"""Functions of the generated code without a name in print."""
+def _integral_of(integrand: Callable[..., sp.Expr], low: sp.Expr, high: sp.Expr) -> sp.Integral:
+    return sp.Integral(integrand(nt.t), (nt.t, low, high))
+
+
+SPELLED: dict[Any, Callable[..., sp.Expr]] = {
+    opaque.Arctan2: lambda y, x: sp.atan(y / x),
+    opaque.GammaRatio: lambda x: sp.gamma(x + sp.S.Half) / sp.gamma(x),
+    opaque.DepthOverHeight: lambda j: sp.sqrt(sp.pi) * sp.gamma(j / 2 + 1) / sp.gamma((j + 1) / 2),
+    opaque.ArcStrips: lambda r, a, R: _integral_of(lambda t: sp.atanh(t / R) / sp.sqrt(t**2 - r**2), r, a),
+    opaque.PowerPressure: lambda r, a, n: (
+        a ** (1 - n) * _integral_of(lambda t: t ** (n - 1) / sp.sqrt(t**2 - r**2), r, a)
+    ),
+    opaque.PowerDisplacement: lambda r, a, n: (
+        n / a**n * _integral_of(lambda t: t ** (n - 1) * sp.asin(t / r), sp.S.Zero, a)
+    ),
+    opaque.PowerPunches: lambda r, a, n: a**-n * _integral_of(lambda t: t**n / sp.sqrt(r**2 - t**2), sp.S.Zero, a),
+    opaque.PowerStrips: lambda x, a, n: (
+        n / a**n * _integral_of(lambda t: t ** (n - 1) / sp.sqrt(x**2 - t**2), sp.S.Zero, a)
+    ),
+}
+"""Functions of the generated code without a name in print, as what they are."""
+
+
+def _spelled(expr: sp.Expr) -> sp.Expr:
+    for function, meaning in SPELLED.items():
+        expr = expr.replace(function, meaning)
+    return expr
+
+
 GAPS = {
     opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda x: x - sp.tanh(x),
     opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
@@ -106,16 +134,17 @@ def printed(left: str, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list
         if isinstance(definition, opaque.Root) or name.name.startswith("root"):
             texts[name] = _root(definition)
             names[name] = roots.pop(0) if often and roots else texts[name]
-        elif often and angles:
+        elif often and angles and not isinstance(definition, opaque.GammaRatio):  # that one has the name kappa
             names[name], shown[name] = angles.pop(0), _plain(definition)
         else:
             value = value.subs(name, _plain(definition))
             shown = {own: expr.subs(name, _plain(definition)) for own, expr in shown.items()}
     for gap, difference in GAPS.items():
         value = value.replace(gap, difference)
+    short = with_kappa(_tidied(_spelled(value)))
     texts |= {name: Printer(chain, names)(expr) for name, expr in shown.items()}
     defined = [f"{names[name]}={texts[name]}" for name in (*shown, *texts) if names[name] != texts[name]]
-    lines = broken(f"{left}=", sp.factor_terms(value), Printer(chain, names))
+    lines = broken(f"{left}=", short.expr, Printer(chain, names | short.names))
     for text in dict.fromkeys(defined):
         if width(lines[-1] + r",\qquad " + text) <= LINE:
             lines[-1] += r",\qquad " + text
@@ -123,6 +152,13 @@ def printed(left: str, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list
             lines[-1] += ","
             lines.append(r"\qquad " + text)
     return lines
+
+
+def _tidied(expr: sp.Expr) -> sp.Expr:
+    """Equal powers taken together, in front of an integral too."""
+    if not expr.has(sp.Integral):
+        return sp.factor_terms(expr)
+    return sp.Add(*(sp.powsimp(term) for term in sp.Add.make_args(sp.expand(expr))))
 
 
 def _uses(name: sp.Symbol, exprs: tuple[sp.Expr, ...]) -> int:

@@ -8,9 +8,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .. import notation as nt
+
 Factor = tuple[sp.Expr, sp.Expr]
 """Base and exponent."""
 
+LOADS = {nt.d, nt.F, nt.P}
+"""A sum in which one of these stands beside lengths is read as what exceeds them: d - 2 h."""
 LARGEST_RADICAND = 999
 """Numbers beyond this are not gathered under a root: sqrt[7](35 F/(192 A E)) is read, 352947000000**(1/7) is not."""
 
@@ -83,6 +87,9 @@ def _points_down(base: sp.Expr, positive: Callable[[sp.Expr], bool]) -> bool:
     """Whether -base reads better: it is known to be positive, or its largest coefficient is."""
     if positive(base) or positive(-base):
         return positive(-base)
+    loads = [term.as_coeff_Mul()[0] for term in base.args if LOADS & set(sp.Mul.make_args(term))]
+    if loads and len(loads) < len(base.args):
+        return all(c < 0 for c in loads)
     coefficients = [term.as_coeff_Mul()[0] for term in base.args]
     largest = max(abs(c) for c in coefficients)
     leading = [c for c in coefficients if abs(c) == largest]

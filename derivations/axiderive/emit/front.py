@@ -47,6 +47,16 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
     ]
 
 
+def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
+    """The symbols with the sections, by name and number, whose formulas hold them; those of most sections left out."""
+    found = []
+    for symbol in nt.all_notation():
+        places = [(m["name"], m["number"]) for m in summaries if symbol.name in m["symbols"]]
+        if places and symbol.name not in ("j", "N", "stiffness") and 2 * len(places) <= len(summaries):
+            found.append((symbol.latex, places))
+    return found
+
+
 def _unit(unit: str) -> str:
     text = re.sub(r"\^\(([^()]*)\)", lambda m: f"$^{{{m[1]}}}$", unit)
     return re.sub(r"\^(\d+)", lambda m: f"$^{{{m[1]}}}$", text)

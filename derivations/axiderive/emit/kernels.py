@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import mpmath as mp
 
@@ -18,11 +19,15 @@ def outside(n: int, v: mp.mpf) -> mp.mpf:
     # next to v = 0 the difference loses (n + 1)/2 times the digits of v
     with mp.extradps(40):
         angle = 2 * mp.atan(mp.sqrt(v))
-        sine, cosine = mp.sin(angle), mp.cos(angle)
-        punches = [angle, 1 - cosine]
-        for k in range(2, n + 1):
-            punches.append(((k - 1) * punches[k - 2] - sine ** (k - 1) * cosine) / k)
-        return (angle - punches[n] / sine**n) / sine
+        return beside_power(n, angle, mp.sin(angle), mp.cos(angle)) / mp.sin(angle)
+
+
+def beside_power(n: int, angle: Any, sine: Any, cosine: Any) -> Any:
+    """pi/2 w/g(a) for f ~ r**n, of the angle arcsin(a/r) as numbers or as symbols."""
+    punches = [angle, 1 - cosine]
+    for k in range(2, n + 1):
+        punches.append(((k - 1) * punches[k - 2] - sine ** (k - 1) * cosine) / k)
+    return angle - punches[n] / sine**n
 
 
 def root_gap(q: mp.mpf) -> mp.mpf:

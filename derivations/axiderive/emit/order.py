@@ -94,9 +94,11 @@ def factor_key(factor: Factor) -> tuple[int, int, str]:
         return (2, ORDER.index("A"), "")
     if base.is_Add and is_scale(base):  # (n+1) F, for F (n+1) would read as a function
         return (2, ORDER.index("j"), str(base))
+    if isinstance(base, sp.gamma):  # a number: before the lengths, for tan theta Gamma(x) reads as tan(theta Gamma(x))
+        return (2, ORDER.index("j"), f"~{base}")
     if isinstance(base, TRIGONOMETRIC):
-        return (3, 0, str(base))
-    kinds = (sp.gamma, sp.Pow, sp.Add, sp.Function, sp.Sum, sp.Integral)
+        return (3, TRIGONOMETRIC.index(type(base)), str(base))
+    kinds = (sp.Pow, sp.Add, sp.Function, sp.Sum, sp.Integral)
     return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, str(base))
 
 

@@ -113,13 +113,19 @@ class Printer:
         sums = [factor for factor in behind if self._plain(*factor)]
         if (below or number.q != 1) and not (above or root_above) and number.p == 1 and len(sums) == 1:
             above, behind = sums, [factor for factor in behind if factor not in sums]
-        elif (below and sums and (root_above or len(sums) < len(behind))) or (under_root and number.q + len(below) > 1):
+        elif (
+            below
+            and sums
+            and (root_above or len(sums) < len(behind) or any(b.is_Add and not is_scale(b) for b, _ in below))
+        ) or (under_root and number.q + len(below) > 1):
             above, behind = above + sums, [factor for factor in behind if factor not in sums]
         alone = bool(below or below_root or number.q != 1) or not (behind or root_above)
         bare = len(above) == 1 and above[0][0].is_Add and above[0][1] == 1 and number.p == 1 and alone
         top = [self.sum(above[0][0])] if bare else self._scale(number.p, above)
-        bottom = self._scale(number.q, below) + below_root
-        if parts.root and root_above and [base for base, _ in parts.root.factors] in ([], [sp.pi]):
+        bottom = self._scale(number.q, below)
+        place = (number.q != 1) if parts.root and below_root and _is_of_pi(parts.root) else len(bottom)
+        bottom[place:place] = below_root
+        if parts.root and root_above and _is_of_pi(parts.root):
             top, root_above = [*top[: number.p != 1], root_above, *top[number.p != 1 :]], ""
         out = []
         if below or below_root or (number.q != 1 and any(b.is_Add or isinstance(b, sp.gamma) for b, _ in above)):
@@ -153,12 +159,12 @@ class Printer:
         return exponent.free_symbols == {nt.k} and self.positive(exponent)
 
     def _plain(self, base: sp.Expr, exponent: sp.Expr) -> bool:
-        """Whether a bracket may become the numerator: a short sum without functions."""
+        """Whether a bracket may become the numerator: a short sum without functions of more than a symbol."""
         return (
             base.is_Add
             and exponent.is_Integer
             and len(base.args) <= 3
-            and not base.atoms(sp.Function)
+            and all(isinstance(f, TRIGONOMETRIC) and f.args[0].is_Symbol for f in base.atoms(sp.Function))
             and not has_fraction(base)
         )
 
@@ -291,7 +297,7 @@ class Printer:
         variable, lo, hi = e.limits[0]
         body = e.function
         text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
-        return rf"\int_{{{self.sum(lo)}}}^{{{self.sum(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
+        return rf"\int_{{{self._exponent(lo)}}}^{{{self._exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
 
     def _derivative(self, e: sp.Derivative) -> str:
         inner, variable = e.expr, e.variables[0]
@@ -301,6 +307,11 @@ class Printer:
         if inner.is_Symbol:
             return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
+
+
+def _is_of_pi(root: Root) -> bool:
+    """Whether the root is a number, which stands in front."""
+    return [base for base, _ in root.factors] in ([], [sp.pi])
 
 
 def _stands_behind(base: sp.Expr) -> bool:

@@ -23,8 +23,7 @@ from .sketch_given import load_sketch
 from .sketch_tilted import tilted_sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
-from .worked import worked
-from .worked_given import worked_given
+from .worked import worked, worked_given
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
@@ -129,7 +128,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     return texts | {
         "graded": frames(profile, main, graded) if "p" in graded else (),
         "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
-        "worked": worked(profile_id, profile, main, type(rough)),
+        "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),

@@ -69,10 +69,11 @@ def curve(n: sp.Expr, medium: Medium) -> tuple[str, str]:
 
 def _power(exponent: sp.Expr) -> sp.Expr:
     """A power of x that keeps the sign of its exponent in print."""
-    if exponent.is_number:
+    if exponent.is_Integer or exponent == sp.S.Half:
         return RATIO**exponent
     above, below = sp.fraction(sp.together(exponent))
-    return sp.Symbol(f"x^{{({Printer()(above)})/{below}}}", positive=True)
+    top = f"({Printer()(above)})" if above.is_Add else Printer()(above)
+    return sp.Symbol(f"x^{{{top}/{below}}}", positive=True)
 
 
 def _quotient(number: int, factor: sp.Expr, pulled: sp.Expr, xi: sp.Expr, elastic: sp.Expr, below: sp.Expr) -> str:
@@ -80,6 +81,9 @@ def _quotient(number: int, factor: sp.Expr, pulled: sp.Expr, xi: sp.Expr, elasti
     if below.is_number:
         return Printer(names=_names(pulled))(number * factor / below * pulled - xi / below * elastic)
     names = _names(pulled)
+    shares = [sp.cancel(part / below) for part in (number * factor, xi)]
+    if all(share.is_number for share in shares):
+        return Printer(names=names)(shares[0] * pulled - shares[1] * elastic)
     if factor.is_Add:  # 2 (k + 2) is read better than 2 k + 4
         whole = sp.Symbol("whole", positive=True)
         names[whole] = f"({Printer()(factor)})"

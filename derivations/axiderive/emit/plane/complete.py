@@ -10,7 +10,7 @@ import sympy as sp
 from ...contact.plane import PRESSURE
 from ...entry import Case, Entry
 from ...notation import P, a, x, x_zero
-from ...stable.forms import evaluation_form
+from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.opaque import named
 from ...stable.signs import facts_of
 from ..code import python
@@ -56,11 +56,8 @@ class Complete:
         The second part of the slope is opposed to the first by a bounded factor at
         most, since P >= P_min; depth and pressure do change their signs.
         """
-        case, needs = self.entries[suffix].cases[0], set()
-        whole = sp.expand(case.expr)
-        load = whole.coeff(P) * P
-        exprs = {"strip": load, "face": whole - load} if self.concave else {"value": case.expr}
-        forms = told_apart(tuple(form_of(Case(case.chain, expr)) for expr in exprs.values()))
+        needs: set[str] = set()
+        exprs, forms = parts(self.entries[suffix], self.concave)
         for name, form in zip(exprs, forms, strict=True):
             if name == "face" and form.value.could_extract_minus_sign():
                 form = type(form)(form.steps, -form.value, form.cancels)  # noqa: PLW2901
@@ -96,7 +93,7 @@ class Complete:
 
     def _pressure(self) -> None:
         lines: list[str] = []
-        excess = self._excess() if self.concave else None
+        excess = excess_over_threshold(self.entries) if self.concave else None
         if excess is None:
             needs = self._parts("p", lines)
         else:
@@ -107,12 +104,6 @@ class Complete:
             lines.append(f"value = {python(PRESSURE * carried / named('root'))}")
             needs = {str(symbol) for symbol in excess.free_symbols} | {*least.needs, "a"}
         self._add("p", lines, needs, "np.where((x <= a) & (P > 0.0), value, 0.0)")
-
-    def _excess(self) -> sp.Expr | None:
-        """M(x) >= 0 in p = (P - P_min + M)/(pi root), where the face is algebraic."""
-        weighted = sp.expand(sp.expand(self.entries["p"].cases[0].expr * sp.sqrt(a**2 - x**2) / PRESSURE))
-        face = sp.factor(sp.expand(weighted - P + self.entries["Pmin"].cases[0].expr))
-        return face if face.is_polynomial(x) else None
 
     def _slope(self) -> None:
         lines: list[str] = []
@@ -127,3 +118,19 @@ class Complete:
         lines: list[str] = []
         needs = self._parts("d", lines)
         self._add("d", lines, needs | {"a"}, "np.where(a <= L, value, np.nan)")
+
+
+def parts(entry: Entry, concave: bool) -> tuple[tuple[str, ...], tuple[EvaluationForm, ...]]:
+    """What the load does and what the face does, by name; one value without a hollow face."""
+    case = entry.cases[0]
+    whole = sp.expand(case.expr)
+    load = whole.coeff(P) * P
+    exprs = {"strip": load, "face": whole - load} if concave else {"value": case.expr}
+    return tuple(exprs), told_apart(tuple(form_of(Case(case.chain, expr)) for expr in exprs.values()))
+
+
+def excess_over_threshold(entries: Mapping[str, Entry]) -> sp.Expr | None:
+    """M(x) >= 0 in p = (P - P_min + M)/(pi root), where the face is algebraic."""
+    weighted = sp.expand(sp.expand(entries["p"].cases[0].expr * sp.sqrt(a**2 - x**2) / PRESSURE))
+    face = sp.factor(sp.expand(weighted - P + entries["Pmin"].cases[0].expr))
+    return face if face.is_polynomial(x) else None

@@ -25,7 +25,7 @@ BESIDE = "1e-20"
 EXTENT = {"": 1, "G": 10**9, "M": 10**6, "k": 10**3, "m": "1e-3", r"\textmu{}": "1e-6", "n": "1e-9", "p": "1e-12"}
 _NUMBER = re.compile(
     r"(?P<digits>-?\d[\d.]*)?(?:\\times)?(?P<power>10\^\{-?\d+\})?"
-    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|\(SI\))\}(?:\^\{(?P<degree>-?\d+)\})?)?"
+    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|s|Pam\}\^\{-k|\(SI\))\}(?:\^\{(?P<degree>-?\d+)\})?)?"
 )
 _MATHEMATICS = re.compile(r"\$([^$]+)\$")
 
@@ -77,11 +77,13 @@ def _symbols() -> dict[str, sp.Symbol]:
     return {name_in_print(n.symbol): n.symbol for n in nt.all_notation() if n.name not in ("j", "N", "stiffness")}
 
 
-def _given(text: str) -> dict[str, Any]:
+def given_in(text: str) -> dict[str, Any]:
     """The assignments of a heading, $name=number$, by the name in print."""
     found: dict[str, Any] = {}
     for tex in _MATHEMATICS.findall(text):
-        name, _, value = tex.partition("=")
+        name, equals, value = tex.partition("=")
+        if not equals:
+            continue
         left = read(name)[0].members[0].name
         found[left] = number(value).value if _NUMBER.fullmatch(value.replace(r"\,", "")) else read(value)[0].members[0]
     return {name: value(found) if callable(value) else value for name, value in found.items()}
@@ -107,7 +109,9 @@ class Contact:
         self.given = dict(given)
 
     def at(self, suffix: str, **known: Any) -> Any:
-        env = self.printed.environment(self.values) | self.given | known
+        # an integral is split where its place says that a break is crossed
+        place = {nt.r: known["r"]} if "r" in known else {}
+        env = self.printed.environment(self.values | place) | self.given | known
         return self.printed.at(suffix, env)
 
     def load(self, **known: Any) -> Any:
@@ -142,7 +146,7 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
     if match is None:
         return
     with mp.workdps(DIGITS):
-        contact = Contact(entries, _given(match[1]))
+        contact = Contact(entries, given_in(match[1]))
         depth, load = contact.depth(), contact.load()
         radius = contact.given["a"]
         heads = {"d": depth, "F_N": load, "P": load, "bar p": contact.mean(radius, load)}
@@ -160,21 +164,50 @@ _SHOWN = re.compile(r"\\parbox\[t\]\{26mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 
 
+@dataclass(frozen=True)
+class Heading:
+    """What the heading of a worked example states: Young's modulus and Poisson's ratio of so many equal bodies."""
+
+    young: Any
+    poisson: Any
+    bodies: int
+    separation: str
+    stated: str
+    """E* as it is printed."""
+    given: dict[str, Any]
+    """E* as it follows from the constants, the parameters and the load by their names."""
+
+
+def heading(text: str) -> Heading:
+    """The heading of the worked example of a spread.
+
+    Raises
+    ------
+    LookupError
+        If the spread has none, or it does not name a material.
+    """
+    match = _WORKED.search(text)
+    words = match[1] if match else ""
+    material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
+    if not material or not stated:
+        message = f"no material and E* in {words!r}; a worked example starts with them"
+        raise LookupError(message)
+    bodies = 2 if words.startswith("steel on steel") else 1
+    young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
+    modulus = young / (bodies * (1 - poisson**2))
+    given = given_in(words[stated.end() :]) | {"E*": modulus}
+    return Heading(young, poisson, bodies, material[4], stated[1], given)
+
+
 def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
     """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
     match = _WORKED.search(text)
     if match is None:
         return
     with mp.workdps(DIGITS):
-        material = _MATERIAL.search(match[1])
-        assert material
-        bodies = 2 if match[1].startswith("steel on steel") else 1
-        young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
-        modulus = young / (bodies * (1 - poisson**2))
-        stated = re.search(r"\$E\^\{\*\}=([^$]+)\$", match[1])
-        assert stated
-        yield Printout("worked example E*", stated[1], modulus)
-        given = _given(match[1][stated.end() :]) | {"E*": modulus}
+        solid = heading(text)
+        yield Printout("worked example E*", solid.stated, solid.given["E*"])
+        given = solid.given
         contact = Contact(entries, given)
         shown = _SHOWN.findall(match[2])
         radius = _radius(contact, shown)
@@ -187,7 +220,7 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
             r"\bar p": lambda: contact.mean(radius, load),
             "p(a/2)": lambda: contact.pressure(radius / 2, **known),
             "w(2a)": lambda: contact.displacement(2 * radius, **known),
-            r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive or {}, material[4], radius),
+            r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive or {}, solid.separation, radius),
         }
         for name, tex in shown:
             yield Printout(f"worked example {name}", tex, wanted[name]())

@@ -38,8 +38,8 @@ LISTED = {
         "p(r;c)=0", "t<b", "g(t)=0",
     ),
     "a place or a case that a sketch or a note points to": (
-        "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2", r"4\,|e|-3\,a",
-        "n>1",
+        r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
+        r"4\,|e|-3\,a", "n>1",
     ),
     "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
     "an order of magnitude": (

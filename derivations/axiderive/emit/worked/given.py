@@ -8,14 +8,14 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
-from .. import notation as nt
-from ..entry import Entry
-from ..profiles.loads import Load
-from ..profiles.profile import Profile
-from .values import Values, evaluated
-from .worked import DIGITS, Material, given_text, plane_strain, quantity_text
+from ... import notation as nt
+from ...entry import Entry
+from ...profiles.loads import Load
+from ...profiles.profile import Profile
+from ..values import Values, evaluated
+from .cases import BLOCK
+from .quantities import DIGITS, given_text, quantity_text
 
-BLOCK = Material(r"steel, $E=210$\,GPa, $\nu=0.3$", plane_strain(210e9, "0.3"))
 PRESSED: Mapping[sp.Symbol, str] = {nt.p_0: "500e6", nt.a: "2e-3", nt.sigma: "2"}
 TILTED: Mapping[sp.Symbol, str] = {nt.P: "1e6", nt.a: "2e-3", nt.e: "5e-4"}
 
@@ -33,7 +33,7 @@ def worked_given(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, An
         numbers = _displacements(profile, entries, values) if isinstance(profile, Load) else _tilt(entries, values)
     modulus = rf"$E^{{*}}={quantity_text(mp.mpf(int(BLOCK.modulus.p)) / int(BLOCK.modulus.q), 'Pa')}$"
     given = [f"${nt.describe(symbol).latex}={given_text(symbol.name, text)}$" for symbol, text in known.items()]
-    return {"words": "; ".join([BLOCK.words, modulus, *given]), "numbers": numbers}
+    return {"words": "; ".join([BLOCK.words, modulus, *given]), "numbers": numbers, "further": []}
 
 
 def _displacements(load: Load, entries: Mapping[str, Entry], values: Values) -> list[tuple[str, str, str]]:

@@ -1,0 +1,8 @@
+"""Worked examples: real materials, a real load, and the key of the formula behind every number."""
+
+from __future__ import annotations
+
+from .given import worked_given
+from .normal import worked
+
+__all__ = ["worked", "worked_given"]

@@ -1,0 +1,76 @@
+"""A worked example for every profile: real materials, a real load, and the function behind every number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from ... import notation as nt
+from ...entry import Entry
+from ...profiles.profile import Profile
+from ..values import Numbers
+from .cases import CASES, Case
+from .contact import loaded, number, parameters, pull_off
+from .further import further
+from .quantities import given_text, quantity_text
+
+
+def worked(
+    profile_id: str, profile: Profile, derived: Mapping[str, Mapping[str, Entry]], make: Callable[..., Numbers]
+) -> Any:
+    """Heading, numbers with the key of their formula, and the examples of further physics; None without a case."""
+    case = CASES.get(profile_id)
+    if case is None:
+        return None
+    entries = derived[profile_id]
+    values = parameters(profile, case)
+    values[nt.E_star] = case.material.modulus
+    for symbol, expr in profile.abbreviations:
+        values.setdefault(symbol, expr.xreplace(values))
+    numbers = loaded(profile, entries, values, case, make)
+    radius = numbers["a"]
+    mean, half = numbers.mean_pressure, numbers("p", radius / 2)
+    plane = numbers.place("p") == nt.x
+    shown = [
+        ("a", radius, "m", ("aP" if plane else "aF") if numbers.compact else ""),
+        *([] if plane else [("d", numbers.depth, "m", "d" if "d" in entries else "dF")]),
+        (r"\bar p", mean, "Pa", "pm" if "pm" in entries else ""),
+        ("p(a/2)", half, "Pa", "p"),
+    ]
+    if not plane:
+        shown.append(("w(2a)", numbers("w", 2 * radius), "m", "w"))
+    if case.material.separation and numbers.compact and not profile.breaks:
+        shown.append(("F_{\\mathrm c}", pull_off(numbers, case), "N", "adh.Fc"))
+    given = [
+        rf"${_latex(name)}={given_text(name, text, _degree(name, profile, case))}$"
+        for name, text in case.parameters.items()
+    ]
+    name, unit = ("P", "N/m") if plane else (r"F_{\mathrm N}", "N")
+    load = f"${name}={quantity_text(mp.mpf(case.load), unit)}$"
+    modulus = rf"$E^{{*}}={quantity_text(number(case.material.modulus), 'Pa')}$"
+    return {
+        "words": "; ".join([case.material.words, modulus, *given, load]),
+        "numbers": [(name, quantity_text(value, unit), key) for name, value, unit, key in shown],
+        "further": further(profile_id, derived, case, numbers),
+    }
+
+
+def _latex(name: str) -> str:
+    return nt.describe(name).latex if nt.known(name) else name
+
+
+def _degree(name: str, profile: Profile, case: Case) -> int:
+    """The power of r that belongs to an amplitude."""
+    if name.startswith("A_"):
+        return int(name[2:])
+    if name != "A":
+        return 0
+    shape = profile.pieces[0].expr
+    return (
+        int(case.parameters["n"])
+        if "n" in case.parameters
+        else int(sp.degree(shape, nt.x if shape.has(nt.x) else nt.r))
+    )
