@@ -175,6 +175,20 @@ def test_gaussian_beyond_its_largest_contact() -> None:
     assert call("gaussian", "radius_from_depth", top * 0.999) < largest
 
 
+def test_gaussian_next_to_its_largest_contact() -> None:
+    """There depth and force no longer grow, and their rounding hides which of two radii gave the larger one."""
+    module, dice = import_module("axicontact.normal.gaussian"), np.random.default_rng(3)
+    for _ in range(60):
+        h, s = 10 ** dice.uniform(-3.0, 3.0, 2)
+        a = 1.5019752682686 * s * (1.0 - 10 ** dice.uniform(-15.9, -6.0, 20))
+        for load, radius in (("depth", "radius_from_depth"), ("force", "radius_from_force")):
+            modulus = {"E_star": 1.0} if load == "force" else {}
+            value = getattr(module, load)(a, h=h, s=s, **modulus)
+            found = getattr(module, radius)(value, h=h, s=s, **modulus)
+            assert np.isfinite(found).all(), (h, s, load)
+            np.testing.assert_allclose(getattr(module, load)(found, h=h, s=s, **modulus), value, rtol=2.0**-48)
+
+
 def test_capped_cylinder_joins_its_branches() -> None:
     edge = 1.0 / 2.2
     below, above = edge * (1 - 1e-13), edge * (1 + 1e-13)

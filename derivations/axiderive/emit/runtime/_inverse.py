@@ -120,15 +120,16 @@ def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponen
     def shortfall(s: Array) -> tuple[Array, Array]:
         t = largest / (1.0 + s)
         y, slope = curve(t)
-        short = (top - y) / y
-        return short, s / (1.0 + s) * slope * (1.0 + short) / short
+        # next to the end the difference is all rounding, of either sign
+        short = np.maximum((top - y) / y, ROUNDING)
+        return short, np.maximum(s / (1.0 + s) * slope * (1.0 + short) / short, exponents[0])
 
     # the largest value and the argument are both rounded
     short = np.maximum((top - value) / value, 0.0)
     noise = 4.0 * ROUNDING * (1.0 + short)
     s = inverse(shortfall, short, np.sqrt(short), exponents, smooth=True, noise=noise)
     t = largest / (1.0 + s)
-    return np.where(value <= top * (1.0 + 2.0**-50), t, np.nan)
+    return np.where(value <= top * (1.0 + 2.0**-48), t, np.nan)
 
 
 def inverse_across(
