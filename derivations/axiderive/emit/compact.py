@@ -2,229 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-
 import sympy as sp
 
 from ..abel import masters
 from ..contact.medium import HOMOGENEOUS
-from ..entry import Case, Entry
 from ..notation import a
-from ..profiles.profile import Profile
-from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.gaps import of_lengths
-from ..stable.opaque import ArcStrips, Arctan2, ArctanGap, Root, SineRoot
-from ..stable.signs import Facts, facts_of
-from ..stable.slopes import ROOT, singular_at_break, slope_form
+from ..stable.forms import EvaluationForm
+from ..stable.opaque import ArcStrips
+from ..stable.slopes import singular_at_break
 from .code import python
 from .kernels import EXPONENTS
-from .private import Private, PrivateFunctions, through_sine, without_subtraction
+from .lumped import Lumped
+from .private import Private
+from .regimes import SMOOTH
 
-SMOOTH = 32
 
-
-@dataclass
-class Compact:
+class Compact(Lumped):
     """The private functions behind the entries of one compact profile."""
-
-    entries: Mapping[str, Entry]
-    functions: PrivateFunctions
-
-    def __post_init__(self) -> None:
-        self.profile = self.entries["d"].profile
-        self.summed = self.entries["d"].cases[0].expr.has(sp.Sum)
-        self.b = self.profile.breaks[0] if self.profile.breaks else None
-        depth = self.regimes("d")
-        self.slopes = {key: self._slope(key, case) for key, case in depth.items()} if not self.summed else {}
-        if self.summed:
-            self._summed_slope(depth["tip"].expr)
-
-    def rules(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        return tuple((rule.left, rule.right) for rule in self.profile.rules)
-
-    def facts(self, case: Case) -> Facts:
-        return facts_of(case.chain, *self.rules())
-
-    def regimes(self, suffix: str) -> dict[str, Case]:
-        """The case of each regime, `tip` for a < b, `beyond` for a > b; the whole contact is `tip` without a break."""
-        found: dict[str, Case] = {}
-        for case in self.entries[suffix].cases:
-            key = "beyond" if self.b is not None and case.chain and case.below(self.b, a) else "tip"
-            found.setdefault(key, case)
-        return found
-
-    def form(self, suffix: str, key: str) -> EvaluationForm:
-        case = self.regimes(suffix)[key]
-        return evaluation_form(case.expr, self.facts(case))
-
-    @property
-    def rooted(self) -> bool:
-        """Whether depth and force are written in a and a root that vanishes at one end of the domain."""
-        return self.profile.truncated or (self.b is None and self.scale("tip")[0] == "tanh")
-
-    def scale(self, key: str) -> tuple[str, sp.Expr | None]:
-        """Which substitution regularises g' of a regime, and its length."""
-        if key == "beyond":
-            return "beyond", self.b
-        if "tip" not in self.slopes:
-            return "", None
-        form = self.slopes["tip"][1]
-        for _, expr in form.steps:
-            if isinstance(expr, Root):
-                return "tanh", expr.args[0]
-            if isinstance(expr, Arctan2):
-                return "sinh", expr.args[1]
-        return ("waves", None) if form.value.has(masters.StruveH) else ("", None)
-
-    def _slope(self, key: str, case: Case) -> tuple[Private, EvaluationForm]:
-        form = slope_form(case.expr, self.facts(case))
-        rooted = any(str(name) == ROOT for name, _ in form.steps)
-        fields = ("t", "root") if rooted or key == "beyond" else ("t",)
-        lines = self.functions.steps(form, fields)
-        text = self.functions.value_lines(form.value, lines)
-        lines.append(f"return {text}")
-        name = "slope_beyond" if key == "beyond" else "slope"
-        doc = "Rate g'(t) of the indentation depth g(t)" + (f" for t > {self.b}." if key == "beyond" else ".")
-        return self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc), form
-
-    def _summed_slope(self, depth: sp.Expr) -> None:
-        """Term by term for a polynomial."""
-        slope = depth.replace(
-            lambda e: isinstance(e, sp.Sum), lambda e: sp.Sum(sp.powsimp(sp.diff(e.function, a)), *e.limits)
-        )
-        form = evaluation_form(slope, facts_of((a,)))
-        self.functions.add(
-            "slope", ("a",), [f"return {python(form.value)}"], {"A"}, "Rate g'(a) of the indentation depth."
-        )
-
-    def depth_like(self, suffix: str, name: str) -> Private:
-        """Depth, force or mean pressure by their regimes."""
-        regimes = self.regimes(suffix)
-        forms = {key: self.form(suffix, key) for key in regimes}
-        if suffix == "F" and any(form.cancels for form in forms.values()) and self.scale("tip")[0] != "waves":
-            return self._force_by_rule(forms)
-        if suffix == "pm" and not self._closed_mean(forms):
-            force = self.functions.functions["force"]
-            value = f"{force.call()} / (np.pi * a**2)"
-            return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
-        if len(forms) > 1 and suffix != "pm":
-            self._beyond(name, forms["beyond"])
-        if not self.rooted or suffix == "pm":
-            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
-        inner = self._joined(name, forms, ("a", ROOT))
-        if any(form.value.has(ArctanGap) for form in forms.values()):
-            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
-        return self._from_radius(name, inner)
-
-    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
-        """The regimes on either side of the break; with its root given, under a name of its own."""
-        lines, needs = [], set()
-        for key, form in forms.items():
-            lines += self.functions.steps(form, given)
-            needs |= self.functions.needs(form, given)
-            value = self.functions.value_lines(form.value, lines)
-            lines.append(f"{key} = {value}" if len(forms) > 1 else f"return {value}")
-        if len(forms) > 1:
-            lines.append(f"return np.where(a < {self.b}, tip, beyond)")
-            needs.add(str(self.b))
-        if ROOT in given:
-            return self.functions.add(f"{name}_at", given, lines, needs)
-        return self._limited(name, lines, needs)
-
-    def _beyond(self, name: str, form: EvaluationForm) -> Private:
-        """In the radius and its root, which says more of a radius next to the break: for the inverse."""
-        lines = self.functions.steps(form, ("a", ROOT))
-        value = self.functions.value_lines(form.value, lines)
-        needs = self.functions.needs(form, ("a", ROOT))
-        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"], needs)
-
-    def _from_radius(self, name: str, inner: Private) -> Private:
-        x, y = self.root_pair()
-        lines = [f"root = np.sqrt(({x} - {y}) * ({x} + {y}))", f"return {inner.call('a', 'root')}"]
-        return self.functions.add(name, ("a",), lines, {*inner.needs, x, y} - {"a"})
-
-    def root_pair(self) -> tuple[str, str]:
-        return ("a", str(self.b)) if self.profile.truncated else (str(self.scale("tip")[1]), "a")
-
-    def _limited(self, name: str, lines: list[str], needs: set[str]) -> Private:
-        """NaN beyond the largest contact radius."""
-        if self.profile.largest is not None:
-            value = lines.pop().removeprefix("return ")
-            lines.append(f"return np.where({self.domain()[0]}, {value}, np.nan)")
-            needs = needs | self.domain()[1]
-        return self.functions.add(name, ("a",), lines, needs)
-
-    def domain(self) -> tuple[str, set[str]]:
-        """The condition on the contact radius, and what it needs."""
-        if self.profile.truncated:
-            return f"a >= {self.b}", {str(self.b)}
-        if self.profile.largest is not None:
-            return f"a <= {python(self.profile.largest)}", {str(s) for s in self.profile.largest.free_symbols}
-        kind, length = self.scale("tip")
-        if kind == "tanh" and self.b is None:
-            return f"a <= {length}", {str(length)}
-        return "", set()
-
-    def _closed_mean(self, forms: dict[str, EvaluationForm]) -> bool:
-        """Closed, and without a division by a where a may vanish."""
-        tip = forms.get("tip")
-        if any(form.cancels for form in forms.values()):
-            return False
-        return tip is None or not sp.denom(sp.together(tip.value)).has(a) or not tip.value.has(sp.Add)
-
-    def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Private:
-        scale = python(HOMOGENEOUS.force_scale)
-        if "tip" not in forms:
-            message = (
-                f"{self.profile.name}: its force beyond the flat face is a difference that loses digits; "
-                "emit it by emit.general.library_source, whose rules do not"
-            )
-            raise ValueError(message)
-        tip, radius = forms["tip"], "a" if self.b is None else "inner"
-        needs = self.functions.needs(tip, ("a",)) | {"E_star"}
-        lines = [] if self.b is None else [f"inner = np.minimum(a, {self.b})"]
-        if tip.cancels:
-            slope = self.slopes["tip"][0]
-            lines.append(f"tip = {scale} * force_integral({slope.growth('t')}, {radius}, {SMOOTH})")
-            needs |= set(slope.needs)
-        else:
-            moved, steps = self._moved(tip, radius)
-            lines += [*steps, f"tip = {python(moved.value)}"]
-        if self.b is None:
-            lines.append("return tip")
-            return self._limited("force", lines, needs)
-        slope = self.slopes["beyond"][0]
-        growth = slope.with_parameters()
-        lines.append(f"reach = {self._reach()}")
-        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self._width()})")
-        lines.append("return tip + beyond")
-        return self.functions.add("force", ("a",), lines, {*needs, *slope.needs, str(self.b)})
-
-    def _reach(self) -> str:
-        """The text of sqrt(a**2 - b**2), and of zero within the break."""
-        reach = through_sine(Root(a, self.b), self.profile.abbreviations)
-        return python(reach) if isinstance(reach, SineRoot) else f"difference_root(a, {self.b})"
-
-    def _moved(self, form: EvaluationForm, radius: str) -> tuple[EvaluationForm, list[str]]:
-        """The form of the tip for another name of its radius, and its steps.
-
-        A root that vanishes at the end of an arc is taken from the angle of the break where the tip is whole.
-        """
-        symbol = sp.Symbol(radius, positive=True)
-        moved = EvaluationForm(
-            tuple((name, expr.subs(a, symbol)) for name, expr in form.steps), form.value.subs(a, symbol), False
-        )
-        steps = self.functions.steps(moved)
-        for i, (name, expr) in enumerate(form.steps if self.b is not None else ()):
-            whole = without_subtraction(expr.subs(a, self.b), self.profile.abbreviations)
-            if isinstance(expr, Root) and not isinstance(whole, Root):
-                steps[i] = f"{name} = np.where(a < {self.b}, {python(moved.steps[i][1])}, {python(whole)})"
-        return moved, steps
-
-    def stiffness(self, form: EvaluationForm) -> Private:
-        lines = [*self.functions.steps(form), f"return {python(form.value)}"]
-        return self._limited("stiffness", lines, self.functions.needs(form, ("a",)))
 
     def pressure(self) -> Private:
         lines: list[str] = []
@@ -301,9 +95,6 @@ class Compact:
     def _plain(form: EvaluationForm) -> bool:
         return not any(expr.has(*masters.MASTERS) for expr in (form.value, *(e for _, e in form.steps)))
 
-    def _width(self) -> str:
-        return strip_width(self.profile)
-
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
         """The rule and its last arguments."""
         if kind == "waves":
@@ -368,16 +159,6 @@ def monomial(depth: sp.Expr) -> tuple[sp.Expr, int] | None:
     depth = sp.factor_terms(depth)
     power = depth.as_independent(a, as_Add=False)[1]
     return (depth, int(power.as_base_exp()[1])) if power in [a**exponent for exponent in EXPONENTS] else None
-
-
-def strip_width(profile: Profile) -> str:
-    """The last argument of a rule beyond the break.
-
-    Where b = R sin(theta), g' has a singularity at root = i R cos(theta), that is at pi/2 - theta.
-    """
-    sines = [expr.atoms(sp.sin) for symbol, expr in profile.abbreviations if symbol == profile.breaks[0]]
-    angles = [python(sine.args[0]) for found in sines for sine in found]
-    return f", width=1.0 - 2.0 * {angles[0]} / np.pi" if angles else ""
 
 
 def _greater(difference: sp.Expr) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from ...entry import Entry
 from ..code import python
-from ..compact import strip_width
+from ..regimes import strip_width
 from . import text
 from .adhesive import exponent
 from .examples import Example
