@@ -41,6 +41,12 @@ INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}
         ((nt.k + 1) * (a + r * nt.k), (), r"(k+1) \, (a+r k)"),
         (sp.cos(sp.pi * nt.k / 2), (), r"\cos \tfrac{\pi k}{2}"),
         (a ** ((1 - nt.k) / 2), (), "a^{(1-k)/2}"),
+        (
+            (F**4 * (nt.k + 1) ** 8 / (256 * E**4)) ** (1 / (nt.k + 5)),
+            (),
+            r"\Bigl[\frac{(k+1)^{2} F_{\mathrm N}}{4 E^{*}}\Bigr]^{4/(k+5)}",
+        ),
+        ((F**4 / (3 * E**4)) ** (1 / (nt.k + 5)), (), r"\Bigl(\frac{F_{\mathrm N}^{4}}{3 E^{*4}}\Bigr)^{1/(k+5)}"),
         (sp.sinh(F / b) ** 2, (), r"\sinh^{2} \frac{F_{\mathrm N}}{b}"),
         (1 / sp.sinh(theta), (), r"\frac{1}{\sinh \theta}"),
         (

@@ -171,3 +171,16 @@ def common_out(root: Root) -> Root:
             powers[own] = powers.get(own, sp.S.Zero) + power * exponent
     kept = tuple((b, e) for b, e in powers.items() if e != 0)
     return Root(root.index, root.number, kept) if len(kept) < len(root.factors) else root
+
+
+def common_power(base: sp.Expr) -> tuple[sp.Expr, int]:
+    """(root, j) with base = root**j for the largest j: x**4 y**4/16 is (x y/2)**4, if x and y are not negative."""
+    number, rest = base.as_coeff_Mul()
+    powers = [factor.as_base_exp() for factor in sp.Mul.make_args(rest)]
+    if not base.is_Mul or not number.is_positive or not all(exponent.is_Integer for _, exponent in powers):
+        return base, 1
+    for j in reversed(sp.divisors(sp.igcd(0, *(exponent for _, exponent in powers)))):
+        (top, whole_top), (bottom, whole_bottom) = (sp.integer_nthroot(x, j) for x in (number.p, number.q))
+        if whole_top and whole_bottom:
+            return sp.Rational(top, bottom) * sp.Mul(*(x ** (exponent // j) for x, exponent in powers)), j
+    return base, 1

@@ -15,7 +15,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from .factors import Factor, Product, Root, common_out, taken_apart
+from .factors import Factor, Product, Root, common_out, common_power, taken_apart
 from .order import (
     RAISED,
     TRIGONOMETRIC,
@@ -192,6 +192,8 @@ class Printer:
     def _power(self, base: sp.Expr, exponent: sp.Expr) -> str:
         if exponent == 1:
             return self._atom(base)
+        base, common = common_power(base)
+        exponent *= common
         power = self._exponent(exponent)
         if isinstance(base, RAISED) and exponent.is_Integer and exponent > 0:
             return self._call(base, f"^{{{power}}}")
