@@ -77,14 +77,20 @@ def _growth(e: Array, m: Array) -> Array:
 
     def curve(s: Array) -> tuple[Array, Array]:
         log = np.log1p(s)
-        rate = m * np.expm1((m - 1.0) * log) / (m - 1.0)
+        # the rounding of a logarithm of 60 would be felt in its exponential
+        more = np.where((s > 1.0) & ((m - 1.0) * log > 1.0), (1.0 + s) ** (m - 1.0) - 1.0, np.expm1((m - 1.0) * log))
+        rate = m * more / (m - 1.0)
         value = np.where(np.minimum(s, 1.0) * np.maximum(m, 2.0) < 1.0, near(s), (1.0 + s) * rate / m - s)
         return value, s * rate / value
 
     def near(s: Array) -> Array:
         # the difference written as an integral of positive terms
         s = np.minimum(s, 0.5)
-        return m * s * s * integral(lambda y: (1.0 - y) * (1.0 + s * y) ** (m - 2.0), np.ones_like(s), 16)
+        return m * s * s * integral(lambda y: (1.0 - y) * np.exp((m - 2.0) * np.log1p(s * y)), np.ones_like(s), 16)
 
-    start = np.where(e * m < 1.0, np.sqrt(2.0 * e / m), np.expm1(np.log1p((m - 1.0) * e) / m))
+    # (1 + s)**m = 1 + (m - 1) e + m s, twice with the last s on the right
+    far = 0.0
+    for _ in range(3):
+        far = np.expm1(np.log1p((m - 1.0) * e + m * far) / m)
+    start = np.where(e * m < 1.0, np.sqrt(2.0 * e / m), far)
     return inverse(curve, e, start, (float(np.minimum(m, 2.0).min()), float(np.maximum(m, 2.0).max())))

@@ -11,11 +11,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._rewriting import depending, numbers_first
+from ._rewriting import depending, numbers_first, without_choice
 from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, of_a_module, places, trace, used_at
 
 NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
 NAMES |= {"inf": np.inf, "nan": np.nan}
+EXTREMES = ("minimum", "maximum")
 SIGNS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 PREPARE = """
 def prepare({numbers}):
@@ -30,15 +31,19 @@ def block(out, {arguments}):
 
 
 class Program(NamedTuple):
-    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks)` fills a block with.
+    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled)` fills a block with.
 
-    A FloatingPointError says that the block needs the body itself.
+    A FloatingPointError says that the block needs the body itself; so does a number or, in an array, a value
+    that is not positive and finite, where the program is for `positive` ones.
     """
 
     prepare: Callable[..., tuple[Any, ...]]
     block: Callable[..., None]
     scratch: int
     masks: int
+    filled: tuple[float, ...]
+    """Arrays of these numbers: NumPy's maximum of two arrays costs half of that with a number."""
+    positive: bool
 
 
 _programs: dict[tuple[Any, ...], Program | None] = {}
@@ -65,6 +70,9 @@ class _Writer:
 
     def __init__(self, result: Node, names: list[str], given: list[str]) -> None:
         result = numbers_first(result, set(given))
+        simpler = without_choice(result, set(given))
+        self.positive = simpler is not result
+        result = simpler
         self.given = given
         self.numbers = [name for name in names if name not in given]
         self.nodes = needed(result)
@@ -74,6 +82,7 @@ class _Writer:
         self.text: list[str] = []
         self.where: dict[Node, str] = {}
         self.constants: dict[str, str] = {}
+        self.filled: dict[float, str] = {}
         self.free: list[str] = []
         self.idle: list[str] = []
         self.count = self.mask_count = 0
@@ -98,10 +107,11 @@ class _Writer:
         space = dict(NAMES)
         exec(PREPARE.format(numbers=", ".join(self.numbers), lines="\n".join(lines), results=passed), space)
         space |= {name: np.array(float(value)) for value, name in self.constants.items()}
-        scratch = [*(f"w{i}" for i in range(self.count)), *(f"m{i}" for i in range(self.mask_count))]
+        scratch = [f"w{i}" for i in range(self.count)] + [f"m{i}" for i in range(self.mask_count)]
+        scratch += self.filled.values()
         arguments = ", ".join([*self.given, *results, *scratch])
         exec(BLOCK.format(arguments=arguments, lines="\n".join(self.text)), space)
-        return Program(space["prepare"], space["block"], self.count, self.mask_count)
+        return Program(space["prepare"], space["block"], self.count, self.mask_count, tuple(self.filled), self.positive)
 
     def of(self, node: Node) -> str:
         if node.name == "argument":
@@ -110,6 +120,11 @@ class _Writer:
             # as an array without dimensions: half of what a call with a float costs
             return self.constants.setdefault(repr(node.value), f"c{len(self.constants)}")
         return self.where[node] if node in self.arrays else f"_{node.order}"
+
+    def _extreme(self, node: Node) -> str:
+        if node.name != "number":
+            return self.of(node)
+        return self.filled.setdefault(float(node.value or 0.0), f"f{len(self.filled)}")
 
     def _of_number(self, node: Node) -> str:
         return f"({node.value!r})" if node.name == "number" else self.of(node)
@@ -151,11 +166,11 @@ class _Writer:
             self._choice(node, place, depth)
             self._release(dying)
         else:
-            operands = [self.of(x) for x in node.operands]
+            operands = [self._extreme(x) if node.name in EXTREMES else self.of(x) for x in node.operands]
             self._release(dying)
             place = place or (self._new_mask() if node.logical else self._new())
             # a third argument by position is deprecated for these two alone
-            out = f"out={place}" if node.name in ("minimum", "maximum") else place
+            out = f"out={place}" if node.name in EXTREMES else place
             self._line(depth, f"{_ufunc(node, operands)}, {out})")
         self.where[node] = place
 

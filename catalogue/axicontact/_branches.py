@@ -14,6 +14,7 @@ import numpy as np
 
 from ._adhesion import XI, hess_retraction
 from ._elementwise import Array
+from ._inverse import inverse
 
 Load = Callable[[Array], Array]
 EPS = np.finfo(float).eps
@@ -62,6 +63,11 @@ def halfway(low: Array, high: Array) -> Array:
     return (bits[0] + (bits[1] - bits[0]) // 2).view(np.float64)
 
 
+def exponent_of(x: Array) -> Array:
+    """The whole m with 2**m <= x < 2**(m + 1)."""
+    return np.frexp(x)[1] - 1
+
+
 def lowest(found: Branches, load: Load) -> Array:
     """Radius at which the load is lowest: pull-off; NaN without a stable contact."""
     if not len(found.first):
@@ -72,38 +78,64 @@ def lowest(found: Branches, load: Load) -> Array:
 
 
 def stable_radius(
-    value: Array, found: Branches, load: Load, rate: Load, xi: float, E_star: Array, dgamma: Array
+    value: Array,
+    found: Branches,
+    load: Load,
+    rate: Load,
+    xi: float,
+    E_star: Array,
+    dgamma: Array,
+    corner: Array | None = None,
 ) -> Array:
-    """The largest radius of a stable contact under this load; NaN below pull-off."""
+    """The largest radius of a stable contact under this load; NaN below pull-off.
+
+    The load in excess of the least of a branch is nearly a power of t at both ends, with
+    t = (a - first)/first times last/(last - a) where the branch has an end.  A `corner` of the load divides a branch.
+    """
     value = np.atleast_1d(value)
-    low = high = np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan)
+    low, high, least = (np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan) for _ in range(3))
     slack = 4.0 * EPS
     for first, last in zip(found.first, found.last, strict=True):
-        least = load(first)
+        start = load(first)
         top = np.where(np.isfinite(last), load(last), np.inf)
-        fits = (value >= least - slack * np.abs(least)) & (value <= np.where(np.isnan(top), np.inf, top))
-        low, high = np.where(fits, first, low), np.where(fits, last, high)
-    start = low
-    a = np.where(np.isfinite(high), halfway(low, np.where(np.isnan(high), low, high)), 2.0 * low)
-    a = np.where(low == 0.0, halfway(low, high), a)
-    moved, done = np.full(a.shape, np.inf), np.isnan(start)
-    for _ in range(200):
-        gap = load(a) - value
-        low, high = np.where(gap < 0.0, a, low), np.where(gap > 0.0, a, high)
-        step = gap / growth(rate, a, xi, E_star, dgamma)
-        newton = a - step
-        use = (newton > low) & (newton < high) & (np.abs(step) < 0.75 * moved)
-        # the load is a difference, known to the rounding of its parts
-        rounding = EPS * (np.abs(value) + _scale(a, xi, E_star) * hess_retraction(a, E_star, dgamma))
-        done = done | (np.abs(gap) <= rounding) | ~(high - low > 4e-16 * a)
-        a_next = np.where(done, a, np.where(use, newton, halfway(low, high)))
-        moved = np.where(done, moved, np.abs(a_next - a))
-        a = a_next
-        done = done | (use & (moved <= 4e-16 * a))
-        if done.all():
-            break
-    a = np.where((value == np.inf) & (high == np.inf), np.inf, a)
-    return np.where(np.isnan(start), np.nan, a)
+        fits = (value >= start - slack * np.abs(start)) & (value <= np.where(np.isnan(top), np.inf, top))
+        low, high, least = (np.where(fits, new, old) for new, old in ((first, low), (last, high), (start, least)))
+    if corner is not None:
+        inside, bend = (low < corner) & ~(high <= corner), load(corner + np.zeros_like(low))
+        beyond = inside & (value > bend)
+        high = np.where(inside & ~beyond, corner, high)
+        low, least = np.where(beyond, corner, low), np.where(beyond, bend, least)
+    ends = np.isfinite(high)
+    share_of_last = np.where(ends, low / high, 0.0)
+    # the load is a difference, known to the rounding of its parts
+    parts = np.abs(value) + np.abs(least) + _scale(low, xi, E_star) * hess_retraction(low, E_star, dgamma)
+
+    def place(t: Array) -> Array:
+        return low * ((1.0 + t) / (1.0 + share_of_last * t))
+
+    def share(t: Array) -> Array:
+        return (place(t) - low) / place(t)
+
+    def excess(t: Array) -> tuple[Array, Array]:
+        a = place(t)
+        own = load(a) - least
+        lost = own <= EPS * parts
+        more = np.where(lost, EPS * parts, own)
+        step = low * t * (1.0 - share_of_last) / (1.0 + share_of_last * t) ** 2
+        slope = step * growth(rate, a, xi, E_star, dgamma) / more
+        # from a flat stretch, the step to a load far above would leave the range of doubles
+        slope = np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
+        return more, np.where(lost, 0.3, slope)
+
+    wanted = np.where(value < np.inf, np.maximum(value - least, 0.0), 0.0)
+    one = np.ones_like(low)
+    # next to a least that is no corner the excess is a square
+    scale = excess(one)[0]
+    start = np.minimum(one, np.sqrt(wanted / scale))
+    # without adhesion the least radius says nothing of the others
+    start = np.where(ends & (scale <= EPS * parts), 1.0 / share_of_last, start)
+    t = inverse(excess, wanted, start, (0.0, np.inf), share=share, smooth=True, noise=4.0 * EPS * parts)
+    return np.where((value == np.inf) & (high == np.inf), np.inf, place(t))
 
 
 def growth(rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:

@@ -21,8 +21,7 @@ SMALL, LARGE = 1e-30, 1e30
 """Plain numbers between these take the short way."""
 BLOCK = 16384
 """Some arrays of this many numbers stay in the cache of a core."""
-ZERO = np.array(0.0)
-"""A call with an array without dimensions costs half of one with a float."""
+INFINITE = np.array(np.inf).view(np.uint64)[()]
 _formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
@@ -82,17 +81,25 @@ def _evaluated(
         out.fill(np.nan)
         return out
     with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
-        compiled = None if found is None else _compiled(found, numbers, out.size)
-        for part, *blocks in _blocks(out, arrays):
-            if compiled is None or not compiled(part, *blocks):
-                rest, more = iter(numbers), iter(blocks)
-                given = [next(more) if is_array else next(rest) for is_array in several]
-                _by_body(function, count, keywords, given, part)
-            for block in blocks[: sum(several[:count])]:
-                inside = np.greater_equal(block, ZERO)
-                if np.count_nonzero(inside) != block.size:
-                    part[~inside] = np.nan
+        # without scratch a step costs less than its call
+        size = BLOCK if found is None or found.scratch else 4 * BLOCK
+        compiled = None if found is None else _compiled(found, numbers, min(out.size, size))
+        fields = sum(several[:count])
+        checked = len(arrays) if found is not None and found.positive else fields
+        for part, *blocks in _blocks(out, arrays, size):
+            ordinary = all([_ordinary(block) for block in blocks[:checked]])
+            if compiled is not None and ordinary and compiled(part, *blocks):
+                continue
+            rest, more = iter(numbers), iter(blocks)
+            _by_body(function, count, keywords, [next(more if is_array else rest) for is_array in several], part)
+            for block in blocks[:fields]:
+                part[~(block >= 0.0)] = np.nan
     return out
+
+
+def _ordinary(block: Array) -> bool:
+    """Whether all values are finite and no sign is set: as whole numbers the bits of doubles have their order."""
+    return bool(np.maximum.reduce(block.view(np.uint64)) < INFINITE)
 
 
 def _number(value: Array) -> float:
@@ -123,12 +130,15 @@ def _by_body(
 def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bool] | None:
     """The program with its numbers, which says whether a block stayed in the range of doubles; None if they do not."""
     try:
-        prepared = [np.asarray(value) for value in found.prepare(*numbers)]
+        results = found.prepare(*numbers)
     except FloatingPointError:
         return None
+    if found.positive and not all([0.0 < value < np.inf for value in results]):
+        return None
+    prepared = [np.asarray(value) for value in results]
     # allocated for every call: threads share nothing
-    size = min(size, BLOCK)
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
+    work += [np.full(size, value) for value in found.filled]
 
     def fill(out: Array, *arrays: Array) -> bool:
         places = work if out.size == size else [place[: out.size] for place in work]
@@ -141,15 +151,18 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
     return fill
 
 
-def _blocks(out: Array, arrays: list[Array]) -> Iterator[tuple[Array, ...]]:
+def _blocks(out: Array, arrays: list[Array], size: int) -> Iterator[tuple[Array, ...]]:
     """Parts of the result with the same parts of the arrays, one-dimensional."""
     if all(value.shape == out.shape and value.flags.c_contiguous for value in arrays):
+        if out.ndim == 1 and 0 < out.size <= size:
+            yield (out, *arrays)
+            return
         flat = [value.reshape(-1) for value in (out, *arrays)]
-        for first in range(0, out.size, BLOCK):
-            yield tuple(value[first : first + BLOCK] for value in flat)
+        for first in range(0, out.size, size):
+            yield tuple([value[first : first + size] for value in flat])
         return
     flags: list[Any] = [["writeonly"], *([["readonly"]] * len(arrays))]
-    with np.nditer([out, *arrays], ["external_loop", "buffered", "zerosize_ok"], flags, buffersize=BLOCK) as steps:
+    with np.nditer([out, *arrays], ["external_loop", "buffered", "zerosize_ok"], flags, buffersize=size) as steps:
         if out.size:
             yield from steps
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -10,10 +11,12 @@ from ._elementwise import Array
 from ._kernels import (
     ARCTAN_GAP,
     DAWSON,
+    GAMMA_RATIO,
     HANKEL_P_0,
     HANKEL_P_1,
     HANKEL_Q_0,
     HANKEL_Q_1,
+    ROOT_GAP,
     STRUVE_0,
     STRUVE_1,
     STRUVE_TAIL_0,
@@ -21,18 +24,8 @@ from ._kernels import (
     TANH_GAP,
 )
 
-# Gamma(x + 1/2)/Gamma(x) = sqrt(w) (1 + c_1/w**2 + c_2/w**4 + ...), w = x - 1/4 (Tricomi and Erdelyi 1951);
-# the coefficients follow from ratio(x) ratio(x + 1/2) = x
-_RATIO = (
-    1 / 64,
-    -19 / 8192,
-    631 / 524288,
-    -174317 / 134217728,
-    20491783 / 8589934592,
-    -7334801895 / 1099511627776,
-    1858590154455 / 70368744177664,
-)
-_STEPS = 12
+_NEAR = 0.42
+"""Where the kernel of `root_gap` ends; the root is 1.008 there."""
 
 
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
@@ -51,10 +44,24 @@ def arctan_gap(x: Array) -> Array:
     return np.where(x < 1.0, t * (t * t) * rational(t * t, *ARCTAN_GAP), x - np.arctan(x))
 
 
+def root_gap(x: Array, y: Array) -> Array:
+    """arctan_gap(sqrt(x**2 - y**2)/y) for x >= y, through their difference: next to x = y it is a cube of the root."""
+    q = (x - y) / y
+    near, root = np.minimum(q, _NEAR), np.sqrt((x - y) * (x + y)) / y
+    return np.where(q < _NEAR, near * np.sqrt(near) * rational(near, *ROOT_GAP), root - np.arctan(root))
+
+
 def tanh_gap(y: Array) -> Array:
     """y - tanh(y) for y >= 0."""
     t = np.minimum(y, 1.0)
     return np.where(y < 1.0, t * (t * t) * rational(t * t, *TANH_GAP), y - np.tanh(y))
+
+
+def sine_root(x: Array, R: Array, theta: Array) -> Array:
+    """sqrt(x**2 - (R*sin(theta))**2), and zero for x below; a sine close to 1 is rounded away from its angle."""
+    sine, cosine = R * np.sin(theta), R * np.cos(theta)
+    square = np.where(cosine < sine, cosine * cosine - (R - x) * (R + x), (x - sine) * (x + sine))
+    return np.sqrt(np.maximum(square, 0.0))
 
 
 def difference_of_products(w: Array, x: Array, y: Array, z: Array) -> Array:
@@ -95,22 +102,21 @@ def lower_power(x: Array, n: Array) -> Array:
 
 def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
-    angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
-    return a / r * rational(angle * angle, *kernel)
+    # the tangent of half the angle whose sine is a/r
+    tangent = a / (r + np.sqrt((r - a) * (r + a)))
+    return a / r * rational(tangent * tangent, *kernel)
 
 
 def gamma_ratio(x: Array) -> Array:
-    """Gamma(x + 1/2)/Gamma(x) for x > 0: shifted to x >= 12, then the asymptotic series."""
-    low, shifted, above, below = x < _STEPS, x, np.ones_like(x), np.ones_like(x)
-    for _ in range(_STEPS):
-        # the products of whole and half numbers are exact
-        above, below = np.where(low, above * shifted, above), np.where(low, below * (shifted + 0.5), below)
-        shifted = np.where(low, shifted + 1.0, shifted)
-    w = shifted - 0.25
-    series = np.zeros_like(w)
-    for coefficient in reversed(_RATIO):
-        series = (series + coefficient) / (w * w)
-    return above / below * np.sqrt(w) * (1.0 + series)
+    """Gamma(x + 1/2)/Gamma(x) for x > 0, from that at x + 2."""
+    w = x + 1.75
+    return x * (x + 1.0) / ((x + 0.5) * (x + 1.5)) * np.sqrt(w) * rational(1.0 / (w * w), *GAMMA_RATIO)
+
+
+def depth_over_height(j: int) -> float:
+    """sqrt(pi) Gamma(j/2 + 1)/Gamma(j/2 + 1/2) for j = 1, 2, ...: j!!/(j - 1)!!, for an odd j times pi/2."""
+    ratio = math.prod(range(j, 0, -2)) / math.prod(range(j - 1, 0, -2))
+    return ratio * (math.pi / 2.0) if j % 2 else ratio
 
 
 def dawson(x: Array) -> Array:

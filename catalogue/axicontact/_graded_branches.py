@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from ._adhesion import XI
 from ._branches import Branches, branches
 from ._elementwise import Array
@@ -31,6 +33,15 @@ def graded_branches(
         return a ** (k / 2.0) * rate(a, *geometry) * (XI[control] / stationary(control, k))
 
     return branches(weighted, radii, high, control, H, dgamma)
+
+
+def stress_at(unit: Array, H: Array, k: Array) -> tuple[Array, Array]:
+    """The exponent of the power of two near H L**k for L = 2**unit, and H in units of that stress and of L."""
+    mantissa, exponent = np.frexp(H)
+    # half of the digits of k make an exact product with a whole number
+    high = np.asarray(k, dtype=np.float32).astype(np.float64)
+    whole = np.rint(unit * high)
+    return exponent + whole.astype(np.int32), mantissa * np.exp2((unit * high - whole) + unit * (k - high))
 
 
 def growth_of(

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ._along import LEAST, Course, Courses, along, same
-from ._elementwise import BLOCK, Array
+from ._elementwise import Array
 from ._nodes import gauss_legendre
 
 Slope = Callable[..., Array]
@@ -32,6 +32,8 @@ Beyond the last length there are panels of it.
 """
 FEW = 512
 """Points for which the nodes of the longest interval cost less than calls by groups."""
+TERMS = 4096
+"""Values of an integrand at a time: larger arrays come and go as pages of the system, which costs more than they do."""
 WAVES = ((0.25, 8), (1.97, 16), (4.7, 24), (7.96, 32), (23.3, 64))
 """The same for exp(2 pi i u) and what grows no faster off the real axis: 1e-18 by the best ellipse."""
 
@@ -40,7 +42,7 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
     """Integral of `integrand` from 0 to `stop`, elementwise, with `count` nodes along a new first axis."""
     nodes, weights = (column.reshape(-1, *(1,) * np.ndim(stop)) for column in gauss_legendre(count))
     total = np.zeros_like(stop)
-    step = max(1, BLOCK // max(1, np.size(stop)))
+    step = max(1, TERMS // max(1, np.size(stop)))
     for first in range(0, count, step):
         part = slice(first, first + step)
         total = total + np.sum(weights[part] * integrand(nodes[part] * stop), axis=0)
@@ -87,26 +89,31 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
     `rule(slope, *lengths)` gives the integrand, the end of its interval, a factor, where it holds, and what else is.
     """
 
-    def applied(slope: Slope, width: Array, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Array:
-        integrand, stop, factor, holds, otherwise = rule(lambda *t: slope(*t, *parameters), *lengths)
-        return np.where(holds, factor * integral_in_strip(integrand, stop, width), otherwise)
+    def called(slope: Slope, parameters: tuple[Array, ...], lengths: tuple[Array, ...]) -> Strip:
+        return rule(lambda *t: slope(*t, *parameters), *lengths)
 
     @wraps(rule)
     def grouped(slope: Slope, parameters: tuple[Array, ...], *lengths: Array, width: Array | float = 1.0) -> Array:
-        stop = rule(slope, *lengths)[1]
+        strip = called(slope, parameters, lengths)
+        stop = strip[1]
         if not isinstance(stop, np.ndarray) or stop.size <= FEW:
-            return applied(slope, width, parameters, lengths)
+            return _over(strip, width)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
         if (group == group[0]).all():
-            return applied(slope, width, parameters, lengths)
+            return _over(strip, width)
         total = np.empty_like(stop)
         for number in np.unique(group):
             chosen = group == number
             some = (tuple(_part(x, chosen) for x in xs) for xs in (parameters, lengths))
-            total[chosen] = applied(slope, _part(width, chosen), *some)
+            total[chosen] = _over(called(slope, *some), _part(width, chosen))
         return total
 
     return grouped
+
+
+def _over(strip: Strip, width: Array | float) -> Array:
+    integrand, stop, factor, holds, otherwise = strip
+    return np.where(holds, factor * integral_in_strip(integrand, stop, width), otherwise)
 
 
 def _part(value: Array, chosen: Array) -> Array:
@@ -318,9 +325,8 @@ def force_integral(slope: Slope, a: Array, count: int) -> Array:
 
 
 @in_groups
-def force_integral_beyond(slope: Slope, a: Array, b: Array) -> Strip:
-    """Integral of t g'(t) from b to a; `slope` takes t and sqrt(t**2 - b**2)."""
-    reach = difference_root(a, b)
+def force_integral_beyond(slope: Slope, reach: Array, b: Array) -> Strip:
+    """Integral of t g'(t) from b to sqrt(b**2 + reach**2); `slope` takes t and sqrt(t**2 - b**2)."""
     stop = np.arcsinh(reach / b)
     fallen = falling(stop)
 

@@ -13,6 +13,8 @@ from ._elementwise import Array
 from ._integrals import integral, of_displacement
 
 NODES = 64
+FAR = 16.0
+"""Twice the nodes from here on: for exponents near 1 the interval grows with the logarithm of r/a."""
 STEEP = 6.0
 """Exponents from here on bend the pressure too much for a panel of `_along`."""
 _DECAY = 42.0
@@ -43,7 +45,9 @@ def _fallen_pressure(depth: Array, n: Array) -> Array:
         fall = np.where(steep, step * (2.0 * stop - step), step * step)
         return np.exp(-rate * fall) * _weight(np.where(steep, np.maximum(stop - step, 0.0), step))
 
-    return integral(integrand, np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut)), NODES)
+    reach = np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut))
+    longest = float(np.max(np.where(np.isfinite(reach), reach, 0.0), initial=0.0))
+    return integral(integrand, reach, NODES if longest < FAR else 2 * NODES)
 
 
 @at_many_radii(of_displacement)

@@ -447,24 +447,14 @@ def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, control: str) -> Ar
 
 
 def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+    found = _branches(A, E_star, dgamma, control="depth")
     return stable_radius(
-        d,
-        _branches(A, E_star, dgamma, control="depth"),
-        lambda a: _depth(a, A, E_star, dgamma),
-        lambda a: _rate(a, A),
-        XI["depth"],
-        E_star,
-        dgamma,
+        d, found, lambda a: _depth(a, A, E_star, dgamma), lambda a: _rate(a, A), XI["depth"], E_star, dgamma
     )
 
 
 def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+    found = _branches(A, E_star, dgamma, control="force")
     return stable_radius(
-        F,
-        _branches(A, E_star, dgamma, control="force"),
-        lambda a: _force(a, A, E_star, dgamma),
-        lambda a: _rate(a, A),
-        XI["force"],
-        E_star,
-        dgamma,
+        F, found, lambda a: _force(a, A, E_star, dgamma), lambda a: _rate(a, A), XI["force"], E_star, dgamma
     )

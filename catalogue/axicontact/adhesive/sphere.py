@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, lowest, radii_below, stable_radius
+from .._branches import Branches, branches, exponent_of, lowest, radii_below, stable_radius
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
 from ..normal import sphere as normal
@@ -440,30 +440,40 @@ def _branches(R: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(R)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
     found = _branches(R, E_star, dgamma, control)
     load = _force if control == "force" else _depth
-    return lowest(found, lambda a: load(a, R, E_star, dgamma))
+    radius = lowest(found, lambda a: load(a, R, E_star, dgamma))
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
-    return stable_radius(
-        d,
-        _branches(R, E_star, dgamma, control="depth"),
-        lambda a: _depth(a, R, E_star, dgamma),
-        lambda a: _rate(a, R),
-        XI["depth"],
-        E_star,
-        dgamma,
+    unit = exponent_of(R)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(R, E_star, dgamma, control="depth")
+    radius = stable_radius(
+        d, found, lambda a: _depth(a, R, E_star, dgamma), lambda a: _rate(a, R), XI["depth"], E_star, dgamma
     )
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
-    return stable_radius(
-        F,
-        _branches(R, E_star, dgamma, control="force"),
-        lambda a: _force(a, R, E_star, dgamma),
-        lambda a: _rate(a, R),
-        XI["force"],
-        E_star,
-        dgamma,
+    unit = exponent_of(R)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(R, E_star, dgamma, control="force")
+    radius = stable_radius(
+        F, found, lambda a: _force(a, R, E_star, dgamma), lambda a: _rate(a, R), XI["force"], E_star, dgamma
     )
+    return np.ldexp(radius, unit)

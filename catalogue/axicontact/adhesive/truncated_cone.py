@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, lowest, radii_beyond, stable_radius
+from .._branches import Branches, branches, exponent_of, lowest, radii_beyond, stable_radius
 from .._domain import numbers, require, require_reach
 from .._elementwise import Array, Result, elementwise
 from ..normal import truncated_cone as normal
@@ -460,30 +460,52 @@ def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
     found = _branches(theta, b, E_star, dgamma, control)
     load = _force if control == "force" else _depth
-    return lowest(found, lambda a: load(a, theta, b, E_star, dgamma))
+    radius = lowest(found, lambda a: load(a, theta, b, E_star, dgamma))
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
-    return stable_radius(
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(theta, b, E_star, dgamma, control="depth")
+    radius = stable_radius(
         d,
-        _branches(theta, b, E_star, dgamma, control="depth"),
+        found,
         lambda a: _depth(a, theta, b, E_star, dgamma),
         lambda a: _rate(a, theta, b),
         XI["depth"],
         E_star,
         dgamma,
     )
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
-    return stable_radius(
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(theta, b, E_star, dgamma, control="force")
+    radius = stable_radius(
         F,
-        _branches(theta, b, E_star, dgamma, control="force"),
+        found,
         lambda a: _force(a, theta, b, E_star, dgamma),
         lambda a: _rate(a, theta, b),
         XI["force"],
         E_star,
         dgamma,
     )
+    return np.ldexp(radius, unit)

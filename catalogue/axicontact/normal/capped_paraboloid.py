@@ -585,11 +585,19 @@ def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Arra
     return 2 * t / R1 + 2 * (R1 - R2) * root / (R1 * R2) + b**2 * (R1 - R2) / (R1 * R2 * root)
 
 
+def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+    return a * (a + (R1 - R2) * root / R2) / R1
+
+
 def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
     tip = a**2 / R1
     root = np.sqrt((a - b) * (a + b))
     beyond = a * (a + (R1 - R2) * root / R2) / R1
     return np.where(a < b, tip, beyond)
+
+
+def _force_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return 2 * E_star * (2 * a**3 + (2 * a**2 + b**2) * (R1 - R2) * root / R2) / (3 * R1)
 
 
 def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -639,7 +647,11 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
         value = _depth(a, R1, R2, b)
         return value, a * _slope_at(a, R1, R2, b) / value
 
-    return inverse_across(curve, d, b, (2.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _depth_beyond(a, root, R1, R2, b)
+        return value, root * root / a * _slope_beyond(a, root, R1, R2, b)
+
+    return inverse_across(curve, beyond, d, b, 2.0)
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -647,7 +659,11 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
         value = _force(a, R1, R2, b, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
 
-    return inverse_across(curve, F, b, (3.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _force_beyond(a, root, R1, R2, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R1, R2, b)
+
+    return inverse_across(curve, beyond, F, b, 3.0)
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

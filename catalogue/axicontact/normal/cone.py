@@ -527,7 +527,7 @@ def _force(a: Array, theta: Array, E_star: Array) -> Array:
 
 def _pressure(r: Array, a: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
-    return np.where(r < a, E_star * np.tan(theta) * np.arcsinh(root / r) / 2, 0.0)
+    return np.where(r < a, E_star * np.tan(theta) * np.log1p((a - r + root) / r) / 2, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array) -> Array:

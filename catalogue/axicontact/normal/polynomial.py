@@ -12,7 +12,7 @@ import numpy as np
 
 from .._domain import require, require_coefficients
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio
+from .._functions import depth_over_height
 from .._inverse import inverse
 from .._powers import power_displacement, power_pressure
 
@@ -511,28 +511,26 @@ def _profile(r: Array, A: tuple[float, ...]) -> Array:
 
 def _slope(a: Array, A: tuple[float, ...]) -> Array:
     """Rate g'(a) of the indentation depth."""
-    return np.sqrt(np.pi) * sum(a ** (j - 1) * A_j * j * gamma_ratio(j / 2 + 1 / 2) for j, A_j in enumerate(A, 1))
+    return sum(a ** (j - 1) * A_j * j * depth_over_height(j) for j, A_j in enumerate(A, 1))
 
 
 def _depth(a: Array, A: tuple[float, ...]) -> Array:
-    return np.sqrt(np.pi) * sum(a**j * A_j * gamma_ratio(j / 2 + 1 / 2) for j, A_j in enumerate(A, 1))
+    return sum(a**j * A_j * depth_over_height(j) for j, A_j in enumerate(A, 1))
 
 
 def _force(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (a ** (j + 1) * A_j * j * gamma_ratio(j / 2 + 1 / 2) / (j + 1) for j, A_j in enumerate(A, 1))
-    return 2 * np.sqrt(np.pi) * E_star * sum(terms)
+    terms = (a ** (j + 1) * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
+    return 2 * E_star * sum(terms)
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (
-        2 * a ** (j - 1) * A_j * j * gamma_ratio(j / 2 + 1 / 2) * power_pressure(r, a, j) for j, A_j in enumerate(A, 1)
-    )
-    return np.where(r < a, E_star * sum(terms) / (2 * np.sqrt(np.pi)), 0.0)
+    terms = (a ** (j - 1) * A_j * j * depth_over_height(j) * power_pressure(r, a, j) for j, A_j in enumerate(A, 1))
+    return np.where(r < a, E_star * sum(terms) / np.pi, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...]) -> Array:
-    terms = (2 * a**j * A_j * gamma_ratio(j / 2 + 1 / 2) * power_displacement(r, a, j) for j, A_j in enumerate(A, 1))
-    outside = sum(terms) / np.sqrt(np.pi)
+    terms = (a**j * A_j * depth_over_height(j) * power_displacement(r, a, j) for j, A_j in enumerate(A, 1))
+    outside = 2 * sum(terms) / np.pi
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
 
@@ -542,8 +540,8 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (a ** (j - 1) * A_j * j * gamma_ratio(j / 2 + 1 / 2) / (j + 1) for j, A_j in enumerate(A, 1))
-    return 2 * E_star * sum(terms) / np.sqrt(np.pi)
+    terms = (a ** (j - 1) * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
+    return 2 * E_star * sum(terms) / np.pi
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:

@@ -13,7 +13,7 @@ from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import inverse
+from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 from .._numbers import with_math
 
@@ -563,12 +563,22 @@ def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
     return np.tan(theta) * (angle + 2 * b / (root + t))
 
 
+def _depth_beyond(a: Array, root: Array, theta: Array, b: Array) -> Array:
+    angle = np.arctan2(root, b)
+    return a * np.tan(theta) * (angle + b / (root + a))
+
+
 def _depth(a: Array, theta: Array, b: Array) -> Array:
     tip = a**2 * np.tan(theta) / b
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan2(root, b)
     beyond = a * np.tan(theta) * (angle + b / (root + a))
     return np.where(a < b, tip, beyond)
+
+
+def _force_beyond(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    angle = np.arctan2(root, b)
+    return E_star * np.tan(theta) * (a**2 * angle + 4 * a**2 * b / (3 * (root + a)) + b * root / 3)
 
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -619,7 +629,11 @@ def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
         value = _depth(a, theta, b)
         return value, a * _slope_at(a, theta, b) / value
 
-    return inverse(curve, d, np.full_like(d, b), (1.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _depth_beyond(a, root, theta, b)
+        return value, root * root / a * _slope_beyond(a, root, theta, b)
+
+    return inverse_across(curve, beyond, d, b, 2.0)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -627,7 +641,11 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
         value = _force(a, theta, b, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, theta, b) / value
 
-    return inverse(curve, F, np.full_like(F, b), (2.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _force_beyond(a, root, theta, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b)
+
+    return inverse_across(curve, beyond, F, b, 3.0)
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import arctan_gap, beside
+from .._functions import arctan_gap, beside, root_gap
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
@@ -578,17 +578,25 @@ def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Arra
     return 2 * t / R1 + root / R2 + b * arctan_gap(root / b) / R2
 
 
+def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+    return a * (a / R1 + b * arctan_gap(root / b) / R2)
+
+
 def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
     tip = a**2 / R1
-    root = np.sqrt((a - b) * (a + b))
-    beyond = a * (a / R1 + b * arctan_gap(root / b) / R2)
+    beyond = a * (a / R1 + b * root_gap(a, b) / R2)
     return np.where(a < b, tip, beyond)
+
+
+def _force_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    return E_star * (4 * a**3 / (3 * R1) + root**3 / (3 * R2) + a**2 * b * arctan_gap(root / b) / R2)
 
 
 def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     tip = 4 * E_star * a**3 / (3 * R1)
     root = np.sqrt((a - b) * (a + b))
-    beyond = E_star * (4 * a**3 / (3 * R1) + root**3 / (3 * R2) + a**2 * b * arctan_gap(root / b) / R2)
+    plus = 4 * a**3 / (3 * R1) + a**2 * b * root_gap(a, b) / R2 + (a - b) * (a + b) * root / (3 * R2)
+    beyond = E_star * plus
     return np.where(a < b, tip, beyond)
 
 
@@ -616,7 +624,8 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     tip = 4 * E_star * a / (3 * np.pi * R1)
     root = np.sqrt((a - b) * (a + b))
-    beyond = E_star * (4 * a / (3 * R1) + root**3 / (3 * a**2 * R2) + b * arctan_gap(root / b) / R2) / np.pi
+    plus = 4 * a / (3 * R1) + b * root_gap(a, b) / R2 + (a - b) * (a + b) * root / (3 * a**2 * R2)
+    beyond = E_star * plus / np.pi
     return np.where(a < b, tip, beyond)
 
 
@@ -631,7 +640,11 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
         value = _depth(a, R1, R2, b)
         return value, a * _slope_at(a, R1, R2, b) / value
 
-    return inverse_across(curve, d, b, (2.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _depth_beyond(a, root, R1, R2, b)
+        return value, root * root / a * _slope_beyond(a, root, R1, R2, b)
+
+    return inverse_across(curve, beyond, d, b, 2.0)
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -639,7 +652,11 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
         value = _force(a, R1, R2, b, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
 
-    return inverse_across(curve, F, b, (3.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _force_beyond(a, root, R1, R2, b, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R1, R2, b)
+
+    return inverse_across(curve, beyond, F, b, 3.0)
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
-from .._functions import arctan_gap
+from .._functions import arctan_gap, root_gap
 from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import between, inverse
 from .._numbers import with_math
@@ -562,8 +562,7 @@ def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
 
 
 def _depth(a: Array, R: Array, b: Array) -> Array:
-    root = np.sqrt((a - b) * (a + b))
-    return _depth_at(a, root, R, b)
+    return a * b * root_gap(a, b) / R
 
 
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -572,7 +571,7 @@ def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array
 
 def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return _force_at(a, root, R, b, E_star)
+    return E_star * (a**2 * b * root_gap(a, b) + (a - b) * (a + b) * root / 3) / R
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -594,7 +593,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return E_star * (root**3 / (3 * a**2) + b * arctan_gap(root / b)) / (np.pi * R)
+    return E_star * (b * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2)) / (np.pi * R)
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:

@@ -12,14 +12,14 @@ import numpy as np
 from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import tanh_gap
+from .._functions import sine_root, tanh_gap
 from .._integrals import (
     displacement_integral_beyond,
     displacement_integral_tanh,
     force_integral_beyond,
     pressure_integral_beyond,
 )
-from .._inverse import inverse
+from .._inverse import inverse_across
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -575,13 +575,21 @@ def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
     return logarithm + b * angle / root_Rb + b**2 * R / (t * root_Rb**2 + R * root * root_Rb)
 
 
+def _depth_beyond(a: Array, root: Array, R: Array, theta: Array) -> Array:
+    b = R * np.sin(theta)
+    root_Rb = R * np.cos(theta)
+    angle = np.arctan2(root, b)
+    logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
+    return a * (logarithm + b * angle / root_Rb)
+
+
 def _depth(a: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     root = np.sqrt((R - a) * (a + R))
     angle = np.arcsinh(a / root)
     tip = a * angle
     root_Rb = R * np.cos(theta)
-    root = np.sqrt((a - b) * (a + b))
+    root = sine_root(a, R, theta)
     angle = np.arctan2(root, b)
     logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
     beyond = a * (logarithm + b * angle / root_Rb)
@@ -591,10 +599,11 @@ def _depth(a: Array, R: Array, theta: Array) -> Array:
 def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    root = np.sqrt((R - inner) * (inner + R))
+    root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
     angle = np.arcsinh(inner / root)
     tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
-    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), a, b, width=1.0 - 2.0 * theta / np.pi)
+    reach = sine_root(a, R, theta)
+    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
 
 
@@ -602,7 +611,7 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Arra
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
     root_Rr = np.sqrt((R - r) * (r + R))
-    root = np.sqrt((R - inner) * (inner + R))
+    root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
     root_ar = np.sqrt((inner - r) * (inner + r))
     within = E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R)) / np.pi
     tip = np.where(r < inner, within, 0.0)
@@ -636,19 +645,29 @@ def _slope_at(a: Array, R: Array, theta: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
+    b = R * np.sin(theta)
     def curve(a: Array) -> tuple[Array, Array]:
         value = _depth(a, R, theta)
         return value, a * _slope_at(a, R, theta) / value
 
-    return inverse(curve, d, np.full_like(d, R * np.sin(theta)), (1.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _depth_beyond(a, root, R, theta)
+        return value, root * root / a * _slope_beyond(a, root, R, theta)
+
+    return inverse_across(curve, beyond, d, b, 2.0, R)
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, R, theta, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
 
-    return inverse(curve, F, np.full_like(F, R * np.sin(theta)), (2.0, np.inf))
+    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
+        value = _force(a, R, theta, E_star)
+        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, theta)
+
+    return inverse_across(curve, beyond, F, b, 3.0, R)
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:

@@ -334,7 +334,7 @@ def _slope(x: Array, P: Array, a: Array, h: Array, E_star: Array) -> Array:
 
 def _depth(L: Array, P: Array, a: Array, h: Array, E_star: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
-    strip = 2 * P * np.arcsinh(root / a) / (np.pi * E_star)
+    strip = 2 * P * np.log1p((L - a + root) / a) / (np.pi * E_star)
     conjugate = root + L
     face = h * L / conjugate
     value = strip - face

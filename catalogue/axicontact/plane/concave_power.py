@@ -374,7 +374,7 @@ def _slope(x: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -> A
 
 def _depth(L: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
-    strip = 2 * P * np.arcsinh(root / a) / (np.pi * E_star)
+    strip = 2 * P * np.log1p((L - a + root) / a) / (np.pi * E_star)
     kappa = gamma_ratio((n + 1) / 2)
     face = h * L * power_strips(L, a, n) / (np.sqrt(np.pi) * kappa)
     value = strip - face

@@ -335,7 +335,7 @@ def _slope(x: Array, P: Array, a: Array, h: Array, E_star: Array) -> Array:
 
 def _depth(L: Array, P: Array, a: Array, h: Array, E_star: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
-    strip = 2 * P * np.arcsinh(root / a) / (np.pi * E_star)
+    strip = 2 * P * np.log1p((L - a + root) / a) / (np.pi * E_star)
     conjugate = a**2 * root + 2 * L**3 + 2 * L**2 * root
     face = h * L * (a**2 + 3 * L**2) / (2 * conjugate)
     value = strip - face

@@ -217,5 +217,5 @@ def _slope(x: Array, P: Array, a: Array, E_star: Array) -> Array:
 
 def _depth(L: Array, P: Array, a: Array, E_star: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
-    value = 2 * P * np.arcsinh(root / a) / (np.pi * E_star)
+    value = 2 * P * np.log1p((L - a + root) / a) / (np.pi * E_star)
     return np.where(a <= L, value, np.nan)

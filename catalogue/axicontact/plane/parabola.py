@@ -311,7 +311,7 @@ def _slope(x: Array, a: Array, R: Array) -> Array:
 
 def _depth(L: Array, a: Array, R: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
-    value = a**2 * (np.arcsinh(root / a) + L / (root + L)) / (2 * R)
+    value = a**2 * (L / (root + L) + np.log1p((L - a + root) / a)) / (2 * R)
     value = np.where(a > 0.0, value, 0.0)
     return np.where(a <= L, value, np.nan)
 

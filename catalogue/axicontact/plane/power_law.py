@@ -310,7 +310,7 @@ def _slope(x: Array, a: Array, A: Array, n: Array) -> Array:
 def _depth(L: Array, a: Array, A: Array, n: Array) -> Array:
     kappa = gamma_ratio((n + 1) / 2)
     root = np.sqrt((L - a) * (a + L))
-    value = A * a**n * (n * np.arcsinh(root / a) + L * power_strips(L, a, n)) / (np.sqrt(np.pi) * kappa)
+    value = A * a**n * (L * power_strips(L, a, n) + n * np.log1p((L - a + root) / a)) / (np.sqrt(np.pi) * kappa)
     value = np.where(a > 0.0, value, 0.0)
     return np.where(a <= L, value, np.nan)
 

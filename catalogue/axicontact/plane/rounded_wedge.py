@@ -363,7 +363,7 @@ def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
 def _depth(L: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((L - inner) * (inner + L))
-    tip = inner**2 * np.tan(theta) * (np.arcsinh(root / inner) + L / (root + L)) / (2 * b)
+    tip = inner**2 * np.tan(theta) * (L / (root + L) + np.log1p((L - inner + root) / inner)) / (2 * b)
     beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, theta, b), L, a, b)
     value = tip + 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, theta, b))

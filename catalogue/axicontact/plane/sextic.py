@@ -314,8 +314,7 @@ def _depth(L: Array, a: Array, A: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
     conjugate = 8 * L**5 + (3 * a**4 + 8 * L**4 + 4 * a**2 * L**2) * root
     plus = 15 * np.arcsinh(root / a) + L * (9 * a**4 + 40 * L**4 + 15 * a**2 * L**2) / conjugate
-    minus = 0
-    value = A * a**6 * (plus - minus) / 8
+    value = A * a**6 * plus / 8
     value = np.where(a > 0.0, value, 0.0)
     return np.where(a <= L, value, np.nan)
 

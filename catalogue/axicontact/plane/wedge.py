@@ -300,7 +300,7 @@ def _load(a: Array, theta: Array, E_star: Array) -> Array:
 
 def _pressure(x: Array, a: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((a - x) * (a + x))
-    value = E_star * np.tan(theta) * np.arcsinh(root / x) / np.pi
+    value = E_star * np.tan(theta) * np.log1p((a - x + root) / x) / np.pi
     return np.where(x < a, value, 0.0)
 
 
@@ -314,7 +314,7 @@ def _slope(x: Array, a: Array, theta: Array) -> Array:
 def _depth(L: Array, a: Array, theta: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
     angle = np.arctan2(a, root)
-    value = 2 * np.tan(theta) * (a * np.arcsinh(root / a) + L * angle) / np.pi
+    value = 2 * np.tan(theta) * (L * angle + a * np.log1p((L - a + root) / a)) / np.pi
     value = np.where(a > 0.0, value, 0.0)
     return np.where(a <= L, value, np.nan)
 

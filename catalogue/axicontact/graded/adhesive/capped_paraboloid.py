@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, lowest, radii_around, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_around, stable_radius
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of
+from ..._graded_branches import graded_branches, growth_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
 from ..normal import capped_paraboloid as normal
 
@@ -510,18 +510,41 @@ def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array,
 
 
 def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
     found = _branches(R1, R2, b, H, k, dgamma, control)
     load = _force if control == "force" else _depth
-    return lowest(found, lambda a: load(a, R1, R2, b, H, k, dgamma))
+    radius = lowest(found, lambda a: load(a, R1, R2, b, H, k, dgamma))
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
     found = _branches(R1, R2, b, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="depth")
-    return stable_radius(d, found, lambda a: _depth(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0)
+    radius = stable_radius(d, found, lambda a: _depth(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0, corner=b)
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R1, R2, b, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="force")
-    return stable_radius(F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0)
+    radius = stable_radius(F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0, corner=b)
+    return np.ldexp(radius, unit)

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, lowest, radii_around, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_around, stable_radius
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of
+from ..._graded_branches import graded_branches, growth_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
 from ..normal import sphere_tipped_cone as normal
 
@@ -487,18 +487,39 @@ def _branches(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control
 
 
 def _pull_off_radius(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(R * np.sin(theta))
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
     found = _branches(R, theta, H, k, dgamma, control)
     load = _force if control == "force" else _depth
-    return lowest(found, lambda a: load(a, R, theta, H, k, dgamma))
+    radius = lowest(found, lambda a: load(a, R, theta, H, k, dgamma))
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    unit = exponent_of(R * np.sin(theta))
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
     found = _branches(R, theta, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R, theta, k), H, k, dgamma, control="depth")
-    return stable_radius(d, found, lambda a: _depth(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0)
+    radius = stable_radius(
+        d, found, lambda a: _depth(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0, corner=R * np.sin(theta)
+    )
+    return np.ldexp(radius, unit)
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    unit = exponent_of(R * np.sin(theta))
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, theta, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R, theta, k), H, k, dgamma, control="force")
-    return stable_radius(F, found, lambda a: _force(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0)
+    radius = stable_radius(
+        F, found, lambda a: _force(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0, corner=R * np.sin(theta)
+    )
+    return np.ldexp(radius, unit)

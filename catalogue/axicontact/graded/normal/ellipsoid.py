@@ -606,11 +606,11 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, k: Array) -> Array:
-    return radius_below(_depth_at, _rate_at, d, b, (h, b, k))
+    return radius_below(_depth_at, _rate_at, d, b, (h, b, k), 2.0, k)
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_below(_force_at, _force_rate_at, F, b, (h, b, H, k))
+    return radius_below(_force_at, _force_rate_at, F, b, (h, b, H, k), 3.0 + k, k)
 
 
 def _force_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array) -> Array:

@@ -13,7 +13,7 @@ from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_displacement import gaussian_sag, punch_share
 from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
-from ..._graded_inverse import gaussian_reach, radius_to
+from ..._graded_inverse import gaussian_reach, radius_up_to
 from ..._graded_pressure import gaussian_pressure
 from ..._graded_punch import punch_stiffness
 from ...normal import gaussian as normal
@@ -594,15 +594,11 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, k: Array) -> Array:
-    largest = gaussian_reach(s, k)
-    found = radius_to(_depth, _rate, d, 1e-3 * s, (h, s, k), largest)
-    return np.where(_depth(largest, h, s, k) >= d, found, np.nan)
+    return radius_up_to(_depth, _rate, d, gaussian_reach(s, k), (h, s, k))
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    largest = gaussian_reach(s, k)
-    found = radius_to(_force, _force_rate, F, 1e-3 * s, (h, s, H, k), largest)
-    return np.where(_force(largest, h, s, H, k) >= F, found, np.nan)
+    return radius_up_to(_force, _force_rate, F, gaussian_reach(s, k), (h, s, H, k))
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array) -> Array:

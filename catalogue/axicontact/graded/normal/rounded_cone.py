@@ -13,7 +13,7 @@ from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounded_depth, rounded_force, rounded_rate
 from ..._graded_displacement import punch_share, rounded_sag
-from ..._graded_inverse import radius_to
+from ..._graded_inverse import radius_across
 from ..._graded_pressure import rounded_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -589,9 +589,9 @@ def _force(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
     return _force_at(a, difference_root(a, b), theta, b, H, k)
 
 
-def _force_rate(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
+def _force_rate_at(a: Array, root: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
     """Derivative of the force."""
-    return punch_stiffness(a, H, k) * _rate(a, theta, b, k)
+    return punch_stiffness(a, H, k) * _rate_at(a, root, theta, b, k)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:
@@ -615,11 +615,11 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
-    return radius_to(_depth, _rate, d, 1.5 * b, (theta, b, k))
+    return radius_across(_depth_at, _rate_at, d, b, (theta, b, k), 2.0)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_to(_force, _force_rate, F, 1.5 * b, (theta, b, H, k))
+    return radius_across(_force_at, _force_rate_at, F, b, (theta, b, H, k), 3.0 + k)
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:

@@ -14,7 +14,7 @@ from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
 from ..._graded_displacement import power_sag, punch_share, rounding_sag
 from ..._graded_growth import power_depth, power_force, power_rate
-from ..._graded_inverse import radius_to
+from ..._graded_inverse import radius_across
 from ..._graded_pressure import power_pressure, rounding_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -616,9 +616,9 @@ def _force(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Arra
     return _force_at(a, difference_root(a, b), R1, R2, b, H, k)
 
 
-def _force_rate(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
+def _force_rate_at(a: Array, root: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
     """Derivative of the force."""
-    return punch_stiffness(a, H, k) * _rate(a, R1, R2, b, k)
+    return punch_stiffness(a, H, k) * _rate_at(a, root, R1, R2, b, k)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:
@@ -642,11 +642,11 @@ def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, k: Array) 
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    return radius_to(_depth, _rate, d, 1.5 * b, (R1, R2, b, k))
+    return radius_across(_depth_at, _rate_at, d, b, (R1, R2, b, k), 2.0)
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_to(_force, _force_rate, F, 1.5 * b, (R1, R2, b, H, k))
+    return radius_across(_force_at, _force_rate_at, F, b, (R1, R2, b, H, k), 3.0 + k)
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:

@@ -619,11 +619,11 @@ def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
-    return radius_beyond(_depth_at, _rate_at, d, b, (R, b, k))
+    return radius_beyond(_depth_at, _rate_at, d, b, (R, b, k), (3.0 + k, 2.0))
 
 
 def _radius_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k))
+    return radius_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (3.0 + k, 3.0 + k))
 
 
 def _force_from_depth(d: Array, R: Array, b: Array, H: Array, k: Array) -> Array:

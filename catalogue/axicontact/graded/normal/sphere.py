@@ -589,11 +589,11 @@ def _displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, R: Array, k: Array) -> Array:
-    return radius_below(_depth_at, _rate_at, d, R, (R, k))
+    return radius_below(_depth_at, _rate_at, d, R, (R, k), 2.0, k)
 
 
 def _radius_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
-    return radius_below(_force_at, _force_rate_at, F, R, (R, H, k))
+    return radius_below(_force_at, _force_rate_at, F, R, (R, H, k), 3.0 + k, k)
 
 
 def _force_from_depth(d: Array, R: Array, H: Array, k: Array) -> Array:

@@ -13,7 +13,7 @@ from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
 from ..._graded_displacement import punch_share, tipped_sag
-from ..._graded_inverse import radius_to
+from ..._graded_inverse import radius_across
 from ..._graded_pressure import tipped_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -599,9 +599,9 @@ def _force(a: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
     return _force_at(a, difference_root(a, b), R, theta, H, k)
 
 
-def _force_rate(a: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
+def _force_rate_at(a: Array, root: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
     """Derivative of the force."""
-    return punch_stiffness(a, H, k) * _rate(a, R, theta, k)
+    return punch_stiffness(a, H, k) * _rate_at(a, root, R, theta, k)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:
@@ -628,12 +628,12 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, k: Array) -> Array
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, k: Array) -> Array:
     b = R * np.sin(theta)
-    return radius_to(_depth, _rate, d, 1.5 * b, (R, theta, k))
+    return radius_across(_depth_at, _rate_at, d, b, (R, theta, k), 2.0, end=R)
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
     b = R * np.sin(theta)
-    return radius_to(_force, _force_rate, F, 1.5 * b, (R, theta, H, k))
+    return radius_across(_force_at, _force_rate_at, F, b, (R, theta, H, k), 3.0 + k, end=R)
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:

@@ -624,11 +624,11 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
-    return radius_beyond(_depth_at, _rate_at, d, b, (theta, b, k))
+    return radius_beyond(_depth_at, _rate_at, d, b, (theta, b, k), (1.0 + k, 1.0))
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_beyond(_force_at, _force_rate_at, F, b, (theta, b, H, k))
+    return radius_beyond(_force_at, _force_rate_at, F, b, (theta, b, H, k), (1.0 + k, 2.0 + k))
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
