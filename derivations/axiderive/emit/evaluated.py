@@ -117,7 +117,6 @@ def _spelled(expr: sp.Expr) -> sp.Expr:
 GAPS = {
     opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda x: x - sp.tanh(x),
     opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
-    opaque.Arcosh: lambda x, y, root: sp.log(1 + (x - y + root) / y),
 }  # fmt: skip
 """Functions that keep the digits of a difference, as that difference."""
 ANGLES, ROOTS = (r"\psi", r"\chi"), (r"\ell", "y")
@@ -141,6 +140,14 @@ def printed(left: str, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list
             shown = {own: expr.subs(name, _plain(definition)) for own, expr in shown.items()}
     for gap, difference in GAPS.items():
         value = value.replace(gap, difference)
+
+    def opened(x: sp.Expr, y: sp.Expr, root: sp.Expr) -> sp.Expr:
+        whole = sp.Symbol(f"{x}-{y}", positive=True)
+        names[whole] = f"({Printer(chain)(x - y)})"
+        return sp.log(1 + (whole + root) / y)
+
+    # x - y in brackets: in the order x + root - y it would lose digits
+    value = value.replace(opaque.Arcosh, opened)
     short = with_kappa(_tidied(_spelled(value)))
     texts |= {name: Printer(chain, names)(expr) for name, expr in shown.items()}
     defined = [f"{names[name]}={texts[name]}" for name in (*shown, *texts) if names[name] != texts[name]]
