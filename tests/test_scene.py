@@ -43,8 +43,8 @@ def test_the_folder_holds_module_test_page_evidence_scene_and_manifest(needle):
 
 def test_the_module_is_short_and_needs_numpy_alone(needle):
     source = (needle / "needle_on_gel.py").read_text()
-    assert len(source.splitlines()) <= 104
-    assert len([line for line in source.splitlines() if line.strip()]) <= 79
+    assert len(source.splitlines()) <= 105
+    assert len([line for line in source.splitlines() if line.strip()]) <= 80
     tree = ast.parse(source)
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     imported |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}

@@ -58,9 +58,9 @@ def test_frozen_values_are_folded_in_and_fields_have_two_sides():
     ("right", "wrong"),
     [
         ("return E_star * a * np.tan(theta)", "return E_star * a * np.sin(theta)"),
-        ("np.arcsinh(root / x)", "np.arcsinh(root / a)"),
+        ("np.log1p((a - x + root) / x)", "np.log1p((a - x + root) / a)"),
         ("value, -_profile_slope(", "value, _profile_slope("),
-        ("a * np.arcsinh(root / a)", "a * np.arcsinh(root / L)"),
+        ("a * np.log1p((L - a + root) / a)", "a * np.log1p((L - a + root) / L)"),
     ],
 )
 def test_a_wrong_rule_does_not_pass(right, wrong, monkeypatch):

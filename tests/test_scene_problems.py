@@ -70,7 +70,10 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", tau = "3 mm" }', "must be a time"),
         ('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell", eta = 1 }', "unknown key 'eta'"),
         ('profile = "cone"\n[medium]\nE_star = 1\n[physics]\nviscoelastic = { model = "maxwell" }', "leave [medium]"),
-        ('profile = "r**2"\n[physics]\nviscoelastic = { model = "maxwell" }', "profiles of the catalogue"),
+        (
+            'profile = "r**2"\n[medium]\nkind = "power_law"\n[physics]\nviscoelastic = { model = "maxwell" }',
+            "viscoelastic on a graded half space is not derived",
+        ),
         (
             'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',
             "unknown quantity 'ramp_force'",

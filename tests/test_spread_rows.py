@@ -143,7 +143,11 @@ def test_only_one_power_of_the_radius_has_a_universal_curve() -> None:
 def test_further_rows_stand_in_their_blocks() -> None:
     derived = {key: stored(key) for key in ("power_law", "power_law.adh")}
     found = blocks("power_law", derived, {}, {"power_law": evidence("power_law")})
-    assert [len(line) for line in found["normal"].further] == [2, 2, 2]
+    labels = [[re.sub(r"\\hyperref\[.*?\]|[{}]", "", row["label"]) for row in line] for line in found["normal"].further]
+    assert labels == [
+        ["Evaluated as"], ["Evaluated as"], ["Edge", "Far field"], ["Axis"], ["Cone", "Paraboloid"],
+        ["Quartic profile", "Sextic profile"],
+    ]  # fmt: skip
     assert len(found["adhesive"].further) == 1
     assert found["tangential"].further == []
 
@@ -193,7 +197,9 @@ def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None
     entries = stored("plane.eccentric_punch")
     pressure, tilt = axes_of(entries["p"].profile, entries)
     assert [curve.label for curve in pressure.curves] == ["0", "0.25", "0.5", "0.75"]
-    assert dict(_points(pressure.curves[0]))[0.0] == pytest.approx(2 / math.pi, rel=1e-4)
+    x, middle = min(_points(pressure.curves[0]), key=lambda point: abs(point[0]))
+    assert abs(x) < 0.1
+    assert middle == pytest.approx(2 / math.pi / math.sqrt(1 - x * x), rel=1e-4)
     lifted = _points(pressure.curves[-1])
     assert all(y == 0 for x, y in lifted if x < 0)  # zero beyond 4 e - 3 a = 0
     slope = [y / x for x, y in _points(tilt.curves[0]) if 0 < x < 0.5]

@@ -176,7 +176,7 @@ def _sunk_profile() -> Said:
     want = 2 / modulus * integral
     env = {"p_0": pressure, "a": radius, "E*": modulus, "s": power, "x": x}
     return Said(
-        r"w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\frac12,s+1)\,(1-x^2/a^2)^{s+1/2}",
+        r"w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}",
         _equal(want, env | {"w_1D": want}),
     )
 
