@@ -198,6 +198,7 @@ RULES: dict[Any, Callable[..., Any]] = {
     np.cosh: _cosh,
     np.tanh: _odd(np.tanh),
     np.arctan: _odd(np.arctan),
+    np.arctanh: _odd(np.arctanh),
     np.arcsinh: _odd(np.arcsinh, lambda x: _log(_multiply(x, Extended(2.0)))),
     np.arctan2: _arctan2,
     np.minimum: _least,

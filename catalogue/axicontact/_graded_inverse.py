@@ -51,6 +51,8 @@ def radius_beyond(
     """
     first, last = exponents
     value = value + np.zeros(1)
+    # its power stays a normal number: below the range of doubles everything would be done in longer numbers
+    least = LEAST ** (1.0 / np.maximum(first, 1.0))
 
     def like(t: Array) -> tuple[Array, Array]:
         square = t * t
@@ -58,8 +60,8 @@ def radius_beyond(
         return t**first * (1.0 + square) ** ((last - first) / 2.0), first + (last - first) * share
 
     def place(x: Array) -> Array:
-        x = np.maximum(x, like(LEAST)[0])
-        start = np.where(x < 1.0, np.maximum(x ** (1.0 / first), LEAST), x ** (1.0 / last))
+        x = np.maximum(x, like(least)[0])
+        start = np.where(x < 1.0, np.maximum(x ** (1.0 / first), least), x ** (1.0 / last))
         ends, noise = (np.minimum(first, last), np.maximum(first, last)), 4.0 * ROUNDING * x
         return inverse(like, x, start, ends, smooth=True, noise=noise)
 

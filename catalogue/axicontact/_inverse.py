@@ -48,7 +48,8 @@ def inverse(
         left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
         if share is not None:
             left = left & ~(np.abs(error) * share(t) <= 4.0 * ROUNDING * slope)
-        if not np.any(left):
+        # not np.any, which `_trace` takes for a question about a rare branch
+        if not np.count_nonzero(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)
         high = np.where(error < 0.0, np.minimum(high, position), high)
