@@ -61,6 +61,7 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         "place": numbers.place("p").name,
         "where": ", ".join(f"${text}$" for text in where),
         "heads": heads,
+        "columns": ((r"p/\bar p", "p"), ("w/d", "d" if force == "P" else "w")),
         "rows": list(zip(inside, outside, strict=True)),
     }
 

@@ -14,6 +14,7 @@ from . import blocks, front, matrix, page, references
 from . import evidence as proven
 from .curves import curves
 from .given import axes_of
+from .given_values import given_table
 from .graded.frames import frames
 from .panel import panel
 from .plots import plots
@@ -112,7 +113,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
-        texts["worked"] = worked_given(profile, main)
+        texts |= {"worked": worked_given(profile, main), "checks": given_table(profile, main)}
         if isinstance(profile, Load):
             return texts | {"load_picture": load_sketch(profile, main)}
         return texts | {"tilted_picture": tilted_sketch(profile, main)}

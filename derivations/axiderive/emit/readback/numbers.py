@@ -25,7 +25,7 @@ BESIDE = "1e-20"
 EXTENT = {"": 1, "G": 10**9, "M": 10**6, "k": 10**3, "m": "1e-3", r"\textmu{}": "1e-6", "n": "1e-9", "p": "1e-12"}
 _NUMBER = re.compile(
     r"(?P<digits>-?\d[\d.]*)?(?:\\times)?(?P<power>10\^\{-?\d+\})?"
-    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|s|Pam\}\^\{-k|\(SI\))\}(?:\^\{(?P<degree>-?\d+)\})?)?"
+    r"(?:\\text\{(?P<prefix>G|M|k|m(?=\w)|\\textmu\{\}|n|p|)(?P<unit>m|Pa|N|N/m|rad|s|Pam\}\^\{-k|\(SI\))\}(?:\^\{(?P<degree>-?\d+)\})?)?"
 )
 _MATHEMATICS = re.compile(r"\$([^$]+)\$")
 
@@ -135,14 +135,14 @@ class Contact:
         return self.at("w", **known, r=place)
 
 
-_CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
-_HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
-_LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
+CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
+HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
+LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
 
 
 def check_values(text: str, entries: Entries) -> Iterator[Printout]:
     """The table of check values of a spread, from its source."""
-    match = _CHECKS.search(text)
+    match = CHECKS.search(text)
     if match is None:
         return
     with mp.workdps(DIGITS):
@@ -150,17 +150,17 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
         depth, load = contact.depth(), contact.load()
         radius = contact.given["a"]
         heads = {"d": depth, "F_N": load, "P": load, "bar p": contact.mean(radius, load)}
-        for name, tex in _HEAD.findall(match[2]):
+        for name, tex in HEAD.findall(match[2]):
             yield Printout(f"check value {name}", tex, heads[read(name)[0].members[0].name])
-        for inside, pressure, outside, displacement in _LINE.findall(match[2]):
+        for inside, pressure, outside, displacement in LINE.findall(match[2]):
             want = contact.pressure(number(inside).value * radius * (1 + mp.mpf(BESIDE))) / heads["bar p"]
             yield Printout(f"check value p at {inside}", pressure, want)
             want = contact.displacement(number(outside).value * radius * (1 + mp.mpf(BESIDE))) / depth
             yield Printout(f"check value w at {outside}", displacement, want)
 
 
-_WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
-_SHOWN = re.compile(r"\\parbox\[t\]\{26mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
+SHOWN = re.compile(r"\\parbox\[t\]\{26mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 
 
@@ -186,7 +186,7 @@ def heading(text: str) -> Heading:
     LookupError
         If the spread has none, or it does not name a material.
     """
-    match = _WORKED.search(text)
+    match = WORKED.search(text)
     words = match[1] if match else ""
     material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
     if not material or not stated:
@@ -201,7 +201,7 @@ def heading(text: str) -> Heading:
 
 def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
     """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
-    match = _WORKED.search(text)
+    match = WORKED.search(text)
     if match is None:
         return
     with mp.workdps(DIGITS):
@@ -209,7 +209,7 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
         yield Printout("worked example E*", solid.stated, solid.given["E*"])
         given = solid.given
         contact = Contact(entries, given)
-        shown = _SHOWN.findall(match[2])
+        shown = SHOWN.findall(match[2])
         radius = _radius(contact, shown)
         depth = None if contact.plane else _depth(contact, radius)
         known = {"a": radius} | ({"d": depth} if "dF" in entries and "d" not in entries else {})
