@@ -39,6 +39,8 @@ def inverse(
     position = np.log(t)
     y, slope = curve(t)
     error = _missed(value, y)
+    low: Array
+    high: Array
     low, high = _bracket(position, error, exponents, largest)
     step = error / slope
     solvable = (value > 0.0) & (value < np.inf) & (y == y)
