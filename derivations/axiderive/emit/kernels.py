@@ -69,48 +69,49 @@ def legendre_chi(v: mp.mpf) -> mp.mpf:
 
 def gamma_ratio(v: mp.mpf) -> mp.mpf:
     """Gamma(x + 1/2)/Gamma(x)/sqrt(w) over v = 1/w**2, w = x - 1/4 (Tricomi and Erdelyi 1951)."""
-    if not v:
-        return mp.mpf(1)
     w = 1 / mp.sqrt(v)
     return mp.gammaprod([w + mp.mpf(3) / 4], [w + mp.mpf(1) / 4]) / mp.sqrt(w)
 
 
 POLYNOMIALS = ("LEGENDRE_CHI",)
 """Kernels whose difference quotient is wanted too."""
-KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = (
-    {
-        "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
-        "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
-        "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
-        "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
-        "GAMMA_RATIO": ("Gamma(x + 1/2)/Gamma(x)/sqrt(w) over 1/w**2, w = x - 1/4, x >= 2", gamma_ratio, 16 / 49),
-        "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
-    }
-    | {
-        f"OUTSIDE_{n}": (
-            f"displacement beside a contact with r**{n} over tan(asin(a/r)/2)**2",
-            partial(outside, n),
+KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
+    "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
+    "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
+    "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
+    "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
+    "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
+} | {
+    name: (words, function, end)
+    for nu in (0, 1)
+    for name, words, function, end in (
+        (f"STRUVE_{nu}", f"H_{nu}(x)/x**{nu + 1} over 16 - x**2, x <= 4", partial(struve, nu), 16.0),
+        (f"HANKEL_P_{nu}", f"P of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, False), 1.0),
+        (f"HANKEL_Q_{nu}", f"|Q| x of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, True), 1.0),
+        (
+            f"STRUVE_TAIL_{nu}",
+            f"pi/2 (H_{nu} - Y_{nu}) x**{1 - nu} over 16/x**2",
+            partial(struve_tail, nu),
             1.0,
+        ),
+    )
+}
+"""By name: what is fitted as a function of the square v of its argument, in words and in mpmath, and up to which v."""
+
+
+STARTS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float, mp.mpf]] = {
+    "GAMMA_RATIO": (
+        "Gamma(x + 1/2)/Gamma(x)/sqrt(w) over 1/w**2, w = x - 1/4, x >= 2", gamma_ratio, 16 / 49, mp.mpf(1)
+    ),
+    **{
+        f"OUTSIDE_{n}": (
+            f"displacement beside a contact with r**{n} over tan(asin(a/r)/2)**2", partial(outside, n), 1.0,
+            mp.mpf(n) / (n + 1),
         )
         for n in EXPONENTS
-    }
-    | {
-        name: (words, function, end)
-        for nu in (0, 1)
-        for name, words, function, end in (
-            (f"STRUVE_{nu}", f"H_{nu}(x)/x**{nu + 1} over 16 - x**2, x <= 4", partial(struve, nu), 16.0),
-            (f"HANKEL_P_{nu}", f"P of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, False), 1.0),
-            (f"HANKEL_Q_{nu}", f"|Q| x of Y_{nu}(x) over 16/x**2, x >= 4", partial(hankel, nu, True), 1.0),
-            (
-                f"STRUVE_TAIL_{nu}",
-                f"pi/2 (H_{nu} - Y_{nu}) x**{1 - nu} over 16/x**2",
-                partial(struve_tail, nu),
-                1.0,
-            ),
-        )
-    }
-)
-"""By name: what is fitted as a function of the square v of its argument, in words and in mpmath, and up to which v."""
+    },
+}  # fmt: skip
+"""The same of which the value at v = 0 is most: what is fitted is the rest over v."""
 
 
 def kernels_source() -> str:
@@ -126,7 +127,17 @@ def kernels_source() -> str:
         for numbers in (kernel.top, kernel.bottom):
             lines += _column(numbers)
         lines.append(")")
+    for name, (words, function, end, start) in STARTS.items():
+        share = 1 - start / function(mp.mpf(end))
+        kernel = fit(partial(_rest, function, start), end, share=share)
+        lines += ["", f"# {words}", f"{name} = (", *_column(kernel.top), *_column(kernel.bottom)]
+        lines += [f"    {float(start)!r},", ")"]
     return "\n".join([*lines, ""])
+
+
+def _rest(function: Callable[[mp.mpf], mp.mpf], start: mp.mpf, v: mp.mpf) -> mp.mpf:
+    with mp.extradps(40):
+        return (function(v) - start) / v
 
 
 def _column(numbers: tuple[float, ...]) -> list[str]:

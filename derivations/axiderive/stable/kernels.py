@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import mpmath as mp
 
@@ -27,8 +28,10 @@ class Kernel:
         return mp.polyval(self.top[::-1], v) / mp.polyval(self.bottom[::-1], v)
 
 
-def fit(function: Callable[[mp.mpf], mp.mpf], end: float, polynomial: bool = False) -> Kernel:
+def fit(function: Callable[[mp.mpf], mp.mpf], end: float, polynomial: bool = False, share: Any = 1) -> Kernel:
     """The shortest rational or polynomial fit of a function that is smooth on [0, end] and positive.
+
+    What is only a `share` of a result may have larger errors, and terms that cancel a little.
 
     Raises
     ------
@@ -39,14 +42,16 @@ def fit(function: Callable[[mp.mpf], mp.mpf], end: float, polynomial: bool = Fal
     with mp.workdps(DIGITS):
         for degree in range(1, HIGHEST + 1):
             for degrees in ((2 * degree, 0),) if polynomial else ((degree, degree), (2 * degree, 0)):
-                kernel = _interpolated(function, mp.mpf(end), *degrees)
-                if kernel is not None and _error(kernel, function) < GOAL:
+                kernel = _interpolated(function, mp.mpf(end), *degrees, CONDITION / share)
+                if kernel is not None and _error(kernel, function) < GOAL / share:
                     return kernel
     message = f"no kernel up to degree {HIGHEST} on [0, {end}]; shorten the interval"
     raise ArithmeticError(message)
 
 
-def _interpolated(function: Callable[[mp.mpf], mp.mpf], end: mp.mpf, above: int, below: int) -> Kernel | None:
+def _interpolated(
+    function: Callable[[mp.mpf], mp.mpf], end: mp.mpf, above: int, below: int, condition: Any
+) -> Kernel | None:
     """P - f Q = 0 at Chebyshev nodes; None where its terms cancel."""
     count = above + below + 1
     nodes = [end * (1 + mp.cos(mp.pi * (mp.mpf(k) + 0.5) / count)) / 2 for k in range(count)]
@@ -63,7 +68,7 @@ def _interpolated(function: Callable[[mp.mpf], mp.mpf], end: mp.mpf, above: int,
     except ZeroDivisionError:
         return None
     top, bottom = solved[: above + 1], [mp.mpf(1), *solved[above + 1 :]]
-    if max(_condition(top, end), _condition(bottom, end)) > CONDITION:
+    if max(_condition(top, end), _condition(bottom, end)) > condition:
         return None
     return Kernel(float(end), tuple(map(float, top)), tuple(map(float, bottom)))
 

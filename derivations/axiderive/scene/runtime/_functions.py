@@ -15,10 +15,10 @@ def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
     return np.polyval(top[::-1], v) / np.polyval(bottom[::-1], v)
 
 
-def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
+def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], float]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r."""
     square = (a / (r + np.sqrt((r - a) * (r + a)))) ** 2
-    return a / r * np.polyval(kernel[0][::-1], square) / np.polyval(kernel[1][::-1], square)
+    return a / r * (kernel[2] + square * rational(square, *kernel[:2]))
 
 
 def dawson(x: Array) -> Array:
