@@ -55,7 +55,7 @@ class PrivateFunctions:
         lines, wanted = list(lines), set(needs)
         for symbol, definition in self.profile.abbreviations:
             if str(symbol) in wanted:
-                lines.insert(0, f"{symbol} = {python(definition)}")
+                lines[:0] = [f"{symbol} = {python(definition)}", *([""] if lines[0].startswith("def ") else [])]
                 wanted = (wanted - {str(symbol)}) | {str(s) for s in definition.free_symbols}
         ordered = tuple(parameter for parameter in self.order if parameter in wanted and parameter not in fields)
         private = Private(f"_{name}", tuple(fields), ordered, tuple(lines), doc)

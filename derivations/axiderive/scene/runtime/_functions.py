@@ -18,7 +18,8 @@ def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
 def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], float]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r."""
     square = (a / (r + np.sqrt((r - a) * (r + a)))) ** 2
-    return a / r * (kernel[2] + square * rational(square, *kernel[:2]))
+    rest = np.polyval(kernel[0][::-1], square) / np.polyval(kernel[1][::-1], square)
+    return a / r * (kernel[2] + square * rest)
 
 
 def dawson(x: Array) -> Array:
