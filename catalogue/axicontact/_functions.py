@@ -100,17 +100,23 @@ def lower_power(x: Array, n: Array) -> Array:
     return np.where(x > 0.0, x**n / x, x ** (n - 1.0))
 
 
-def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:
+def from_start(v: Array, top: Sequence[float], bottom: Sequence[float], start: float) -> Array:
+    """start + v P(v)/Q(v), where the start is most of it."""
+    return start + v * rational(v, top, bottom)
+
+
+def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], float]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
     # the tangent of half the angle whose sine is a/r
     tangent = a / (r + np.sqrt((r - a) * (r + a)))
-    return a / r * rational(tangent * tangent, *kernel)
+    return a / r * from_start(tangent * tangent, *kernel)
 
 
 def gamma_ratio(x: Array) -> Array:
     """Gamma(x + 1/2)/Gamma(x) for x > 0, from that at x + 2."""
-    w = x + 1.75
-    return x * (x + 1.0) / ((x + 0.5) * (x + 1.5)) * np.sqrt(w) * rational(1.0 / (w * w), *GAMMA_RATIO)
+    w, below = x + 1.75, (x + 0.5) * (x + 1.5)
+    down = np.where(x < 1.0, x * (x + 1.0) / below, 1.0 - (x + 0.75) / below)
+    return down * np.sqrt(w) * from_start(1.0 / (w * w), *GAMMA_RATIO)
 
 
 def depth_over_height(j: int) -> float:

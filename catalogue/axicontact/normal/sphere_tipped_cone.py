@@ -646,6 +646,7 @@ def _slope_at(a: Array, R: Array, theta: Array) -> Array:
 
 def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
+
     def curve(a: Array) -> tuple[Array, Array]:
         value = _depth(a, R, theta)
         return value, a * _slope_at(a, R, theta) / value
@@ -659,6 +660,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
+
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, R, theta, E_star)
         return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
