@@ -3,26 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
-import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from axiderive import cli, commands, index, pdf, pool, work
-from axiderive.build import Failure
-from axiderive.progress import failure_lines
+from axiderive import cli, index
 from axiderive.show import shown
 
 ROOT = Path(__file__).parents[1]
-
-
-def axicontact(*arguments, **options):
-    """The command in a process of its own, as a user runs it."""
-    command = [sys.executable, "-m", "axiderive.cli", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, **options)
 
 
 def test_every_profile_is_listed(capsys):
@@ -137,173 +127,3 @@ def test_without_a_catalogue_the_next_step_is_named(monkeypatch, tmp_path, capsy
     monkeypatch.setattr(index, "__file__", str(tmp_path / "a" / "b" / "index.py"))
     assert cli.main(["list"]) == 3
     assert capsys.readouterr().err == "axicontact: there is no catalogue yet; run axicontact build\n"
-
-
-@pytest.fixture
-def elsewhere(tmp_path, monkeypatch):
-    """Builds of this test have a cache and a catalogue of their own."""
-    monkeypatch.setattr(commands, "project_root", lambda: tmp_path)
-    return tmp_path
-
-
-# prescribed pressures are a fifth of a second each; every kind of problem is built by the same code
-SMALL = ["build", "--only", "loads.uniform", "--no-pdf", "--jobs", "1", "--points", "4"]
-TWO = ["build", "--only", "loads.uniform,loads.hertzian", "--no-pdf", "--jobs", "1", "--points", "4"]
-
-
-def _bytes(root):
-    return {path.relative_to(root): path.read_bytes() for path in sorted(root.rglob("*")) if path.is_file()}
-
-
-def test_build_writes_a_catalogue_and_then_changes_nothing(elsewhere, capsys):
-    assert cli.main(SMALL) == 0
-    said = capsys.readouterr().err
-    assert re.search(r"^loads\.uniform +\d+ +\d+", said, flags=re.M)
-    assert "next   axicontact show loads.uniform" in said
-    first = _bytes(elsewhere / "catalogue")
-    assert Path("axicontact/loads/uniform.py") in first
-    assert Path("evidence/loads.uniform.json") in first
-    assert not [path for path in first if "tmp" in path.name or ".staging" in str(path)]
-    assert cli.main(SMALL) == 0
-    assert " 0 files changed, 0 removed" in capsys.readouterr().err
-    assert cli.main([*SMALL, "--fresh"]) == 0
-    assert _bytes(elsewhere / "catalogue") == first
-    assert cli.main([*SMALL, "--check"]) == 0
-    module = elsewhere / "catalogue/axicontact/loads/uniform.py"
-    module.write_text("# mine\n")
-    assert cli.main([*SMALL, "--check"]) == 1
-    assert "-# mine\n" in capsys.readouterr().out
-    assert module.read_text() == "# mine\n"
-
-
-def test_a_problem_with_a_failed_check_is_left_out_and_listed(elsewhere, monkeypatch, capsys):
-    from axiderive import verification
-
-    genuine = verification.verify
-
-    def verify(problem, entries, settings):
-        found = genuine(problem, entries, settings)
-        wrong = problem.key == "loads.uniform"
-        failures = [{"key": "loads.uniform.w", "message": "got 1.0, wanted 2.0"}] if wrong else []
-        return {**found, "failures": failures}
-
-    monkeypatch.setattr(verification, "verify", verify)
-    assert cli.main(TWO) == 1
-    said = capsys.readouterr().err
-    assert "loads.uniform.w: got 1.0, wanted 2.0\n    again: axicontact check loads.uniform.w --seed 17 -v" in said
-    assert said.rstrip().endswith("left out of the catalogue: loads.uniform")
-    assert not (elsewhere / "catalogue/axicontact/loads/uniform.py").exists()
-    index_file = elsewhere / "catalogue/axicontact/index.json"
-    assert [row["name"] for row in json.loads(index_file.read_text())["profiles"]] == ["loads.hertzian"]
-
-
-def test_what_rests_on_a_problem_that_is_left_out_is_left_out_too():
-    """The adhesive module calls the normal one; the plane problem of the same name rests on nothing."""
-    from axiderive.build import _publishable
-    from axiderive.contact.systems import problems
-
-    wanted = list(problems(["cone", "plane.wedge"]))
-    failed = {"failures": [{"key": "cone.p", "message": "wrong"}]}
-    found = {p.key: work.Outcome(p.key, {}, failed if p.key == "cone" else {}, 0.0) for p in wanted}
-    published, failures = _publishable(wanted, found)
-    assert [problem.key for problem, _ in published] == ["cone.fgm", "cone.fgm.adh", "cone.fgm.tan", "plane.wedge"]
-    assert [failure.key for failure in failures] == ["cone.p", "cone.adh", "cone.tan", "cone.vis"]
-
-
-def test_a_defect_in_one_problem_does_not_take_the_others(elsewhere, monkeypatch, capsys):
-    from axiderive.contact.systems import Problem
-
-    genuine = Problem.derive
-
-    def derive(problem):
-        if problem.key == "loads.hertzian":
-            message = "no atoms"
-            raise ValueError(message)
-        return genuine(problem)
-
-    monkeypatch.setattr(Problem, "derive", derive)
-    assert cli.main(TWO) == 1
-    assert "loads.hertzian: ValueError: no atoms" in capsys.readouterr().err
-    assert (elsewhere / "catalogue/axicontact/loads/uniform.py").exists()
-    assert cli.main([*TWO, "--only", "loads.hertzian"]) == 1
-    assert "nothing to publish" in capsys.readouterr().err
-    assert (elsewhere / "catalogue/axicontact/loads/uniform.py").exists()
-
-
-def test_an_unwritable_folder_is_named_before_any_work(elsewhere, monkeypatch, capsys):
-    monkeypatch.setattr(work, "task", None)
-    (elsewhere / "file").write_text("")
-    assert cli.main([*SMALL, "--out", str(elsewhere / "file" / "catalogue")]) == 3
-    assert re.match(
-        r"axicontact: cannot write a catalogue to .*/file/catalogue: Not a directory; .*--out", capsys.readouterr().err
-    )
-
-
-def test_interruption_ends_with_code_130_and_keeps_finished_work(elsewhere, monkeypatch, capsys):
-    def interrupted(function, tasks, jobs):
-        yield function(*tasks[0])
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(pool, "run", interrupted)
-    arguments = TWO
-    assert cli.main(arguments) == 130
-    assert "the same command continues" in capsys.readouterr().err
-    assert not list((elsewhere / "catalogue").rglob("*.py"))
-    finished = []
-
-    def counted(function, tasks, jobs):
-        finished.extend(tasks if function is work.task else [])
-        return (function(*task) for task in tasks)
-
-    monkeypatch.setattr(pool, "run", counted)
-    assert cli.main(arguments) == 0
-    assert len(finished) == 1
-
-
-def test_check_verifies_a_stored_formula_and_sees_a_wrong_one(elsewhere, monkeypatch, capsys):
-    assert cli.main(["check", "cone.F", "--points", "4"]) == 0
-    assert re.search(r"^cone\.F +closed ", capsys.readouterr().out, flags=re.M)
-    folder = elsewhere / "catalogue" / "evidence"
-    folder.mkdir(parents=True)
-    text = (ROOT / "catalogue/evidence/cone.json").read_text()
-    record = json.loads(text)
-    depth = record["entries"]["d"]["cases"][0]["expr"]
-    depth["="] = f"Mul(Integer(2), {depth['=']})"
-    (folder / "cone.json").write_text(json.dumps(record))
-    monkeypatch.setattr(work, "project_root", lambda: elsewhere)
-    assert cli.main(["check", "cone.d", "--points", "4"]) == 1
-    assert "FAILED cone.d: " in capsys.readouterr().err
-
-
-def test_failures_say_how_to_see_them_again():
-    lines = failure_lines([Failure("cone.w", "a"), Failure("sphere", "b", "Traceback")], seed=3, verbose=True)
-    assert lines == [
-        "cone.w: a\n    again: axicontact check cone.w --seed 3 -v",
-        "sphere: b\n    again: axicontact build --fresh --jobs 1 --only sphere -v",
-        "Traceback",
-        "left out of the catalogue: cone, sphere",
-    ]
-
-
-@pytest.mark.parametrize(("strict", "code"), [([], 0), (["--strict"], 4)])
-def test_a_missing_pdf_is_an_error_only_if_asked(elsewhere, monkeypatch, capsys, strict, code):
-    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
-    arguments = [argument for argument in SMALL if argument != "--no-pdf"]
-    assert cli.main([*arguments, "--no-install", *strict]) == code
-    assert "apt-get install --no-install-recommends" in capsys.readouterr().err
-    assert not (elsewhere / "catalogue/handbook/handbook.pdf").exists()
-
-
-@pytest.mark.slow
-def test_jobs_and_hash_seed_do_not_change_a_byte(tmp_path):
-    catalogues = []
-    for jobs, seed in (("1", "1"), ("2", "2")):
-        out = tmp_path / seed
-        done = axicontact(
-            *("build", "--only", "cone,rounded_punch,flat_punch", "--no-pdf", "--fresh"),
-            *("--jobs", jobs, "--out", str(out)),
-            env={**os.environ, "PYTHONHASHSEED": seed},
-        )
-        assert done.returncode == 0, done.stderr
-        catalogues.append(_bytes(out))
-    assert catalogues[0] == catalogues[1]

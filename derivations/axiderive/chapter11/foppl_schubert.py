@@ -9,6 +9,7 @@ import mpmath as mp
 
 from .draw import Draw
 from .equation import FORCE, LENGTH, NUMBER, STRESS, Dimension, Formula, Residual, chain, equation
+from .power_load import PowerLoadChord, a_load, power_load
 from .quadrature import half_turn, panels, singular, weighted
 from .round_trip import catalogue_inversion, catalogue_pressures, load_displacements
 from .routes import around, derivative, even_pressure, kappa, pressure, rings, total_force
@@ -129,34 +130,9 @@ def force_corrected(p: Function, w1D: Function, slope: Function, a: Any, E_star:
     return *_later_lines(p, w1D, slope, a, E_star), _double(slope, lambda r: r, a, E_star, ())
 
 
-def power_load(p0: Any, a: Any, exponent: Any) -> Function:
-    """p0 (1 - r**2/a**2)**exponent; Föppl took -1/2, 1/2 and 0."""
-    return lambda r: p0 * ((1 - r / a) * (1 + r / a)) ** exponent
-
-
-class PowerLoadChord:
-    """Closed w1D of a power load: p0 a/E* B(s + 1, 1/2) (1 - xi**2/a**2)**(s + 1/2)."""
-
-    def __init__(self, p0: Any, a: Any, exponent: Any, E_star: Any) -> None:
-        self.a, self.power = a, exponent + HALF
-        self.at_centre = p0 * a / E_star * mp.beta(exponent + 1, HALF)
-
-    def __call__(self, xi: Any) -> Any:
-        return self.at_centre * ((1 - xi / self.a) * (1 + xi / self.a)) ** self.power
-
-    def slope(self, xi: Any) -> Any:
-        factor = -2 * self.power * xi / self.a**2
-        return self.at_centre * factor * ((1 - xi / self.a) * (1 + xi / self.a)) ** (self.power - 1)
-
-
-def _load(draw: Draw, lo: float = -0.5) -> tuple[Any, Any, Any, Any]:
-    """a, p0, E*, and an exponent above -1."""
-    return draw.length(), draw.stress(), draw.stress(5, 50), draw.number(lo, 1.5)
-
-
 @equation(100, increment, "both forms integrated around A against ring kernels, smooth pressure")
 def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, _ = _load(draw)
+    a, p0, E_star, _ = a_load(draw)
     r = a * draw.number(0.2, 0.6)
 
     def load(t: Any) -> Any:
@@ -175,7 +151,7 @@ def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(101, chords, "full chords against ring kernels, power load of random exponent")
 def check_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, exponent = _load(draw)
+    a, p0, E_star, exponent = a_load(draw)
     r, load = a * draw.number(0.2, 0.6), power_load(p0, a, exponent)
     yield Residual(rings(load, r, a, E_star), formula(load, r, a, E_star, exponent), LENGTH)
 
@@ -217,7 +193,7 @@ def check_coordinate_slopes(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(104, chord_displacement, "closed w1D of Föppl's pressures and of any exponent above -1, both forms")
 def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, exponent = _load(draw, -0.9)
+    a, p0, E_star, exponent = a_load(draw, -0.9)
     xi = a * draw.number(0.2, 0.8)
     for power in (-HALF, HALF, ZERO, exponent):
         known = PowerLoadChord(p0, a, power, E_star)
@@ -230,7 +206,7 @@ def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]
     "known displacement of Föppl's three pressures; ring kernels and the derived loads for a random exponent",
 )
 def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, exponent = _load(draw)
+    a, p0, E_star, exponent = a_load(draw)
     r = a * draw.number(0.2, 0.9)
     constant, parabola = mp.pi * p0 * a / E_star, mp.pi * p0 * (2 * a**2 - r**2) / (4 * a * E_star)
     uniform = 4 * p0 * a / (mp.pi * E_star) * mp.ellipe((r / a) ** 2)
@@ -263,7 +239,7 @@ def check_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
     107, pressure_from_chords, "power load, random powers, and the derived pressure of every profile of the catalogue"
 )
 def check_pressure_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, exponent = _load(draw, 0.2)
+    a, p0, E_star, exponent = a_load(draw, 0.2)
     r = a * draw.number(0.2, 0.9)
     chord = PowerLoadChord(p0, a, exponent, E_star)
     yield Residual(power_load(p0, a, exponent)(r), formula(chord.slope, r, a, E_star), STRESS)
@@ -279,7 +255,7 @@ def check_mean_of_kernel(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(109, centre, "displacement of the centre by ring kernels against both lines")
 def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    a, p0, E_star, exponent = _load(draw)
+    a, p0, E_star, exponent = a_load(draw)
     left = rings(power_load(p0, a, exponent), ZERO, a, E_star)
     yield from chain(left, formula(PowerLoadChord(p0, a, exponent, E_star), draw.length()), LENGTH)
 
