@@ -13,7 +13,7 @@ PROFILE = Profile(
     parameters=(A, n),
     pieces=(Piece(None, A * x**n),),
     validity="small slopes, n A a^(n-1) << 1",
-    sources=(),
+    sources=("Schubert 1942",),
     sketch=Sketch(((A, 0.45), (n, 1.5)), a=1.0),
     limits=(
         Limit("wedge", n, 1, ((theta, sp.atan(A)),)),
@@ -21,5 +21,5 @@ PROFILE = Profile(
         Limit("quartic", n, 4),
         Limit("sextic", n, 6),
     ),
-    note="the pressure in the middle is finite only for n > 1",
+    note="the pressure in the middle is finite only for n > 1; n = 1, 2, 4 and 6 are solutions of Schubert",
 )

@@ -13,8 +13,8 @@ PROFILE = Profile(
     parameters=(theta, b),
     pieces=(Piece(b, sp.S.Zero), Piece(None, sp.tan(theta) * (x - b))),
     validity="tan(theta) << 1",
-    sources=(),
+    sources=("Schubert 1942",),
     sketch=Sketch(((theta, 0.42), (b, 0.5)), a=1.0),
     limits=(Limit("wedge", b, 0),),
-    note="the pressure is logarithmically infinite at the corner x = b",
+    note="the pressure is logarithmically infinite at the corner x = b; from the general solution of Schubert",
 )
