@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import json
 import re
 import subprocess
 import sys
@@ -10,7 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from axiderive.emit.readme import MARKS, METHODS, TIMED, matrix_tables, timing_table, with_tables
+
 README = Path(__file__).resolve().parents[1] / "README.md"
+CATALOGUE = README.parent / "catalogue"
 COMMANDS = re.findall(r"^\$ axicontact ((?:list|show)\b[^#\n]*)", README.read_text(), flags=re.M)
 
 
@@ -47,10 +51,28 @@ def test_pictures_exist() -> None:
 
 def test_the_matrix_is_that_of_the_catalogue() -> None:
     """Every profile of every physics has a cell, and none is empty."""
-    import json
-
-    from axiderive.emit.matrix import markdown
-
-    found = json.loads((README.parent / "catalogue" / "axicontact" / "index.json").read_text())["matrix"]
-    assert markdown(found) in README.read_text()
+    found = json.loads((CATALOGUE / "axicontact" / "index.json").read_text())["matrix"]
+    assert matrix_tables(found) in README.read_text()
     assert all(cell for cells in found["profiles"].values() for cell in cells.values())
+
+
+def test_the_measurement_is_that_of_the_study() -> None:
+    """Every method has a row; a cell holds the setting of the least error, and what mpmath does in 15 digits."""
+    measured = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_text())
+    table = timing_table(measured)
+    assert table in README.read_text()
+    _, _, own, *others = table.splitlines()
+    assert own.count("| 1×, ") == len(TIMED)
+    assert len(others) == len(METHODS) - 1
+    rows = [r for r in measured["rows"] if (r["key"], r["method"]) == ("rounded_punch.p", "Gauss-Jacobi")]
+    least = min(rows, key=lambda row: row["worst"])
+    (line,) = [line for line in others if line.startswith("| Gauss")]
+    assert line.split("|")[2].endswith(f"({least['setting']}) ")
+
+
+def test_a_readme_without_its_marks_stays_as_it_is() -> None:
+    assert with_tables("# title\n", {"profiles": {}, "legend": {}}, None) == "# title\n"
+    begin, end = (mark.format("matrix") for mark in MARKS)
+    text = f"head\n{begin}\nold\n{end}\ntail\n"
+    assert "old" not in with_tables(text, {"profiles": {}, "legend": {}}, None)
+    assert with_tables(text, {"profiles": {}, "legend": {}}, None).endswith(f"{end}\ntail\n")

@@ -16,7 +16,8 @@ from .build import build as build_catalogue
 from .cache import Cache, digest
 from .comparison import differences, only_profiles, standing
 from .contact import systems
-from .emit.matrix import with_matrix
+from .emission import study_records
+from .emit.readme import with_tables
 from .exits import FAILED, INCOMPLETE, CommandError
 from .index import nearest
 from .progress import Progress, failure_lines, summary
@@ -70,12 +71,13 @@ def build(arguments: argparse.Namespace) -> int:
 
 
 def _readme(catalogue: Catalogue) -> dict[str, bytes]:
-    """The README with the matrix of this catalogue, where a checkout has one."""
+    """The README with the tables of this catalogue, where a checkout has one."""
     path = project_root() / "README.md"
     if not path.is_file():
         return {}
     index = json.loads(catalogue.files["axicontact/index.json"])
-    return {path.name: with_matrix(path.read_text(encoding="utf-8"), index["matrix"]).encode()}
+    measured = study_records().get("error")
+    return {path.name: with_tables(path.read_text(encoding="utf-8"), index["matrix"], measured).encode()}
 
 
 def _compare(lines: list[str], root: Path, count: int, *, progress: Progress, verbose: bool) -> int:

@@ -48,7 +48,7 @@ def emitted(
     jobs: int,
 ) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
-    studies = _studies()
+    studies = study_records()
     key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter, studies])
     texts = cache.get(key)
     if texts is None:
@@ -58,7 +58,7 @@ def emitted(
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
-def _studies() -> dict[str, Record]:
+def study_records() -> dict[str, Record]:
     """The records of `axicontact study` beside the evidence, by name; the book draws them."""
     folder = work.project_root() / "catalogue" / STUDIES
     return {path.stem: json.loads(path.read_bytes()) for path in sorted(folder.glob("*.json"))}

@@ -59,31 +59,3 @@ def _cell(entries: Mapping[str, Mapping[str, Any]]) -> str:
 def _digits(checks: Iterable[Mapping[str, Any]]) -> int:
     """Digits of the best comparison that passed."""
     return max((check["digits"] for check in checks if check["outcome"] == "passed" and check["worst"]), default=0)
-
-
-BEGIN, END = "<!-- matrix: written by axicontact build -->", "<!-- end of the matrix -->"
-
-
-def with_matrix(text: str, found: Mapping[str, Any]) -> str:
-    """A text with the tables between its two marks; unchanged if it has none."""
-    head, begin, rest = text.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    return f"{head}{begin}\n\n{markdown(found)}\n\n{end}{tail}" if begin and end else text
-
-
-def markdown(found: Mapping[str, Any]) -> str:
-    """Two tables, for the README: the profiles of revolution by physics, and the others."""
-    names = [system.name for system in systems.SYSTEMS if system.pool is systems.ROUND]
-    rows = [["profile", *names]]
-    for profile, cells in found["profiles"].items():
-        if names[0] in cells:
-            rows.append([f"`{profile}`", *(cells.get(name, LEFT_OUT) for name in names)])
-    others = [["profile", "formulas"]]
-    others += [[f"`{p}`", *cells.values()] for p, cells in found["profiles"].items() if names[0] not in cells]
-    legend = "; ".join(f"{sign} {text}" for sign, text in found["legend"].items())
-    return "\n\n".join([f"{legend}.", _table(rows), _table(others)])
-
-
-def _table(rows: list[list[str]]) -> str:
-    head, *body = [f"| {' | '.join(row)} |" for row in rows]
-    return "\n".join([head, "|---" * len(rows[0]) + "|", *body])
