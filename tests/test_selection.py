@@ -189,5 +189,5 @@ def test_drift_of_a_choice() -> None:
     other = json.loads(json.dumps(now))
     other["d"]["selection"]["chosen"]["cost"] += 1
     assert len(drift(other, now)) == 1
-    assert forms(now["d"])[1].startswith("not all rules, cost 15, at most ")
+    assert forms(now["d"])[1].startswith("not all rules, cost 17, at most ")
     assert forms(before["d"]) == []

@@ -5,7 +5,10 @@ from __future__ import annotations
 from .variants import FULL, VARIANTS, Variant
 
 CHOSEN = {
+    "flat_punch.w": "angles of quotients",
     "hyperboloid.d": "angles of quotients",
+    "rounded_cone.d": "angles of quotients",
+    "rounded_cone.pm": "angles of quotients",
     "truncated_cone.d": "angles of quotients",
     "truncated_cone.F": "angles of quotients",
     "truncated_cone.pm": "angles of quotients",

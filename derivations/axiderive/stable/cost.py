@@ -19,6 +19,8 @@ The root inside `root_gap` is one that the formula holds too, and is found once.
 """
 POWER, KERNEL = 11, 40
 """A power beyond the square, and any other function of the runtime."""
+STEADY = 2
+"""What `arctan2` costs more where one of its arguments is a number: its fast loop wants two arrays."""
 NODES, STEPS = 24, 4
 """Values of an integrand where its rule does not state them, and of a curve under an iteration."""
 
@@ -68,7 +70,8 @@ class _Counter:
         repeated = _repetitions(node, name)
         if repeated:
             return spent + repeated * sum(self._integrand(arg) for arg in node.args), True
-        return spent + (WEIGHTS.get(name, KERNEL) if depends else 0), depends
+        steady = STEADY if name == "arctan2" and not all(own for _, own in parts) else 0
+        return spent + (WEIGHTS.get(name, KERNEL) + steady if depends else 0), depends
 
     def _integrand(self, node: ast.AST) -> int:
         """A function that is passed to a rule or an iteration, at one of its points."""
