@@ -13,11 +13,13 @@ import pytest
 from flint import arb
 
 import axicontact
+from axiderive import index
 from axiderive.contact.normal import derive
 from axiderive.emit.selected import forms
 from axiderive.emit.variants import written
 from axiderive.entry import Entry
 from axiderive.profiles import load
+from axiderive.show import _entry_text
 from axiderive.stable import chosen
 from axiderive.stable.closure import closure
 from axiderive.stable.cost import cost
@@ -191,3 +193,11 @@ def test_drift_of_a_choice() -> None:
     assert len(drift(other, now)) == 1
     assert forms(now["d"])[1].startswith("not all rules, cost 17, at most ")
     assert forms(before["d"]) == []
+
+
+def test_show_prints_both_forms() -> None:
+    found = index.load()
+    (entry,) = found.select("truncated_cone.d")
+    text = _entry_text({**entry, "forms": ["angles of quotients, cost 13", "not all rules, cost 17"]}, brief=False)
+    assert "computed  angles of quotients, cost 13\n            not all rules, cost 17" in text
+    assert "computed" not in _entry_text({**entry, "forms": []}, brief=False)
