@@ -238,7 +238,7 @@ def test_the_catalogue_evaluates_what_is_printed(key: str) -> None:
     for one in _of("evaluation", key):
         for case, values in points_of(stored(name)[suffix], "formula", stored(name), 1, 7):
             if holds(_where(one), named(values)):
-                form, shorts = _computed(name, case), problem(name).profile.abbreviations
+                form, shorts = _computed(name, suffix, case), problem(name).profile.abbreviations
                 lines: list[str] = []
                 assert PrivateFunctions.value_lines(form.value, lines) in text
                 assert all(line in text for line in lines)
@@ -248,10 +248,10 @@ def test_the_catalogue_evaluates_what_is_printed(key: str) -> None:
             pytest.fail(f"{key} is printed for no case")
 
 
-def _computed(name: str, case: Case) -> EvaluationForm:
+def _computed(name: str, suffix: str, case: Case) -> EvaluationForm:
     """What the module computes one after the other."""
     if not name.startswith("plane."):
-        return of_lengths(form_of(problem(name).profile, case.expr, case.chain))
+        return of_lengths(form_of(stored(name)[suffix], case.expr, case.chain))
     if problem(name).profile.contact == "compact":
         return plane_form(case)
     return plane_form(Case(case.chain, sp.expand(case.expr).coeff(nt.P) * nt.P))

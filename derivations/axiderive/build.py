@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -32,6 +32,8 @@ class Catalogue:
     files: dict[str, bytes]
     outcomes: tuple[Outcome, ...]
     failures: tuple[Failure, ...]
+    remarks: tuple[str, ...] = ()
+    """Functions that measurement would write otherwise than the frozen choice."""
 
 
 def build(
@@ -87,7 +89,17 @@ def build(
     package = emission.package(published, cache)
     published = _measured(published, package, standing, cache, jobs)
     files = emission.emitted(published, package, chapter, cache, settings, jobs)
-    return Catalogue(files, outcomes, tuple(failures))
+    return Catalogue(files, outcomes, tuple(failures), tuple(_other_choices(published)))
+
+
+def _other_choices(published: Published) -> Iterator[str]:
+    from .stable.drift import better
+
+    for problem, outcome in published:
+        for suffix, row in outcome.evidence.get("evaluation", {}).items():
+            sentence = better(row.get("selection", {}))
+            if sentence:
+                yield f"{problem.key}.{suffix}: {sentence}"
 
 
 def _chapter(cache: Cache, jobs: int) -> Record:
@@ -141,12 +153,11 @@ def _measured(
     published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
 ) -> Published:
     """The same with the errors of the emitted functions among the evidence."""
-    from .stable.closure import closure
     from .stable.drift import settled
     from .stable.records import SYSTEMS
 
     tasks = [
-        (problem.key, outcome.entries, closure(package, problem.module), str(cache.folder), cache.fresh)
+        (problem.key, outcome.entries, _around(package, problem), str(cache.folder), cache.fresh)
         for problem, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
         if problem.system.name in SYSTEMS
     ]
@@ -157,3 +168,12 @@ def _measured(
         else (problem, outcome)
         for problem, outcome in published
     ]
+
+
+def _around(package: Mapping[str, str], problem: Problem) -> dict[str, str]:
+    """What a problem rests on; in normal contact with all that variants of its functions may import."""
+    from .stable.closure import closure
+
+    if problem.system.name != "normal":
+        return closure(package, problem.module)
+    return closure(package, problem.module, *(path for path in package if path.startswith("axicontact/_")))

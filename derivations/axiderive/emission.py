@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from .contact.systems import Problem
     from .entry import Entry
 
-WRITING = (*work.DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
-EMITTING = (*work.VERIFYING, *WRITING, "axiderive.emission", "axiderive.index")
+EMITTING = (*work.VERIFYING, *work.WRITING, "axiderive.emission", "axiderive.index")
 
 Published = list[tuple["Problem", Outcome]]
 Record = dict[str, Any]
@@ -27,7 +26,7 @@ def package(published: Published, cache: Cache) -> dict[str, str]:
     from .emit.modules import package_sources
 
     records = {problem.key: outcome.entries for problem, outcome in published}
-    key = digest([work.FORMAT, "package", source_digest(*WRITING), records])
+    key = digest([work.FORMAT, "package", source_digest(*work.WRITING), records])
     texts = cache.get(key)
     if texts is None:
         texts = package_sources(_derived(published))

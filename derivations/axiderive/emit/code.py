@@ -10,6 +10,7 @@ import sympy as sp
 from .. import notation as nt
 from ..abel import masters
 from ..stable import opaque
+from ..stable.forms import EvaluationForm
 from ..stable.signs import squares
 
 # material and load first, then lengths from the contact to the profile, intermediates and functions last
@@ -21,6 +22,7 @@ FUNCTIONS = {
     sp.Abs: "np.abs",
     sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
     sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
+    sp.acos: "np.arccos", sp.asin: "np.arcsin", sp.acosh: "np.arccosh", sp.atanh: "np.arctanh",
     opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
     opaque.RootGap: "root_gap", opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap",
     opaque.GammaRatio: "gamma_ratio",
@@ -39,6 +41,13 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 def python(expr: sp.Expr) -> str:
     """The expression as Python source."""
     return _code(sp.sympify(expr))[0]
+
+
+def printable(form: EvaluationForm) -> bool:
+    """Whether every function of the form has a text."""
+    known = (*FUNCTIONS, opaque.Root, opaque.Arcosh, masters.StruveH)
+    exprs = (form.value, *(expr for _, expr in form.steps))
+    return all(isinstance(call, known) for expr in exprs for call in expr.atoms(sp.Function, sp.Integral))
 
 
 def helpers(text: str) -> list[str]:

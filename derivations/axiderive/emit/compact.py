@@ -71,7 +71,7 @@ class Compact(Lumped):
         form = self.form("p", "tip")
         kind, length = self.scale("tip")
         more = {str(self.b)} if self.b is not None else set()
-        if not form.cancels and (form.value.has(ArcStrips) or kind in ("", "waves") and self._plain(form)):
+        if self._is_closed(form, kind):
             moved, steps = self._moved(form, radius)
             lines += steps
             value = self.functions.value_lines(moved.value, lines)
@@ -90,6 +90,13 @@ class Compact(Lumped):
             lines.append(f"tip = np.where(r < inner, {value}, 0.0)")
             return "tip", more
         return value, more
+
+    def _is_closed(self, form: EvaluationForm, kind: str) -> bool:
+        """Whether the pressure of the tip is its form; where roots or angles grow that must have been measured."""
+        if form.cancels:
+            return False
+        measured = self.functions.variant(self.entries["p"]).closed and self._plain(form)
+        return form.value.has(ArcStrips) or measured or kind in ("", "waves") and self._plain(form)
 
     @staticmethod
     def _plain(form: EvaluationForm) -> bool:

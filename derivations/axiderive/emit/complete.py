@@ -10,7 +10,6 @@ import sympy as sp
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
 from ..notation import a, d, r, r_zero
-from ..stable.forms import evaluation_form
 from ..stable.signs import cancels, facts_of
 from ..stable.slopes import slope_form
 from .code import python
@@ -52,7 +51,7 @@ class Complete:
 
     def _closed(self, suffix: str) -> Private:
         entry = self.entries[suffix]
-        form = evaluation_form(entry.cases[-1].expr, facts_of(()))
+        form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
         lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
         if suffix in ("F", "dF"):
             value, needs = self._from_threshold(lines, value, needs, "dmin" if suffix == "F" else "Fmin")
@@ -83,7 +82,7 @@ class Complete:
             if ring.status == "root":
                 # in what is left of a**2 outside the ring: next to the edge the difference of the squares is lost
                 expr = sp.factor(sp.expand(expr.subs(r_zero, a * sp.sqrt(1 - ZETA))))
-            form = evaluation_form(expr, facts_of(()))
+            form = self.functions.form(self.entries[suffix], expr, facts_of(()))
             lines, needs = [], self.functions.needs(form, ())
             if expr.has(ZETA):
                 lines.append(f"{ZETA} = outside_zero_pressure(n)")
@@ -99,7 +98,7 @@ class Complete:
     def _pressure(self) -> None:
         """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
         expr = self.entries["p"].cases[0].expr
-        form = evaluation_form(expr, facts_of((r, a)))
+        form = self.functions.form(self.entries["p"], expr, facts_of((r, a)))
         lines, needs = self.functions.steps(form), self.functions.needs(form, ("r", "d"))
         value = self.functions.value_lines(form.value, lines)
         excess = excess_over_threshold(self.entries) if self.concave else None
@@ -116,7 +115,7 @@ class Complete:
 
     def _displacement(self) -> None:
         expr = self.entries["w"].cases[0].expr
-        form = evaluation_form(expr, facts_of((a, r)))
+        form = self.functions.form(self.entries["w"], expr, facts_of((a, r)))
         lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
         if form.cancels:
             sunk, n = sunk_power(self.entries)
@@ -163,7 +162,7 @@ class Complete:
         self._capped_fields(start, base, punch, depth, inner["p"], slope, profile)
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
-        texts = [python(evaluation_form(case.expr, facts_of(())).value) for case in cases]
+        texts = [python(self.functions.form(entries["dF"], case.expr, facts_of(())).value) for case in cases]
         lines = [f"edge = {python(limit)}", f"below = {texts[0]}", f"above = {texts[1]}"]
         self._add(
             "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}

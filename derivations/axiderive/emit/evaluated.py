@@ -12,6 +12,7 @@ from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
 from ..profiles.profile import Profile
 from ..stable import opaque
+from ..stable.chosen import chosen
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
 from .compact import Compact
@@ -43,7 +44,7 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
         entry = entries[suffix]
         for pairs, expr in regions(entry):
             chain = chain_of(entry, expr)
-            lines = evaluated(SHOWN[suffix], expr, form_of(profile, expr, chain), chain)
+            lines = evaluated(SHOWN[suffix], expr, form_of(entry, expr, chain), chain)
             if len(lines) == 1 and lines[0].partition("=")[2] in " ".join(region.tex for region in row(entry).regions):
                 continue  # the same in print
             if 0 < len(lines) <= MOST_LINES + 1 and max(map(width, lines)) <= LINE:
@@ -52,9 +53,10 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
     return rows + _by_rules(profile, entries, ruled)
 
 
-def form_of(profile: Profile, expr: sp.Expr, chain: tuple[sp.Expr, ...]) -> EvaluationForm:
+def form_of(entry: Entry, expr: sp.Expr, chain: tuple[sp.Expr, ...]) -> EvaluationForm:
     """The evaluation form of a case, from what is known of its lengths."""
-    return _short(evaluation_form(expr, facts_of(chain, *((rule.left, rule.right) for rule in profile.rules))), profile)
+    facts = facts_of(chain, *((rule.left, rule.right) for rule in entry.profile.rules))
+    return _short(evaluation_form(expr, facts, chosen(entry.key)), entry.profile)
 
 
 def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:

@@ -76,7 +76,7 @@ def _beside(profile: Profile, entries: Mapping[str, Entry]) -> Iterator[dict[str
     depth, n = found
     ((pairs, expr),) = regions(entry)
     chain = chain_of(entry, expr)
-    if form_of(profile, expr, chain).cancels:
+    if form_of(entry, expr, chain).cancels:
         yield from _row(entry, pairs, chain, HOMOGENEOUS.displacement_scale * depth * beside(n), ANGLE)
 
 

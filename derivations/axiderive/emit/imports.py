@@ -79,7 +79,8 @@ def imports(module: ModuleText) -> list[str]:
     domain = [
         name for name in ("require", "require_coefficients", "require_order", "require_reach") if f"{name}(" in text
     ]
-    blocks.append(f"from .._domain import {', '.join(domain)}")
+    if domain:
+        blocks.append(f"from .._domain import {', '.join(domain)}")
     blocks.append("from .._elementwise import Array, Result, elementwise")
     helpers = [name for name in HELPERS if f"{name}(" in text]
     if helpers:

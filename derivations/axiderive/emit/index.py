@@ -14,6 +14,7 @@ from ..contact import systems
 from .matrix import matrix
 from .ranges import regions
 from .rows import row
+from .selected import forms
 
 if TYPE_CHECKING:
     from ..contact.systems import Problem, System
@@ -100,8 +101,11 @@ def _rows(
     modules: Mapping[str, str],
 ) -> list[dict[str, Any]]:
     signatures = _signatures(modules[problem.module])
-    found = evidence[problem.key]["entries"]
-    return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
+    found, measured = evidence[problem.key]["entries"], evidence[problem.key].get("evaluation", {})
+    return [
+        _entry(problem, entry, found.get(suffix, {}), signatures) | {"forms": forms(measured.get(suffix, {}))}
+        for suffix, entry in derived[problem.key].items()
+    ]
 
 
 def _dotted(path: str) -> str:

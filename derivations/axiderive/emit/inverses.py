@@ -9,8 +9,7 @@ import sympy as sp
 
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
-from ..stable.forms import EvaluationForm, evaluation_form
-from ..stable.signs import facts_of
+from ..stable.forms import EvaluationForm
 from .code import python
 from .compact import Compact
 from .growth import ends, exponents, tip_exponent
@@ -41,7 +40,7 @@ class Inverses:
         """
         if entry.status != "closed" or len(entry.cases) != 1:
             return None
-        form = evaluation_form(entry.cases[0].expr, facts_of(entry.cases[0].chain, *self.compact.rules()))
+        form = self.functions.form(entry, entry.cases[0].expr, self.compact.facts(entry.cases[0]))
         raised = any(expr.has(sp.sinh, sp.cosh) for expr in (form.value, *(expr for _, expr in form.steps)))
         return None if form.cancels or raised else form
 

@@ -31,11 +31,15 @@ class Lumped(Regimes):
         if len(forms) > 1 and suffix != "pm":
             self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
-            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+            return self._joined(name, self._of_lengths(suffix, forms))
         inner = self._joined(name, forms, ("a", ROOT))
         if any(form.value.has(ArctanGap) for form in forms.values()):
-            return self._joined(name, {key: of_lengths(form) for key, form in forms.items()})
+            return self._joined(name, self._of_lengths(suffix, forms))
         return self._from_radius(name, inner)
+
+    def _of_lengths(self, suffix: str, forms: dict[str, EvaluationForm]) -> dict[str, EvaluationForm]:
+        wanted = "lengths" in self.functions.variant(self.entries[suffix]).rules
+        return {key: of_lengths(form) for key, form in forms.items()} if wanted else forms
 
     def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
         """The regimes on either side of the break; with its root given, under a name of its own."""

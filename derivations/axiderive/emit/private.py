@@ -7,10 +7,14 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from ..entry import Entry
 from ..profiles.profile import Profile
-from ..stable.forms import EvaluationForm
+from ..stable.chosen import chosen
+from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.opaque import Root, SineRoot, named
-from .code import python
+from ..stable.signs import Facts
+from ..stable.variants import FULL, Variant
+from .code import printable, python
 
 LINE = 116
 """What fits on a line of a function."""
@@ -44,6 +48,16 @@ class PrivateFunctions:
 
     profile: Profile
     functions: dict[str, Private] = field(default_factory=dict)
+    common: Variant | None = None
+    """The variant of all entries; where there is none each has the chosen one."""
+
+    def variant(self, entry: Entry) -> Variant:
+        return self.common or chosen(entry.key)
+
+    def form(self, entry: Entry, expr: sp.Expr, facts: Facts) -> EvaluationForm:
+        """The form of a case of an entry in its variant; by all rules where NumPy lacks a function of that."""
+        form = evaluation_form(expr, facts, self.variant(entry))
+        return form if printable(form) else evaluation_form(expr, facts, FULL)
 
     @property
     def order(self) -> tuple[str, ...]:

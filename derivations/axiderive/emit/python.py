@@ -99,20 +99,35 @@ def _module(entries: Mapping[str, Entry]) -> ModuleText:
 
 def _private_functions(profile: Profile, entries: Mapping[str, Entry]) -> PrivateFunctions:
     functions = PrivateFunctions(profile)
+    compact = bodies(functions, entries)
+    if compact is not None:
+        Inverses(compact).add_all()
+    return functions
+
+
+def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
+    """Add the private functions but for the inverses of a compact contact, which follow its curves."""
     _profile_function(functions)
-    if profile.contact == "complete":
+    if functions.profile.contact == "complete":
         Complete(entries, functions).add_all()
-        return functions
+        return None
     compact = Compact(entries, functions)
     compact.depth_like("d", "depth")
     compact.depth_like("F", "force")
     compact.pressure()
     compact.displacement()
-    form = evaluation_form(entries["k"].cases[0].expr, facts_of(()))
+    form = functions.form(entries["k"], entries["k"].cases[0].expr, facts_of(()))
     compact.stiffness(form)
     compact.depth_like("pm", "mean_pressure")
-    Inverses(compact).add_all()
-    return functions
+    return compact
+
+
+def bodies_source(functions: PrivateFunctions, title: str) -> str:
+    """A module of private functions alone: to be measured, not to be published."""
+    module = ModuleText(functions.profile.title, title)
+    module.private += [_private(private, functions.profile) for private in functions.functions.values()]
+    module.imports = imports(module)
+    return _environment().get_template("module.py.j2").render(module=module)
 
 
 def _profile_function(functions: PrivateFunctions) -> None:

@@ -54,7 +54,7 @@ class Regimes:
 
     def form(self, suffix: str, key: str) -> EvaluationForm:
         case = self.regimes(suffix)[key]
-        return evaluation_form(case.expr, self.facts(case))
+        return self.functions.form(self.entries[suffix], case.expr, self.facts(case))
 
     @property
     def rooted(self) -> bool:

@@ -1,4 +1,4 @@
-"""The part of the package that one module rests on."""
+"""The part of the package that some modules rest on."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 
 
-def closure(sources: Mapping[str, str], module: str) -> dict[str, str]:
-    """The texts of a module, of all it imports from the package, and of the packages around them.
+def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
+    """The texts of modules, of all they import from the package, and of the packages around them.
 
     A package stands for its name alone: its text is empty, for it would bring in everything it offers.
     """
     found: dict[str, str] = {}
-    pending = [module]
+    pending = list(modules)
     while pending:
         path = pending.pop()
         found[path] = sources[path]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -15,6 +16,7 @@ from .measure import Sample, count_for, samples, ulps, value
 from .naive import naive
 from .reference import UnknownError, condition
 from .samples import DOMAINS
+from .written import Variants, modules, selection
 
 COUNT, SEED = 30, 17
 SYSTEMS = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
@@ -33,6 +35,7 @@ def record(
     entries: Mapping[str, Entry],
     suffixes: Collection[str] | None = None,
     *,
+    variants: Variants = MappingProxyType({}),
     count: int = COUNT,
     seed: int = SEED,
 ) -> dict[str, Record]:
@@ -48,6 +51,8 @@ def record(
         What the functions shall evaluate, by suffix.
     suffixes : collection of str, optional
         The functions to measure; all of them where none are named.
+    variants : mapping, optional
+        The functions in the variants of their forms, to be measured beside them; `sources` hold what they import.
     count, seed : int
         Points in either domain, a tenth where the exact value is an integral; where they start.
 
@@ -57,19 +62,27 @@ def record(
         `form` and `nodes` as `emitted.form` tells where a module holds its own bodies (normal contact), for
         `bench` and `extreme` the worst error in units of the last place, the share above five and the number of
         lost values, and where the printed formula can be evaluated by NumPy the same of it under `naive`.
+        Of a function with `variants` what is said of their `selection`.
         Where errors exceed five units, `over_condition` is the largest of them over 1 + the sum of
         |d ln value/d ln argument|, which rounding one argument would cost anyway.
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
     """
     found = problem(key)
     normal = found.system.name == "normal"
-    with loaded(sources, found.module) as module:
-        return {
-            suffix: (_form(sources[found.module], entry) if normal else {})
-            | _errors(entries, suffix, getattr(module, entry.quantity.function), count, seed)
-            for suffix, entry in entries.items()
-            if (suffixes is None or suffix in suffixes) and (normal or _direct(entry))
-        }
+    wanted = [suffix for suffix in entries if suffixes is None or suffix in suffixes]
+    rows: dict[str, Record] = {}
+    with loaded({**sources, **modules(variants)}, found.module) as module:
+        package = module.__name__.partition(".")[0]
+        for suffix in (suffix for suffix in wanted if normal or _direct(entries[suffix])):
+            function = getattr(module, entries[suffix].quantity.function)
+            row = _form(sources[found.module], entries[suffix]) if normal else {}
+            row["sample"] = {"seed": seed, "count": max(1, count_for(entries[suffix], count))}
+            points = _points(entries, suffix, function, row["sample"])
+            row |= _errors(entries, suffix, function, points)
+            if suffix in variants:
+                row["selection"] = selection(package, entries, suffix, variants[suffix], points, _summary)
+            rows[suffix] = row
+    return rows
 
 
 def _direct(entry: Entry) -> bool:
@@ -83,17 +96,23 @@ def _form(source: str, entry: Entry) -> Record:
     return {"form": kind, "nodes": nodes}
 
 
-def _errors(entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], count: int, seed: int) -> Record:
-    entry = entries[suffix]
-    row: Record = {"sample": {"seed": seed, "count": max(1, count_for(entry, count))}}
-    printed = naive(entry)
-    for domain in DOMAINS:
-        drawn = samples(entries, suffix, domain, row["sample"]["count"], seed)
-        points = [point for point in drawn if _accepted(function, point)]
-        errors = [ulps(value(function, point), point.exact) for point in points]
-        row[domain.name] = _summary(errors) | _conditioned(entries, suffix, points, errors)
+def _points(
+    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], sample: Record
+) -> dict[str, list[Sample]]:
+    drawn = {domain.name: samples(entries, suffix, domain, sample["count"], sample["seed"]) for domain in DOMAINS}
+    return {name: [point for point in some if _accepted(function, point)] for name, some in drawn.items()}
+
+
+def _errors(
+    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], points: Mapping[str, list[Sample]]
+) -> Record:
+    row: Record = {}
+    printed = naive(entries[suffix])
+    for domain, some in points.items():
+        errors = [ulps(value(function, point), point.exact) for point in some]
+        row[domain] = _summary(errors) | _conditioned(entries, suffix, some, errors)
         if printed is not None:
-            row[domain.name]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in points])
+            row[domain]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in some])
     return row
 
 

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 
 from ..notation import a, t
-from .forms import EvaluationForm, Rewriting, gamma_ratios
+from .forms import EvaluationForm
+from .ratios import gamma_ratios
+from .rewriting import Rewriting
 from .signs import Facts, cancels, squares
 
 ROOT = "root"
 
 
+@lru_cache(maxsize=512)
 def slope_form(depth: sp.Expr, facts: Facts) -> EvaluationForm:
     """g'(t) with t for the radius; a root of t and a length of the profile is called `root`.
 

@@ -1,0 +1,116 @@
+"""Sums that cancel, rewritten: conjugates, the gaps x - atan(x) and atanh(x) - x, and ln(X/Y) = log1p((X - Y)/Y)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..notation import a
+from .names import Names
+from .opaque import ArctanGap, Expm1, Log1p, TanhGap, named
+from .signs import cancels, difference, sign
+
+
+class Rewriting(Names):
+    """The rules for sums; those its variant leaves out change nothing."""
+
+    def rewritten(self, value: sp.Expr) -> sp.Expr:
+        """The value with every sum that cancels rewritten, from the outside in."""
+        if not cancels(value, self.facts):
+            return value
+        if value.is_Add:
+            return self._sum(value)
+        if isinstance(value, sp.log):
+            return self.with_named_logarithms(value)
+        return value.func(*(self.rewritten(arg) for arg in value.args)) if value.args else value
+
+    def _sum(self, value: sp.Expr) -> sp.Expr:
+        value = self.with_named_logarithms(value)
+        value = value.replace(sp.cos, lambda x: 1 - 2 * sp.sin(x / 2) ** 2) if value.has(sp.cos) else value
+        value = value.replace(sp.exp, lambda x: 1 + Expm1(x)) if value.has(sp.exp) else value
+        kept = self.fixed_differences(value)
+        total = self._gaps(sp.expand(value.subs(kept)))
+        total = self.conjugates(total)
+        if not cancels(total, self.facts):
+            total = sp.factor_terms(total)
+        return total.subs({dummy: node for node, dummy in kept.items()})
+
+    def fixed_differences(self, value: sp.Expr) -> dict[sp.Expr, sp.Symbol]:
+        """Positive differences of parameters, to be kept in one piece."""
+        return {
+            node: sp.Dummy(positive=True)
+            for node in value.atoms(sp.Add)
+            if sign(node, self.facts) == 1 and difference(node) and not node.has(a)
+        }
+
+    def with_named_logarithms(self, value: sp.Expr) -> sp.Expr:
+        if "log1p" not in self.variant.rules:
+            return value
+        return value.replace(lambda e: isinstance(e, sp.log), self._logarithm)
+
+    def _logarithm(self, value: sp.Expr) -> sp.Expr:
+        top, bottom = sp.fraction(value.args[0])
+        excess = self.conjugates(sp.expand(top - bottom))
+        if sign(excess, self.facts) != 1:
+            return value
+        symbol = named("logarithm")
+        self.ratio[symbol] = value.args[0]
+        self.definitions[symbol] = Log1p(excess / bottom)
+        return symbol
+
+    def _gaps(self, value: sp.Expr) -> sp.Expr:
+        """c (x - atan x) and c (atanh x - x) instead of their parts."""
+        if "gaps" not in self.variant.rules:
+            return value
+        for angle in [name for name in self.tangent if name in value.free_symbols]:
+            slope = value.coeff(angle)
+            lost = sp.Add(*(-term for term in sp.Add.make_args(slope) if sign(term, self.facts) == -1))
+            if lost == 0:
+                continue
+            tangent = self.tangent[angle]
+            rest = self._by_roots(sp.expand(value.coeff(angle, 0) - lost * tangent))
+            if sign(rest, self.facts) == 1 or rest == 0:
+                value = rest + (slope + lost) * angle + lost * ArctanGap(tangent)
+        for angle in [name for name in self.hyperbolic if name in value.free_symbols]:
+            rest = value.coeff(angle, 0)
+            lost = sp.expand(-rest / self.hyperbolic[angle])
+            kept = sp.expand(value.coeff(angle) - lost)
+            if sign(rest, self.facts) == -1 and (kept == 0 or sign(kept, self.facts) == 1):
+                value = kept * angle + lost * TanhGap(angle)
+        return value
+
+    def _by_roots(self, value: sp.Expr) -> sp.Expr:
+        """Sums of squares written as squares of roots where that leaves one sign."""
+        plain, rooted = value.as_independent(*self.square, as_Add=True)
+        return plain + self._squared(sp.factor(rooted))
+
+    def _squared(self, value: sp.Expr) -> sp.Expr:
+        for root, square in self.square.items():
+            value = value.subs(sp.factor(square), root**2).subs(square, root**2)
+        return value
+
+    def conjugates(self, value: sp.Expr) -> sp.Expr:
+        """Pairs X - Y as (X**2 - Y**2)/(X + Y), where the numerator has one sign."""
+        if "conjugates" not in self.variant.rules:
+            return value
+        terms = list(sp.Add.make_args(value))
+        for minus in [term for term in terms if sign(term, self.facts) == -1]:
+            for plus in [term for term in terms if sign(term, self.facts) == 1]:
+                pair = self._conjugate(plus, -minus)
+                if pair is not None:
+                    terms = [term for term in terms if term not in (plus, minus)] + [pair]
+                    break
+        return sp.Add(*terms)
+
+    def _conjugate(self, x: sp.Expr, y: sp.Expr) -> sp.Expr | None:
+        ratio = sp.cancel(x / y)
+        top, bottom = sp.fraction(ratio)
+        if not (top.free_symbols | bottom.free_symbols) & set(self.square):
+            return None
+        excess = sp.expand(top**2 - bottom**2)
+        excess = sp.factor(sp.expand(excess.subs({root**2: square for root, square in self.square.items()})))
+        if sign(excess, self.facts) != 1:
+            return None
+        if sign(top, self.facts) == -1:
+            top, bottom = -top, -bottom
+        below = self._squared(sp.factor(top)) + self._squared(sp.factor(bottom))
+        return sp.factor(sp.cancel(y / bottom * excess)) / below

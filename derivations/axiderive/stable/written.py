@@ -1,0 +1,113 @@
+"""The variants of a function as emitted modules, how they are called, and what is recorded of the choice among them."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from importlib import import_module
+from typing import Any
+
+from ..entry import Entry
+from .measure import Sample, count_for, samples
+from .samples import DOMAINS
+from .selection import Candidate, Points, choose
+
+Record = dict[str, Any]
+Summary = Callable[[list[float]], Record]
+
+
+@dataclass(frozen=True)
+class Written:
+    """One function in one variant."""
+
+    variant: str
+    source: str
+    """A module that holds it, its other functions in the chosen variants."""
+    function: str
+    formula: str
+    cost: int
+
+
+Variants = Mapping[str, Sequence[Written]]
+"""The distinct variants of functions by suffix, the chosen one first."""
+
+
+def modules(variants: Variants) -> dict[str, str]:
+    """The texts by path, where there is something to choose from."""
+    return {
+        f"axicontact/normal/{_name(suffix, i)}.py": written.source
+        for suffix, own in variants.items()
+        for i, written in enumerate(own)
+        if len(own) > 1
+    }
+
+
+def selection(
+    package: str, entries: Mapping[str, Entry], suffix: str, own: Sequence[Written], fresh: Points, summary: Summary
+) -> Record:
+    """What is recorded of the choice: the form the module has, and the next best or, where there is one, a better one.
+
+    Parameters
+    ----------
+    package : str
+        Name under which the package with the `modules` is loaded.
+    entries : mapping of str to Entry
+        What the functions shall evaluate.
+    suffix : str
+        The function.
+    own : sequence of Written
+        Its variants, the one that the published module has first.
+    fresh : mapping
+        The points whose errors are recorded.
+    summary : callable
+        Errors as they are recorded.
+    """
+
+    def draw(count: int, seed: int) -> Points:
+        number = count_for(entries[suffix], count)
+        return {domain.name: list(samples(entries, suffix, domain, number, seed)) for domain in DOMAINS}
+
+    candidates = [Candidate(w.variant, w.formula, w.cost, lambda point: math.nan) for w in own]
+    if len(own) > 1:
+        for i, (candidate, written) in enumerate(zip(candidates, own, strict=True)):
+            module = import_module(f"{package}.normal.{_name(suffix, i)}")
+            candidate.call = _call(package, getattr(module, written.function), entries[suffix])
+    best, second = choose(candidates, fresh, draw)
+    standing = candidates[0]
+    row: Record = {"chosen": _described(standing), "candidates": len(own)}
+    if best is not standing:
+        row["better"] = best.variant
+        second = best
+    if second is not None:
+        row["runner_up"] = _described(second) | {name: summary(errors) for name, errors in second.errors.items()}
+    return row
+
+
+def _described(candidate: Candidate) -> Record:
+    return {"form": candidate.variant, "formula": candidate.formula, "cost": candidate.cost}
+
+
+def _name(suffix: str, i: int) -> str:
+    return f"_{suffix}_{i}"
+
+
+def _call(package: str, body: Callable[..., Any], entry: Entry) -> Callable[[Sample], float]:
+    """The value of a private function at a point, by the array machinery of its package."""
+    elementwise = import_module(f"{package}._elementwise").elementwise
+    names, fields = list(inspect.signature(body).parameters), {str(symbol) for symbol in entry.quantity.arguments}
+
+    def value(point: Sample) -> float:
+        values = {str(getattr(symbol, "label", symbol)): number for symbol, number in point.values.items()}
+        given = {name: values[name] for name in names if name not in fields}
+        several = {name: number for name, number in given.items() if isinstance(number, tuple)}
+        function = partial(body, **several) if several else body
+        numbers = {name: number for name, number in given.items() if name not in several}
+        try:
+            return float(elementwise(function, *(values[name] for name in names if name in fields), **numbers))
+        except (OverflowError, TypeError):  # TypeError: no rule for numbers beyond the range of doubles
+            return math.nan
+
+    return value

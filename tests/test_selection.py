@@ -1,0 +1,203 @@
+"""The choice among the variants of an evaluation form, by counted cost and measured error, the same everywhere."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import permutations
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import arb
+
+import axicontact
+from axiderive import index
+from axiderive.contact.normal import derive
+from axiderive.emit.selected import forms
+from axiderive.emit.variants import written
+from axiderive.entry import Entry
+from axiderive.profiles import load
+from axiderive.show import _entry_text
+from axiderive.stable import chosen
+from axiderive.stable.closure import closure
+from axiderive.stable.cost import cost
+from axiderive.stable.drift import better, drift, settled
+from axiderive.stable.measure import Sample
+from axiderive.stable.records import record
+from axiderive.stable.selection import MARGIN, TOLERANCE, Candidate, Points, choose
+from axiderive.stable.variants import FULL
+from axiderive.stable.written import Written, modules
+
+ROOT = Path(axicontact.__file__).parents[1]
+UNIT = 2.0**-52
+RUNTIME = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").glob("_*.py")}
+WRONG_HERE = 1.75
+"""The number of the points at which a planted formula loses its digits."""
+
+
+def points(*numbers: float) -> Points:
+    """Exact values half way between two doubles."""
+    return {"bench": [Sample((), {}, arb(x) + UNIT / 2, {"x": x}) for x in numbers]}
+
+
+def candidate(name: str, cost: int, units: float, elsewhere: float | None = None) -> Candidate:
+    """It errs by so many units, a whole number and a half, at WRONG_HERE by others."""
+
+    def call(point: Sample) -> float:
+        x: float = point.values["x"]
+        return x + UNIT * (0.5 + (units if elsewhere is None or x != WRONG_HERE else elsewhere))
+
+    return Candidate(name, name, cost, call)
+
+
+def chosen_of(*candidates: Candidate, given: Points | None = None) -> tuple[str, str]:
+    best, second = choose(candidates, given or points(1.25, 1.5), lambda count, seed: points(1.25, WRONG_HERE))
+    assert second is not None
+    return best.variant, second.variant
+
+
+def test_a_cheaper_form_that_keeps_its_digits_is_chosen() -> None:
+    assert chosen_of(candidate("now", 20, 2.5), candidate("cheap", 10, 2.5)) == ("cheap", "now")
+    assert chosen_of(candidate("now", 20, 2.5), candidate("dear", 30, 0.5)) == ("now", "dear")
+    # no weight is known to a tenth
+    assert chosen_of(candidate("now", 20, 2.5), candidate("hardly", 19, 2.5)) == ("now", "hardly")
+
+
+@pytest.mark.parametrize("lost", [10.0, 1e9, float("inf"), float("nan")])
+def test_a_cheaper_form_that_is_wrong_is_not(lost: float) -> None:
+    """Wherever it is wrong: at the recorded points, or only at those that are drawn to confirm it."""
+    given = points(1.25, WRONG_HERE)
+    assert chosen_of(candidate("now", 20, 2.5), candidate("wrong", 1, 0.5, lost), given=given)[0] == "now"
+    assert chosen_of(candidate("now", 20, 2.5), candidate("wrong", 1, 0.5, lost))[0] == "now"
+
+
+def test_the_most_accurate_where_nothing_keeps_the_tolerance() -> None:
+    assert chosen_of(candidate("now", 5, 1e6), candidate("better", 90, 40))[0] == "better"
+    assert chosen_of(candidate("now", 5, 60), candidate("hardly", 5, 40))[0] == "now"
+
+
+def test_a_unit_of_a_library_changes_nothing() -> None:
+    """Both ways: what is chosen may err a unit more, and what is not chosen a unit less."""
+    middle = TOLERANCE - MARGIN / 2
+    assert chosen_of(candidate("now", 20, 2.5), candidate("cheap", 10, middle))[0] == "now"
+    assert chosen_of(candidate("now", 20, TOLERANCE + MARGIN / 2), candidate("dear", 30, 1.5))[0] == "now"
+    # a frozen choice is not given up again for the form it was better than
+    assert chosen_of(candidate("cheap", 10, middle), candidate("before", 20, 2.5))[0] == "cheap"
+
+
+def test_the_order_of_the_others_is_none() -> None:
+    rivals: Sequence[Callable[[], Candidate]] = (
+        lambda: candidate("a", 10, 2.5),
+        lambda: candidate("b", 10, 1.5),
+        lambda: candidate("c", 2, 80.5),
+        lambda: candidate("d", 12, 0.5),
+    )
+    found = {chosen_of(candidate("now", 20, 2.5), *(make() for make in some)) for some in permutations(rivals)}
+    assert found == {("b", "a")}
+
+
+def cone() -> tuple[dict[str, Entry], dict[str, str]]:
+    entries = derive(load("truncated_cone"))
+    path = "axicontact/normal/truncated_cone.py"
+    return entries, RUNTIME | {path: (ROOT / path).read_text()}
+
+
+def selected(own: dict[str, Sequence[Written]]) -> dict[str, Any]:
+    entries, sources = cone()
+    others = modules(own)
+    texts = closure(sources | others, "axicontact/normal/truncated_cone.py", *others)
+    return record("truncated_cone", texts, entries, ["d"], variants=own)["d"]
+
+
+def test_planted_variants_of_a_real_function() -> None:
+    """The depth of a truncated cone: half of it costs less, and so would the same text."""
+    entries, _ = cone()
+    own = written(entries, ["d"])["d"]
+    assert [one.variant for one in own] == ["angles of quotients", "all rules", "without angles"]
+    wrong = replace(own[0], variant="half", source=own[0].source.replace("return a", "return 0.5 * a"), cost=1)
+    assert wrong.source != own[0].source
+    row = selected({"d": (*own, wrong)})
+    assert "better" not in row["selection"]
+    assert row["selection"]["runner_up"]["form"] == "all rules"
+    assert row["selection"]["runner_up"]["extreme"]["worst_ulp"] <= TOLERANCE
+    same = selected({"d": (*own, replace(own[0], variant="same", cost=1))})
+    assert same["selection"]["better"] == "same"
+    assert "`same` (cost 1) would be chosen, not `angles of quotients`" in better(same["selection"])
+    assert selected({"d": (*own, wrong)}) == row
+
+
+def test_the_choice_is_measured_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where nothing is frozen, measurement finds what is."""
+    monkeypatch.setattr(chosen, "CHOSEN", {})
+    entries, _ = cone()
+    row = selected({"d": written(entries, ["d"])["d"]})
+    assert row["selection"]["chosen"]["form"] == FULL.name
+    assert row["selection"]["better"] == "angles of quotients"
+
+
+def test_frozen_choices_are_functions_and_variants() -> None:
+    for key in chosen.CHOSEN:
+        name, suffix = key.split(".")
+        assert suffix in derive(load(name))
+        assert chosen.chosen(key) is not FULL
+
+
+def test_the_cost_of_a_body() -> None:
+    """Per value: what stands alone costs nothing, a root three products, a rule the integrand at each node."""
+    source = """
+def _slope(t, R):
+    return 2 * t / R
+
+def _depth(a, R, theta):
+    scale = np.tan(theta) / R**3
+    root = np.sqrt((R - a) * (R + a))
+    return scale * root * a
+
+def _force(a, R):
+    return R * force_integral(lambda t: _slope(t, R), a, 8)
+"""
+    assert cost(source, "_depth", ["a"]) == 1 + 1 + 1 + 3 + 2
+    assert cost(source, "_depth", ["a", "theta"]) == cost(source, "_depth", ["a"]) + 5 + 1
+    assert cost(source, "_force", ["a"]) == 8 * 2 + 1
+
+
+def test_every_variant_has_its_text() -> None:
+    """A variant that changed nothing anywhere would be measured for nothing."""
+    found = {
+        one.variant
+        for name in ("rounded_punch", "rounded_cone")
+        for some in written(derive(load(name))).values()
+        for one in some
+    }
+    assert found == {
+        "all rules", "angles of quotients", "expanded sums", "expanded sums without lengths", "roots alone",
+        "without angles", "without conjugates", "without gaps", "without lengths",
+    }  # fmt: skip
+
+
+def test_drift_of_a_choice() -> None:
+    entries, _ = cone()
+    now = {"d": selected({"d": written(entries, ["d"])["d"]})}
+    assert drift(now, now) == []
+    before = {"d": {name: value for name, value in now["d"].items() if name != "selection"}}
+    assert drift(before, now) == [("d", "the choice of its form is not recorded; run axicontact build")]
+    assert settled(before, now) == now
+    worse = json.loads(json.dumps(now))
+    worse["d"]["selection"]["better"] = "roots alone"
+    ((_, sentence),) = drift(now, worse)
+    assert "would be chosen" in sentence
+    other = json.loads(json.dumps(now))
+    other["d"]["selection"]["chosen"]["cost"] += 1
+    assert len(drift(other, now)) == 1
+    assert forms(now["d"])[1].startswith("not all rules, cost 17, at most ")
+    assert forms(before["d"]) == []
+
+
+def test_show_prints_both_forms() -> None:
+    found = index.load()
+    (entry,) = found.select("truncated_cone.d")
+    text = _entry_text({**entry, "forms": ["angles of quotients, cost 13", "not all rules, cost 17"]}, brief=False)
+    assert "computed  angles of quotients, cost 13\n            not all rules, cost 17" in text
+    assert "computed" not in _entry_text({**entry, "forms": []}, brief=False)
