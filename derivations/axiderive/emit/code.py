@@ -30,9 +30,11 @@ FUNCTIONS = {
     opaque.DepthOverHeight: "depth_over_height",
 }  # fmt: skip
 HELPERS = (
-    "arctan_gap", "beside", "dawson", "depth_over_height", "difference_of_products", "gamma_ratio", "lower_power",
-    "nth_root", "root_gap", "sine_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
+    "arctan_gap", "beside", "beside_cone", "dawson", "depth_over_height", "difference_of_products", "gamma_ratio",
+    "lower_power", "nth_root", "root_gap", "sine_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
 )  # fmt: skip
+VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
+"""Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
@@ -133,22 +135,36 @@ def _product(expr: sp.Expr) -> tuple[str, int]:
     radical, number, factors = _radical(number, factors)
     top: list[tuple[str, int]] = []
     bottom: list[tuple[str, int]] = []
+    varying: list[tuple[str, int]] = []
+    divided = number.q & (number.q - 1) != 0
     for factor in sorted(factors, key=_factor_rank):
         # an exponential is a function here, not a power of e
         base, exponent = (factor, sp.S.One) if isinstance(factor, sp.exp) else factor.as_base_exp()
-        negative = exponent.could_extract_minus_sign()
-        (bottom if negative else top).append(_power(base, -exponent if negative else exponent))
+        if exponent.could_extract_minus_sign():
+            bottom.append(_power(base, -exponent))
+            divided = True
+        else:
+            (varying if _varies(factor) else top).append(_power(base, exponent))
     if radical:
-        top.append((radical, PRODUCT if " * (" in radical else ATOM))
+        varying.append((radical, PRODUCT if " * (" in radical else ATOM))
     if number < 0:
         text, level = _product(-expr)
         text = text if level >= PRODUCT else f"({text})"
         return "-" + re.sub(r"^(\w+\*\*\w+)", r"(\1)", text), SUM
+    if not (divided and top) or any(_varies(x) for x in factors if x.as_base_exp()[1].could_extract_minus_sign()):
+        top, varying = [*top, *varying], []
     if number.p != 1 or not top:
         top.insert(0, (str(number.p), ATOM))
     if number.q != 1:
         bottom.insert(0, (str(number.q), ATOM))
-    return _fraction(top, bottom)
+    if not varying:
+        return _fraction(top, bottom)
+    # one number times what varies: as many roundings, and no division of an array
+    return _fraction([_fraction(top, bottom), *varying], [])
+
+
+def _varies(factor: sp.Expr) -> bool:
+    return any(isinstance(x, opaque.Named) or x.name in VARYING for x in factor.free_symbols)
 
 
 def _fraction(top: list[tuple[str, int]], bottom: list[tuple[str, int]]) -> tuple[str, int]:

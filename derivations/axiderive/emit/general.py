@@ -54,9 +54,10 @@ def library_source(
         "",
         "from .._elementwise import Array",
         f"from .._functions import {', '.join(HELPERS)}",
-        "from .._integrals import difference_root, pressure_integral, pressure_integral_beyond",
+        "from .._integrals import difference_root",
         "from .._inverse import inverse",
         "from .._over_profile import over_profile, pressure_over_profile",
+        "from .._rules import pressure_integral, pressure_integral_beyond",
     ]
     for private in functions.functions.values():
         row = _private(private, profile)

@@ -24,10 +24,10 @@ IMPORTS = (
     ".._domain: require, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
     f".._functions: {', '.join(HELPERS)}",
-    ".._integrals: pressure_integral_beyond",
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
     ".._powers: power_pressure, power_strips, ring_of_zero_pressure",
+    ".._rules: pressure_integral_beyond",
 )
 EVALUATED = {"f": "even", "p": "even", "s": "odd"}
 
