@@ -15,10 +15,11 @@ import sympy as sp
 from ..contact.general import Layer, beyond, excess, layers
 from ..notation import E_star, r
 from ..profiles.profile import Piece, Profile
-from .code import HELPERS, python
+from .code import python
 from .layers import closed, radius_text, reach, text
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
+from .vocabulary import HELPERS
 
 COUNT = 64
 """Nodes over a closed g'."""

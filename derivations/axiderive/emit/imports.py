@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from .code import HELPERS
 from .private import Private, PrivateFunctions
+from .vocabulary import HELPERS
 
 RUNTIME = Path(__file__).with_name("runtime")
 

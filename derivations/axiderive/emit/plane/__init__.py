@@ -9,11 +9,11 @@ from ... import notation as nt
 from ...contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ...entry import Entry, Quantity
 from ...profiles.profile import Profile
-from ..code import HELPERS
 from ..physics import text
 from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
 from ..public import PACKAGE, check
+from ..vocabulary import HELPERS
 from . import document, eccentric, shown
 from .compact import Compact
 from .complete import Complete

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
 from types import FunctionType
 from typing import Any
 
 from ._bounds import Bound, bounds
 from ._elementwise import LARGE, SMALL
-from ._nodes import gauss_legendre
+from ._loops import is_sum, loops, rule
 from ._scalar import scalar
 from ._trace import Lengths, Node, Path, needed, of_a_module, places, trace
 
@@ -75,26 +74,6 @@ def lines(function: FunctionType, ranges: Mapping[str, tuple[float, float]]) -> 
     return [f"value = twin({', '.join(names)})", CHECK, "return value"], space | {"twin": twin}
 
 
-@cache
-def rule(lengths: Lengths) -> Callable[[float], list[tuple[float, float]]]:
-    """Nodes and weights on (0, 1) for an interval of a length."""
-    tables = [(longest, _pairs(count)) for longest, count in lengths]
-
-    def pairs(length: float) -> list[tuple[float, float]]:
-        for longest, found in tables:
-            if length <= longest:
-                return found
-        raise ArithmeticError
-
-    return pairs
-
-
-@cache
-def _pairs(count: int) -> list[tuple[float, float]]:
-    nodes, weights = gauss_legendre(count)
-    return list(zip(nodes.tolist(), weights.tolist(), strict=True))
-
-
 def indented(text: list[str], depth: int) -> str:
     return "\n".join("    " * depth + line for line in text)
 
@@ -104,7 +83,7 @@ class _Lines:
 
     def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]]) -> None:
         self.nodes = needed(result)
-        self.loops = _loops(self.nodes)
+        self.loops = loops(self.nodes)
         self.paths = {node: self._outside(node, path) for node, path in places(self.nodes).items()}
         self.rules: dict[Lengths, str] = {}
         self.named = self._named()
@@ -141,13 +120,13 @@ class _Lines:
         text = []
         for node in self.nodes:
             here = self.paths[node] == path and self.loops.get(node) is loop
-            if here and node in self.named and node not in self.written and (node is not last or _is_sum(node)):
+            if here and node in self.named and node not in self.written and (node is not last or is_sum(node)):
                 self.written.add(node)
                 text += self._assignment(node, path)
         return text
 
     def _assignment(self, node: Node, path: Path) -> list[str]:
-        if _is_sum(node):
+        if is_sum(node):
             return self._loop(node, path)
         if node not in self.split:
             return [f"_{node.order} = {self.expression(node)}"]
@@ -186,7 +165,7 @@ class _Lines:
             text.append(f"if {self.of(condition)}:")
             text += [f"    {line}" for line in self._returned(x, (*path, (node, True)), certain)]
             return text + self._returned(y, (*path, (node, False)), certain)
-        value = self.expression(node) if self.paths[node] == path and not _is_sum(node) else self.of(node)
+        value = self.expression(node) if self.paths[node] == path and not is_sum(node) else self.of(node)
         if certain and (node in self.proved or node.name == "number"):
             return [*text, f"return {value}"]
         return [*text, f"value = {value}", CHECK, "return value"]
@@ -220,22 +199,6 @@ class _Lines:
         if node.name in TWICE:
             return f"({NAMES[node.name].format(*operands)})"
         return f"{NAMES.get(node.name, node.name)}({', '.join(operands)})"
-
-
-def _is_sum(node: Node) -> bool:
-    return node.name == "integral"
-
-
-def _loops(nodes: list[Node]) -> dict[Node, Node]:
-    """The integral inside which a node changes, for those that do."""
-    loops: dict[Node, Node] = {}
-    sums = {node.operands[2]: node for node in nodes if _is_sum(node)}
-    for node in nodes:
-        if node in sums:
-            loops[node] = sums[node]
-        elif not _is_sum(node) and (inside := [loops[x] for x in node.operands if x in loops]):
-            loops[node] = inside[0]
-    return loops
 
 
 def _is_square(node: Node) -> bool:
