@@ -61,7 +61,7 @@ RULED = (
 )  # fmt: skip
 """Entries whose Gauss rule is in print as the integral that it evaluates."""
 SUMMED = {
-    "cone.w": "beside(r, a, OUTSIDE_1)", "paraboloid.w": "beside(r, a, OUTSIDE_2)",
+    "cone.w": "beside_cone(r, a)", "paraboloid.w": "beside(r, a, OUTSIDE_2)",
     "quartic.w": "beside(r, a, OUTSIDE_4)", "sextic.w": "beside(r, a, OUTSIDE_6)",
     "capped_cylinder.F": "np.maximum(excess, 0.0)", "capped_cylinder.w": "beside(r, rho, OUTSIDE_2)",
     "concave_paraboloid.p": "(d - _minimum_depth(h) + face) / root",

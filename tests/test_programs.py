@@ -18,9 +18,20 @@ import pytest
 from axicontact import _elementwise
 from axicontact._blocks import program
 from axicontact._elementwise import BLOCK, elementwise
+from axicontact._integrals import STRIPS
+from axicontact._loops import PANELS, rule
 from axicontact._plain import plain
 from axicontact._trace import trace
-from axicontact.normal import capped_cylinder, cone, ellipsoid, paraboloid, power_law, rounded_punch, sphere
+from axicontact.normal import (
+    capped_cylinder,
+    cone,
+    ellipsoid,
+    paraboloid,
+    power_law,
+    rounded_punch,
+    sphere,
+    truncated_cone,
+)
 from axiderive.profiles import NAMES
 
 EPS = np.finfo(float).eps
@@ -65,7 +76,7 @@ def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarra
     if found.positive and not all(0.0 < x < np.inf for x in prepared):
         return body(function, *values)
     try:
-        found.block(out, *given, *prepared, *places)
+        found.block(out, *given, *prepared, *places, [np.max(value) for value in given])
     except FloatingPointError:
         assert function in RARE
         return body(function, *values)
@@ -149,6 +160,18 @@ def test_zero_beyond_the_edge_needs_no_choice() -> None:
             np.testing.assert_array_equal(got, np.where(radii >= 0.0, expected, np.nan))
 
 
+def test_a_block_inside_the_contact_needs_no_maximum(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = program(paraboloid._pressure, 2, ("R", "E_star"), (True, False, False, False))
+    assert found is not None
+    called = []
+    monkeypatch.setitem(found.block.__globals__, "maximum", lambda *x, out: called.append(np.maximum(*x, out=out)))
+    for last, calls in ((1.0, 0), (np.nextafter(1.0, 2.0), 1)):
+        called.clear()
+        p = paraboloid.pressure(np.array([0.2, last]), 1.0, R=3.0, E_star=2.0)
+        assert p[1] == 0.0
+        assert len(called) == calls
+
+
 def body(function: Callable[..., Any], *values: Any) -> np.ndarray:
     with np.errstate(all="ignore"):
         return np.asarray(function(*(np.asarray(value, dtype=float) for value in np.broadcast_arrays(*values))))
@@ -207,7 +230,8 @@ def test_threads_share_nothing() -> None:
 
 
 def test_what_has_no_graph_runs_as_it_is() -> None:
-    assert trace(rounded_punch._pressure, ("r", "a", "R", "b", "E_star"), ()) is None
+    assert trace(rounded_punch._contact_from_depth, ("d", "R", "b"), ()) is None
+    assert program(rounded_punch._pressure, 5, (), (True,) * 5) is None
     assert trace(lambda x: x if x > 0.0 else -x, ("x",), ()) is None
     assert trace(lambda x: np.asarray(x, dtype=float), ("x",), ()) is None
     assert trace(lambda x: x > 0.0, ("x",), ()) is None
@@ -257,6 +281,28 @@ def test_plain_functions_agree_with_the_bodies() -> None:
                     np.testing.assert_allclose(got, body(function, *values), rtol=64 * EPS, err_msg=function.__name__)
                     count += 1
     assert count > 500
+
+
+@pytest.mark.parametrize("module", [truncated_cone, rounded_punch])
+def test_rules_are_loops_over_plain_numbers(module: Any) -> None:
+    """Next to the edges too, where the rule has panels; farther out the body takes over."""
+    dice, sizes = np.random.default_rng(6), dict(zip(("theta", "R", "b"), (0.4, 3.0, 1.0), strict=True))
+    for function in (module._pressure, module._displacement):
+        names = inspect.signature(function).parameters
+        rest = [sizes.get(name, 1.0) for name in list(names)[2:]]
+        formula = plain(function)
+        assert formula is not None
+        for _ in range(60):
+            a = 1.0 + 10 ** dice.uniform(-12, 5)
+            near = 10 ** dice.uniform(-12, -0.01)
+            r = a * (1.0 - near) if function is module._pressure else a * (1.0 + near)
+            got = formula(r, a, *rest)
+            assert got is not None
+            np.testing.assert_allclose(got, body(function, [r], a, *rest), rtol=16 * EPS)
+    assert rule(STRIPS)(PANELS * STRIPS[-1][0] * 0.99)
+    for length in (PANELS * STRIPS[-1][0] * 1.01, math.inf, math.nan):
+        with pytest.raises((ArithmeticError, ValueError)):
+            rule(STRIPS)(length)
 
 
 def test_a_minimum_keeps_what_is_no_number() -> None:

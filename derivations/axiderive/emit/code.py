@@ -12,29 +12,8 @@ from ..abel import masters
 from ..stable import opaque
 from ..stable.forms import EvaluationForm
 from ..stable.signs import squares
+from .vocabulary import FUNCTIONS, HELPERS, ORDER, VARYING
 
-# material and load first, then lengths from the contact to the profile, intermediates and functions last
-ORDER = (
-    "E_star", "F", "P", "d", "n", "A", "h", "a", "r", "x", "L", "t", "u", "b", "R", "R1", "R2", "s", "wavelength",
-    "theta", "r_zero",
-)  # fmt: skip
-FUNCTIONS = {
-    sp.Abs: "np.abs",
-    sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
-    sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
-    sp.acos: "np.arccos", sp.asin: "np.arcsin", sp.acosh: "np.arccosh", sp.atanh: "np.arctanh",
-    opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
-    opaque.RootGap: "root_gap", opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap",
-    opaque.GammaRatio: "gamma_ratio",
-    masters.Dawson: "dawson", opaque.ArcStrips: "arc_strips", opaque.PowerPressure: "power_pressure",
-    opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
-    opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
-    opaque.DepthOverHeight: "depth_over_height",
-}  # fmt: skip
-HELPERS = (
-    "arctan_gap", "beside", "dawson", "depth_over_height", "difference_of_products", "gamma_ratio", "lower_power",
-    "nth_root", "root_gap", "sine_root", "struve_h0", "struve_h1", "tanh_gap", "without_root",
-)  # fmt: skip
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
@@ -142,22 +121,36 @@ def _product(expr: sp.Expr) -> tuple[str, int]:
     radical, number, factors = _radical(number, factors)
     top: list[tuple[str, int]] = []
     bottom: list[tuple[str, int]] = []
+    varying: list[tuple[str, int]] = []
+    divided = number.q & (number.q - 1) != 0
     for factor in sorted(factors, key=_factor_rank):
         # an exponential is a function here, not a power of e
         base, exponent = (factor, sp.S.One) if isinstance(factor, sp.exp) else factor.as_base_exp()
-        negative = exponent.could_extract_minus_sign()
-        (bottom if negative else top).append(_power(base, -exponent if negative else exponent))
+        if exponent.could_extract_minus_sign():
+            bottom.append(_power(base, -exponent))
+            divided = True
+        else:
+            (varying if _varies(factor) else top).append(_power(base, exponent))
     if radical:
-        top.append((radical, PRODUCT if " * (" in radical else ATOM))
+        varying.append((radical, PRODUCT if " * (" in radical else ATOM))
     if number < 0:
         text, level = _product(-expr)
         text = text if level >= PRODUCT else f"({text})"
         return "-" + re.sub(r"^(\w+\*\*\w+)", r"(\1)", text), SUM
+    if not (divided and top) or any(_varies(x) for x in factors if x.as_base_exp()[1].could_extract_minus_sign()):
+        top, varying = [*top, *varying], []
     if number.p != 1 or not top:
         top.insert(0, (str(number.p), ATOM))
     if number.q != 1:
         bottom.insert(0, (str(number.q), ATOM))
-    return _fraction(top, bottom)
+    if not varying:
+        return _fraction(top, bottom)
+    # one number times what varies: as many roundings, and no division of an array
+    return _fraction([_fraction(top, bottom), *varying], [])
+
+
+def _varies(factor: sp.Expr) -> bool:
+    return any(isinstance(x, opaque.Named) or x.name in VARYING for x in factor.free_symbols)
 
 
 def _fraction(top: list[tuple[str, int]], bottom: list[tuple[str, int]]) -> tuple[str, int]:

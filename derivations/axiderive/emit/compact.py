@@ -111,16 +111,17 @@ class Compact(Lumped):
         return name, str(SMOOTH)
 
     def _monomial_displacement(self, radius: str) -> str:
-        """The displacement of a tip whose depth is a power of its radius, through the kernel of that power."""
+        """The displacement of a tip whose depth is a power of its radius, by the form of that power."""
         found = monomial(self.regimes("d")["tip"].expr)
         if found is None:
             return ""
         depth, exponent = found
-        return f"{python(depth.subs(a, sp.Symbol(radius, positive=True)))} * beside(r, {radius}, OUTSIDE_{exponent})"
+        sunk = HOMOGENEOUS.displacement_scale * depth.subs(a, sp.Symbol(radius, positive=True))
+        return f"{python(sunk)} * {beside(radius, exponent)}"
 
     def displacement(self) -> Private:
         lines: list[str] = []
-        needs, parts = set(), []
+        needs, parts, terms = set(), [], []
         scale = python(HOMOGENEOUS.displacement_scale)
         regimes = self.regimes("w")
         closed = self.form("w", "tip") if "tip" in regimes and self.b is None else None
@@ -137,17 +138,21 @@ class Compact(Lumped):
                 growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
                 if self.b is not None:
                     lines.append(f"inner = np.minimum(a, {self.b})")
-                lines.append(f"tip = {monomial}" if monomial else f"tip = {rule}({growth}, r, {radius}, {tail})")
+                if monomial:
+                    terms.append(monomial)
+                else:
+                    lines.append(f"tip = {rule}({growth}, r, {radius}, {tail})")
+                    parts.append("tip")
                 needs |= {*slope.needs} | ({str(length)} if length is not None else set())
-                parts.append("tip")
             if "beyond" in regimes:
                 slope = self.slopes["beyond"][0]
                 growth = slope.with_parameters()
                 lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self._width()})")
                 needs |= {*slope.needs, str(self.b)}
                 parts.append("beyond")
-            total = " + ".join(parts)
-            outside = f"{scale} * ({total})" if len(parts) > 1 else f"{scale} * {total}"
+            if parts:
+                terms.append(f"{scale} * ({' + '.join(parts)})" if len(parts) > 1 else f"{scale} * {parts[0]}")
+            outside = " + ".join(terms)
         depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
         lines.append(f"outside = {outside}")
         lines.append(f"inside = {depth.call()} - {profile.call()}")
@@ -159,6 +164,11 @@ class Compact(Lumped):
         return self.functions.add(
             "displacement", ("r", "a"), lines, needs | set(depth.needs) | set(profile.needs) | more
         )
+
+
+def beside(radius: str, exponent: int) -> str:
+    """The call for the displacement beside a contact of that radius whose depth is a power of it."""
+    return f"beside(r, {radius}, OUTSIDE_{exponent})" if exponent > 1 else f"beside_cone(r, {radius})"
 
 
 def monomial(depth: sp.Expr) -> tuple[sp.Expr, int] | None:

@@ -13,6 +13,7 @@ from ..notation import a, d, r, r_zero
 from ..stable.signs import cancels, facts_of
 from ..stable.slopes import slope_form
 from .code import python
+from .compact import beside
 from .private import Private, PrivateFunctions
 
 ZETA = sp.Symbol("zeta", positive=True)
@@ -196,7 +197,7 @@ class Complete:
         scale, sunk = python(HOMOGENEOUS.displacement_scale), python(depth.subs(a, rho))
         lines = [
             *start,
-            f"face = {sunk} * beside(r, rho, OUTSIDE_{sp.degree(depth, a)})",
+            f"face = {sunk} * {beside('rho', sp.degree(depth, a))}",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]

@@ -15,10 +15,11 @@ import sympy as sp
 from ..contact.general import Layer, beyond, excess, layers
 from ..notation import E_star, r
 from ..profiles.profile import Piece, Profile
-from .code import HELPERS, python
+from .code import python
 from .layers import closed, radius_text, reach, text
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
+from .vocabulary import HELPERS
 
 COUNT = 64
 """Nodes over a closed g'."""
@@ -54,9 +55,10 @@ def library_source(
         "",
         "from .._elementwise import Array",
         f"from .._functions import {', '.join(HELPERS)}",
-        "from .._integrals import difference_root, pressure_integral, pressure_integral_beyond",
+        "from .._integrals import difference_root",
         "from .._inverse import inverse",
         "from .._over_profile import over_profile, pressure_over_profile",
+        "from .._rules import pressure_integral, pressure_integral_beyond",
     ]
     for private in functions.functions.values():
         row = _private(private, profile)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from .code import HELPERS
 from .private import Private, PrivateFunctions
+from .vocabulary import HELPERS
 
 RUNTIME = Path(__file__).with_name("runtime")
 
@@ -85,11 +85,8 @@ def imports(module: ModuleText) -> list[str]:
     helpers = [name for name in HELPERS if f"{name}(" in text]
     if helpers:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
-    rules = sorted({name for name in _rule_names() if f"{name}(" in text})
-    if rules:
-        line = f"from .._integrals import {', '.join(rules)}"
-        split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
-        blocks += [line] if len(line) <= 120 else split
+    if "difference_root(" in text:
+        blocks.append("from .._integrals import difference_root")
     roots = [name for name in ("between", "inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
@@ -101,14 +98,15 @@ def imports(module: ModuleText) -> list[str]:
     powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
+    rules = sorted({name for name in _rule_names() if f"{name}(" in text})
+    if rules:
+        line = f"from .._rules import {', '.join(rules)}"
+        split = ["from .._rules import (", *(f"    {rule}," for rule in rules), ")"]
+        blocks += [line] if len(line) <= 120 else split
     return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache
 def _rule_names() -> tuple[str, ...]:
-    text = (RUNTIME / "_integrals.py").read_text()
-    return tuple(
-        line[4 : line.index("(")]
-        for line in text.splitlines()
-        if line.startswith("def ") and ("_integral" in line or "difference_root" in line)
-    )
+    text = (RUNTIME / "_rules.py").read_text()
+    return tuple(re.findall(r"^def (\w+_integral\w*)\(", text, re.MULTILINE))

@@ -11,7 +11,7 @@ import mpmath as mp
 from ..stable.kernels import fit
 
 EXPONENTS = (1, 2, 4, 6)
-"""Of r**n, for which the displacement beside the contact has a kernel."""
+"""Of r**n, for which the displacement beside the contact has a form of its own, from 2 on a kernel."""
 
 
 def outside(n: int, v: mp.mpf) -> mp.mpf:
@@ -108,7 +108,7 @@ STARTS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float, mp.mpf]] = {
             f"displacement beside a contact with r**{n} over tan(asin(a/r)/2)**2", partial(outside, n), 1.0,
             mp.mpf(n) / (n + 1),
         )
-        for n in EXPONENTS
+        for n in EXPONENTS[1:]
     },
 }  # fmt: skip
 """The same of which the value at v = 0 is most: what is fitted is the rest over v."""

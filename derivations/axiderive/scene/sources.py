@@ -90,7 +90,7 @@ def polynomials(kernels: str) -> str:
 
 @cache
 def _rules() -> dict[str, int]:
-    return rules((RUNTIME / "_integrals.py").read_text()) | rules((physics.RUNTIME / "_slip_rules.py").read_text())
+    return rules((RUNTIME / "_rules.py").read_text()) | rules((physics.RUNTIME / "_slip_rules.py").read_text())
 
 
 def _module(name: str, text: str) -> Module:

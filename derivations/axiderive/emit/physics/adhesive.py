@@ -10,8 +10,8 @@ from ...contact.adhesive import pull_off_rule
 from ...entry import Entry
 from ...notation import E_star, a, a_c, dgamma, n, r
 from ...profiles.profile import Profile
-from ..code import HELPERS
 from ..public import literal
+from ..vocabulary import HELPERS
 from . import text
 from .branches import branch_functions
 from .examples import Example

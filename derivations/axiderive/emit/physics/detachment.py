@@ -10,7 +10,8 @@ from ...notation import E_star, a, dgamma
 from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
 from .. import example
-from ..code import HELPERS, python
+from ..code import python
+from ..vocabulary import HELPERS
 from . import text
 from .examples import Example
 from .text import Function, NormalModule, evaluate, private

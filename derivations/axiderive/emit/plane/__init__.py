@@ -9,11 +9,11 @@ from ... import notation as nt
 from ...contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ...entry import Entry, Quantity
 from ...profiles.profile import Profile
-from ..code import HELPERS
 from ..physics import text
 from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
 from ..public import PACKAGE, check
+from ..vocabulary import HELPERS
 from . import document, eccentric, shown
 from .compact import Compact
 from .complete import Complete
@@ -24,10 +24,10 @@ IMPORTS = (
     ".._domain: require, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
     f".._functions: {', '.join(HELPERS)}",
-    ".._integrals: pressure_integral_beyond",
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
     ".._powers: power_pressure, power_strips, ring_of_zero_pressure",
+    ".._rules: pressure_integral_beyond",
 )
 EVALUATED = {"f": "even", "p": "even", "s": "odd"}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._integrals import pressure_integral_tanh
+from ._rules import pressure_integral_tanh
 
 
 def arc_strips(r: Array, a: Array, R: Array) -> Array:
