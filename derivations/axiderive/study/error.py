@@ -20,7 +20,7 @@ from .timing import paired
 
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
-    "function, over settings.vector points), "
+    "function, over settings.vector points, or as many as take a second), "
     "two digits; no times are kept, they differ from machine to machine and so, less, do the ratios. "
     "Errors are relative to the defining integral at the doubles given, at `points` points. "
     "Rivals are given f', g and g' in closed form, from break to break. Grid methods are compared at their nodes next "
