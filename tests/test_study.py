@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import math
+from functools import partial
 
 import mpmath as mp
 import numpy as np
@@ -13,11 +14,12 @@ import pytest
 from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.exits import USAGE
-from axiderive.study import accuracy, bem, error, extremes, limits, maps, rivals, rule, speed
-from axiderive.study.methods import QUICK, methods, skipped
+from axiderive.study import accuracy, bem, error, extremes, grids, limits, maps, rivals, rule, speed
+from axiderive.study.methods import QUICK, methods
 from axiderive.study.points import DIGITS, arguments, exact
 from axiderive.study.report import relative, rounded, to_json
-from axiderive.study.subject import NAMES, PARAMETERS, QUANTITIES, RADIUS, Subject, subject
+from axiderive.study.skipped import skipped
+from axiderive.study.subject import PARAMETERS, QUANTITIES, RADIUS, RULED, Subject, subject
 from axiderive.writing import stale_files
 
 # worst relative errors of the quick settings over all CASES, with a margin of at least 1.5
@@ -39,8 +41,10 @@ TOLERANCES = {
 CASES = (
     ("cone", "p"), ("rounded_punch", "p"), ("rounded_punch", "w"), ("rounded_punch", "Fd"),
     ("power_law.fgm", "p"), ("power_law.fgm", "w"), ("power_law.fgm", "Fd"), ("cone.adh", "ad"),
+    ("capped_paraboloid", "p"), ("sphere_tipped_cone", "w"), ("hyperboloid", "p"), ("concave_power", "p"),
+    ("concave_power", "w"),
 )  # fmt: skip
-GIVEN = ("depth", "depth_mp", "rate", "rate_scalar", "rate_mp", "slope", "slope_mp", "growth")
+GIVEN = ("depth", "depth_mp", "rate", "rate_scalar", "rate_mp", "slope", "slope_mp")
 OWN = ("emitted", "lambdify")
 NOTICED = 2 * max(TOLERANCES.values())
 
@@ -53,12 +57,13 @@ def test_every_method_agrees_with_the_definition(name, suffix):
 
 @pytest.mark.parametrize(("name", "suffix"), CASES)
 def test_every_method_uses_the_profile_it_is_given(name, suffix):
-    """A profile 3 % too steep must show in each: a reference made from the same data would not see it."""
+    """A profile 5 % too steep must show in each: a reference made from the same data would not see it."""
     wrong = Subject(name)
     for attribute in GIVEN:
         function = getattr(wrong, attribute)
-        wrong.__dict__[attribute] = lambda x, function=function: function(x) * 1.03
-    rivals_only = [m for m in methods(wrong, suffix, QUICK) if m.name not in OWN]
+        wrong.__dict__[attribute] = lambda x, function=function: function(x) * 1.05
+    own = (*OWN, "generated rule") if suffix in RULED.get(name, ()) else OWN
+    rivals_only = [m for m in methods(wrong, suffix, QUICK) if m.name not in own]
     assert rivals_only
     for method in rivals_only:
         assert max(error.errors(subject(name), suffix, method)) > NOTICED, method.name
@@ -66,7 +71,7 @@ def test_every_method_uses_the_profile_it_is_given(name, suffix):
 
 @pytest.mark.parametrize(
     ("function", "counts", "order"),
-    [(rivals.trapezoid_pressure, (100, 400), 1.0), (rivals.fft_pressure, (1000, 4000), 0.9)],
+    [(grids.trapezoid_pressure, (100, 400), 1.0), (grids.fft_pressure, (1000, 4000), 0.9)],
 )
 def test_grids_converge(function, counts, order):
     """Median errors next to four radii fall at least as fast as the order of the method."""
@@ -80,12 +85,21 @@ def test_grids_converge(function, counts, order):
     assert medians[0] / medians[1] > (counts[1] / counts[0]) ** order
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ["cone", "paraboloid", "sphere"])
 def test_rule_reaches_the_last_digits(name):
-    """With the substitution of the catalogue 48 nodes leave no more than rounding, on each side of a break."""
+    """Where the catalogue has a closed form, 48 nodes leave no more than rounding."""
     r = np.array([0.3, 1.7])
     for x, value in zip(r, rule.pressure(subject(name), r, 48), strict=True):
         assert relative(value, exact(subject(name), "p", float(x))) < 5e-14
+
+
+@pytest.mark.parametrize("function", [partial(rivals.jacobi_force, count=64), rivals.quad_force])
+def test_a_force_is_taken_from_break_to_break(function):
+    """On the tip and beyond: in one piece the fixed rule is wrong by 3e-7, the adaptive one by 1.5e-12."""
+    tipped = subject("sphere_tipped_cone")
+    d = arguments(tipped, "Fd", 3)
+    for depth, force in zip(d, function(tipped, d), strict=True):
+        assert relative(force, exact(tipped, "Fd", float(depth))) < 1e-12
 
 
 def test_reference_is_the_textbook_where_there_is_one():
@@ -100,15 +114,12 @@ def test_reference_is_the_textbook_where_there_is_one():
 def test_error_record_holds_what_it_promises():
     record = error.measure(["cone"], quick=True)
     assert json.loads(to_json(record)) == record
-    assert {"note", "settings", "rows", "skipped", "plots"} <= set(record)
+    assert {"note", "settings", "rows", "skipped"} <= set(record)
     assert {row["key"] for row in record["rows"]} == {f"cone.{suffix}" for suffix in QUANTITIES}
     for row in record["rows"]:
         assert set(row) == {"key", "method", "setting", "ratio", "worst", "median", "points", "lost"}
         assert row["ratio"] > 0
         assert row["ratio"] == rounded(row["ratio"])
-    for key, curves in record["plots"].items():
-        of_key = [row for row in record["rows"] if row["key"] == key]
-        assert sum(map(len, curves.values())) == len(of_key)
     assert "seconds" not in to_json(record)
     assert "quad and root" in error.text(record)
 

@@ -16,7 +16,8 @@ from .. import __version__
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
-from . import book, references, spread, study
+from . import book, references, spread
+from .study.timing import timing
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -54,7 +55,7 @@ def handbook_sources(
     template = templates().get_template("profile.tex.j2")
     measured = (studies or {}).get("error")
     files = {
-        f"profiles/{name}.tex": template.render(model, timing=measured and study.timing(measured, ruled(model)))
+        f"profiles/{name}.tex": template.render(model, timing=measured and timing(measured, ruled(model)))
         for name, model in models.items()
     }
     return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
@@ -69,9 +70,11 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
 
 
-def ruled(model: Model) -> frozenset[str]:
-    """Keys of the normal contact that the catalogue evaluates by a quadrature rule."""
-    return frozenset(f"{model['name']}.{row['suffix']}" for row in model["evidence"]["table"] if row["ruled"])
+def ruled(model: Model) -> list[str]:
+    """Keys of the normal contact that the catalogue evaluates by a quadrature rule, of a force that of F(d)."""
+    suffixes = [row["suffix"] for row in model["evidence"]["table"] if row["ruled"]]
+    found = [suffix for suffix in ("p", "w") if suffix in suffixes] + (["Fd"] if "F" in suffixes else [])
+    return [f"{model['name']}.{suffix}" for suffix in found]
 
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:

@@ -86,9 +86,9 @@ def _corpus(arguments: argparse.Namespace) -> int:
 def _error(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import error
-    from .subject import NAMES, OTHERS
+    from .subject import EVERY
 
-    return _finish(arguments, error.measure(_names(arguments, (*NAMES, *OTHERS)), quick=arguments.quick), error.text)
+    return _finish(arguments, error.measure(_names(arguments, tuple(EVERY)), quick=arguments.quick), error.text)
 
 
 def _speed(arguments: argparse.Namespace) -> int:

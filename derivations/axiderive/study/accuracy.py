@@ -16,9 +16,11 @@ from .. import notation as nt
 from ..entry import Entry
 from ..proof.balls import NotAvailableError, enclose_value
 from ..proof.quadrature import inverse
+from .given import Function
 from .naive import naive
 from .report import relative
-from .subject import Array, Function, emitted, entries
+from .special_functions import Array
+from .subject import emitted, entries
 
 Point = dict[sp.Symbol, float]
 DIGITS = 22

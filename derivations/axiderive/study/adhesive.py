@@ -9,7 +9,8 @@ import numpy as np
 
 from .. import notation as nt
 from .rivals import quad, radius
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 
 def quad_radius(subject: Subject, d: Array) -> Array:

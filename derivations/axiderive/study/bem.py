@@ -7,7 +7,8 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 WIDTH = 3.0
 """Side of the square in contact radii."""

@@ -7,48 +7,47 @@ to a machine.
 
 from __future__ import annotations
 
-import statistics
-import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
+from typing import Any
 
-from .methods import QUICK, Method, Plan, methods, skipped
+from .methods import QUICK, Method, Plan, methods
 from .points import DIGITS, exact
 from .report import Record, relative, rounded, summary, table, versions
-from .subject import NAMES, OTHERS, PARAMETERS, QUANTITIES, RADIUS, Subject, subject
+from .skipped import skipped
+from .subject import EVERY, FURTHER, PARAMETERS, RADIUS, Subject, subject
+from .timing import paired
 
-SHORTEST = 4e-3
-"""Seconds that one timing takes at least: shorter calls are repeated."""
-LONGEST = 1.0
-"""Seconds beyond which a method is timed three times and no more."""
-FLOOR = 2.0**-53
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
-    "function, over settings.vector points), "
+    "function, over settings.vector points, or as many as take a second), "
     "two digits; no times are kept, they differ from machine to machine and so, less, do the ratios. "
     "Errors are relative to the defining integral at the doubles given, at `points` points. "
-    "Rivals are given f', g and g' in closed form. Grid methods are compared at their nodes next to the points. "
-    "plots: [ratio, worst error] per method, errors below 2**-53 lifted to it."
+    "Rivals are given f', g and g' in closed form, from break to break. Grid methods are compared at their nodes next "
+    "to the points."
 )
 
 
-def measure(names: Sequence[str] = (*NAMES, *OTHERS), *, quick: bool = False, plan: Plan | None = None) -> Record:
+def measure(names: Sequence[str] = tuple(EVERY), *, quick: bool = False, plan: Plan | None = None) -> Record:
     """The record of the study."""
     plan = plan or (QUICK if quick else Plan())
     rows, missing = [], []
     for name in names:
-        for suffix in OTHERS.get(name, QUANTITIES):
+        for suffix in EVERY[name]:
             rows += list(_rows(subject(name), suffix, plan))
             missing += skipped(subject(name), suffix)
-    parameters = {str(symbol): value for symbol, value in PARAMETERS.items()} | {"a": RADIUS}
+    parameters = _named(PARAMETERS) | {"a": RADIUS} | {name: _named(FURTHER[name]) for name in names if name in FURTHER}
     return {
         "study": "error",
         "note": NOTE,
         "settings": {**_plain(plan), "reference_digits": DIGITS, "parameters": parameters, "versions": versions()},
         "rows": rows,
         "skipped": missing,
-        "plots": _plots(rows),
     }
+
+
+def _named(values: Mapping[Any, Any]) -> Record:
+    return {str(getattr(symbol, "label", symbol)): value for symbol, value in values.items()}
 
 
 def _plain(plan: Plan) -> Record:
@@ -77,30 +76,8 @@ def errors(subject: Subject, suffix: str, method: Method) -> list[float]:
 
 
 def _ratio(method: Method, own: Method, rounds: int) -> float:
-    """Median of the ratios of two timings that follow each other."""
-    first = _seconds(method, 1)
-    counts = [max(1, int(SHORTEST / seconds)) for seconds in (_seconds(own, 1), first)] if rounds > 1 else [1, 1]
-    ratios = []
-    for _ in range(min(rounds, 3) if first > LONGEST else rounds):
-        mine = _seconds(own, counts[0]) / own.count
-        ratios.append(_seconds(method, counts[1]) / method.count / mine)
-    return statistics.median(ratios)
-
-
-def _seconds(method: Method, repeats: int) -> float:
-    start = time.process_time()
-    for _ in range(repeats):
-        method.run()
-    return (time.process_time() - start) / repeats
-
-
-def _plots(rows: list[Record]) -> dict[str, dict[str, list[list[float]]]]:
-    plots: dict[str, dict[str, list[list[float]]]] = {}
-    for row in rows:
-        if row["worst"] is not None:
-            curve = plots.setdefault(row["key"], {}).setdefault(row["method"], [])
-            curve.append([row["ratio"], max(row["worst"], FLOOR)])
-    return plots
+    """Time per point of a method over that of the emitted function."""
+    return paired(method.run, own.run, rounds) * own.count / method.count
 
 
 def text(record: Record) -> str:

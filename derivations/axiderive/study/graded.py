@@ -15,7 +15,8 @@ import numpy as np
 from scipy import integrate
 
 from .rivals import jacobi, radius
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 a = RADIUS
 

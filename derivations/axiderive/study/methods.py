@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 
 from .. import notation as nt
-from . import adhesive, bem, graded, rivals, rule
-from .naive import naive, per_point
+from . import adhesive, bem, graded, grids, rivals, rule
+from .naive import naive, per_point, printed
 from .points import arguments, defined
-from .subject import RADIUS, Array, Subject, emitted
+from .special_functions import Array
+from .subject import RADIUS, RULED, Subject, emitted
+from .timing import seconds
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,9 @@ def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
     if subject.graded:
         yield from _graded(setup)
         return
+    if subject.few:
+        yield from _few(setup)
+        return
     match suffix:
         case "ad":
             yield from _adhesive(setup)
@@ -68,27 +73,6 @@ def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
             yield from _displacement(setup)
         case _:
             yield from _force(setup)
-
-
-def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
-    """Methods that have nothing to run for a quantity, with the reason."""
-    reasons = {}
-    if subject.graded:
-        reasons["generated rule"] = "the printed formulas are closed: no rule is generated"
-        reasons["trapezoid MDR"] = reasons["FFT MDR"] = "their weights are those of the homogeneous half space"
-    elif suffix == "ad":
-        reasons["FFT MDR"] = "a convolution gives fields, not a(d)"
-    elif suffix == "Fd":
-        reasons["generated rule"] = "depth and force are closed: no rule is generated"
-        reasons["FFT MDR"] = "a convolution gives fields, not F(d)"
-    if subject.graded:
-        reasons["BEM"] = "its half space is homogeneous"
-    elif suffix != "p":
-        reasons["BEM"] = "its pressures are compared"
-    elif bem.missing():
-        reasons["BEM"] = bem.missing()
-    key = f"{subject.name}.{suffix}"
-    return [{"key": key, "method": method, "reason": reason} for method, reason in reasons.items()]
 
 
 class _Setup:
@@ -116,19 +100,40 @@ class _Setup:
         for count in counts:
             yield self.over(name, f"N = {count}", partial(_with_count, function, self.subject, count), x)
 
+    def affordable(self, function: Callable[[Array], Any]) -> Array:
+        """The many points, or as many as take a second."""
+        taken = seconds(partial(function, self.points)) / len(self.points)
+        return self.many[: max(len(self.points), min(len(self.many), int(1.0 / max(taken, 1e-9))))]
+
     def gridded(self, name: str, function: Callable[..., Any], counts: tuple[int, ...]) -> Iterator[Method]:
         for count in counts:
             yield self.on_grid(name, f"N = {count}", partial(function, self.subject, count))
 
     def closed(self) -> Iterator[Method]:
-        subject, entry = self.subject, self.subject.entries[self.suffix]
-        symbol = nt.r if self.suffix in ("p", "w") else nt.d
-        x = self.points if per_point(entry) else self.many
-        for name, function, points in (
-            ("emitted", emitted(entry, subject.name), self.many),
-            ("lambdify", naive(entry, subject.entries), x),
-        ):
-            yield self.over(name, "", partial(_at_values, function, subject.values, symbol), points)
+        entry = self.subject.printed(self.suffix)
+        yield self.over("emitted", "", self._emitted, self.many)
+        if printed(entry):
+            x = self.points if per_point(entry) else self.many
+            values = naive(entry, self.subject.entries)
+            yield self.over("lambdify", "", partial(_at_values, values, self.subject.values, self._symbol), x)
+
+    @property
+    def _symbol(self) -> Any:
+        return nt.r if self.suffix in ("p", "w") else nt.d
+
+    @property
+    def _emitted(self) -> Callable[[Array], Any]:
+        function = emitted(self.subject.entries[self.suffix], self.subject.name)
+        return partial(_at_values, function, self.subject.parameters, self._symbol)
+
+    def rule(self, function: Callable[..., Any] | None = None) -> Iterator[Method]:
+        """The rule of the catalogue, or, where that has a closed form, the one that it would have."""
+        if self.suffix not in RULED.get(self.subject.name, ()):
+            yield from self.sized("generated rule", function, self.plan.rule, self.many) if function else ()
+            return
+        for count in self.plan.rule:
+            run = partial(rule.with_nodes, self._emitted, count=count)
+            yield self.over("generated rule", f"N = {count}", run, self.many)
 
     def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
         for digits in self.plan.digits:
@@ -146,14 +151,14 @@ def _at_values(function: Callable[..., Any], values: dict[Any, Any], symbol: Any
 
 def _pressure(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
-    yield from setup.sized("generated rule", rule.pressure, plan.rule, setup.many)
+    yield from setup.rule(rule.pressure)
     yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
     for suffix, substituted in (("", False), (", substituted", True)):
         quad = partial(rivals.quad_pressure, subject, substituted=substituted)
         yield setup.over(f"quad{suffix}", "", quad, setup.points)
         yield from setup.digits(partial(rivals.mpmath_pressure, substituted=substituted), f"mpmath{suffix}")
-    yield from setup.gridded("trapezoid MDR", rivals.trapezoid_pressure, plan.trapezoid)
-    yield from setup.gridded("FFT MDR", rivals.fft_pressure, plan.fft)
+    yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
+    yield from setup.gridded("FFT MDR", grids.fft_pressure, plan.fft)
     if not bem.missing():
         force = float(defined(subject, RADIUS)("F"))
         for count in plan.bem:
@@ -162,11 +167,11 @@ def _pressure(setup: _Setup) -> Iterator[Method]:
 
 def _displacement(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
-    yield from setup.sized("generated rule", rule.displacement, plan.rule, setup.many)
+    yield from setup.rule(rule.displacement)
     yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
     yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
-    yield from setup.sized("trapezoid MDR", rivals.trapezoid_displacement, plan.trapezoid, setup.points)
-    yield from setup.gridded("FFT MDR", rivals.fft_displacement, plan.fft)
+    yield from setup.sized("trapezoid MDR", grids.trapezoid_displacement, plan.trapezoid, setup.points)
+    yield from setup.gridded("FFT MDR", grids.fft_displacement, plan.fft)
     yield from setup.digits(rivals.mpmath_displacement)
 
 
@@ -174,8 +179,28 @@ def _force(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
     yield from setup.sized("Gauss-Jacobi", rivals.jacobi_force, plan.jacobi, setup.points)
     yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
-    yield from setup.sized("trapezoid MDR", rivals.trapezoid_force, plan.table, setup.many)
+    yield from setup.sized("trapezoid MDR", grids.trapezoid_force, plan.table, setup.many)
     yield from setup.digits(rivals.mpmath_force)
+
+
+def _few(setup: _Setup) -> Iterator[Method]:
+    """What the page of a profile shows beside its own functions: one way of each kind."""
+    subject, plan = setup.subject, setup.plan
+    yield from setup.rule()
+    match setup.suffix:
+        case "p":
+            many = setup.affordable(partial(rivals.jacobi_pressure, subject, count=plan.jacobi[-1]))
+            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, many)
+            yield setup.over("quad", "", partial(rivals.quad_pressure, subject, substituted=False), setup.points)
+            yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
+        case "w":
+            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
+            yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
+            yield from setup.sized("trapezoid MDR", grids.trapezoid_displacement, plan.trapezoid, setup.points)
+        case _:
+            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_force, plan.jacobi, setup.points)
+            yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
+            yield from setup.sized("trapezoid MDR", grids.trapezoid_force, plan.table, setup.many)
 
 
 def _adhesive(setup: _Setup) -> Iterator[Method]:

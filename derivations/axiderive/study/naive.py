@@ -2,48 +2,24 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from scipy import integrate, optimize, special
+from scipy import optimize
 
 from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
-from .subject import Array, Function
-
-
-@np.vectorize(otypes=[float])
-def _c0(b: float, r: float, a: float) -> float:
-    """The master integral C0 has no function of SciPy: its definition by quad."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what its estimate warns of is what the study measures
-        value, _ = integrate.quad(lambda t: np.arccos(b / t) / np.sqrt(t * t - r * r), max(b, r), a)
-    return float(value)
-
-
-def _chi2(x: Array) -> Array:
-    return (special.spence(1 - x) - special.spence(1 + x)) / 2
-
-
-def _beta(z: Array, p: Array, q: Array) -> Array:
-    return z**p / p * special.hyp2f1(p, 1 - q, p + 1, z)
-
-
-_FUNCTIONS: dict[str, Any] = {
-    "C0": _c0,
-    "LegendreChi2": _chi2,
-    "IncompleteBeta": _beta,
-    "elliptic_f": special.ellipkinc,
-    "elliptic_e": special.ellipeinc,
-    "Hypergeometric": special.hyp2f1,
-    "gamma": special.gamma,
-}
-
+from .given import Function
+from .special_functions import FUNCTIONS, Array
 
 Values = dict[sp.Symbol, Any]
+
+
+def printed(entry: Entry) -> bool:
+    """Whether there is a closed form to be handed on; what stays an integral is given to quadrature as it is."""
+    return not any(case.expr.has(sp.Integral) for case in entry.cases)
 
 
 def per_point(entry: Entry) -> bool:
@@ -63,12 +39,13 @@ def _direct(entry: Entry) -> Function:
     if len(regions) > 1:
         expr = sp.Piecewise(*((own, sp.And(*(low < high for low, high in pairs))) for pairs, own in regions))
     symbols = sorted(expr.free_symbols, key=str)
-    function = sp.lambdify(symbols, expr, [_FUNCTIONS, "numpy"])
+    function = sp.lambdify(symbols, expr, [FUNCTIONS, "numpy"])
 
     def call(values: Values) -> Array:
         with np.errstate(all="ignore"):
             try:
-                return function(*(values[symbol] for symbol in symbols)) + 0.0
+                # NumPy cannot join a condition on numbers with one on arrays
+                return function(*np.broadcast_arrays(*(values[symbol] for symbol in symbols))) + 0.0
             except (ArithmeticError, ValueError):  # a power of floats that overflows, a root that is complex
                 return np.nan
 
@@ -81,15 +58,19 @@ def _at_root(entry: Entry, entries: dict[str, Entry]) -> Function:
     argument = entries[inner].quantity.arguments[0]
     curve, result = _direct(entries[argument.name]), _direct(entries[outer]) if outer else _radius
     pull_off = entries.get({nt.F: "ac", nt.d: "am"}[argument])
-    chain = entry.cases[0].chain
+    chain, largest = entry.cases[0].chain, entry.profile.largest
     place = chain.index(nt.a) if nt.a in chain else 0
-    bounded = place + 1 < len(chain)
+    # the last region reaches farthest
+    above = entry.cases[-1].chain[entry.cases[-1].chain.index(nt.a) + 1 :] if nt.a in chain else ()
+    bound = sp.sympify(next(iter(above), 1e6 if largest is None else largest))
+    lengths = sorted(bound.free_symbols, key=str)
+    highest = sp.lambdify(lengths, bound, "math")
 
     def one(values: Values, given: float) -> float:
         low = values[chain[place - 1]] * (1 + 1e-15) if place else 1e-12
         if pull_off is not None:
             low = max(low, float(_direct(pull_off)(values)))
-        high = values[chain[place + 1]] * (1 - 1e-15) if bounded else 1e6
+        high = highest(*(values[symbol] for symbol in lengths)) * (1 - 1e-15)
         try:
             a = optimize.brentq(lambda a: curve({**values, nt.a: a}) - given, low, high, xtol=1e-300, rtol=1e-14)
         except (RuntimeError, ValueError):  # no convergence, no change of sign

@@ -14,7 +14,8 @@ from .. import notation as nt
 from ..proof.definitions import contact
 from ..proof.half_space import HalfSpace
 from . import rivals
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 DIGITS = 30
 
@@ -47,8 +48,8 @@ def defined(subject: Subject, radius: float, r: float | None = None) -> Callable
 
 
 def _values(subject: Subject, radius: float) -> dict[Any, Any]:
-    values: dict[Any, Any] = {symbol: sp.Rational(value) for symbol, value in subject.values.items()}
-    return values | {nt.a: sp.Rational(radius)}
+    values = {symbol: sp.Rational(value) for symbol, value in subject.values.items()} | {nt.a: sp.Rational(radius)}
+    return values | {symbol: expr.subs(values) for symbol, expr in subject.profile.abbreviations}
 
 
 @cache

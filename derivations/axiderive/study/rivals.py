@@ -1,9 +1,7 @@
-"""Other ways to the same numbers, each written from its definition: quadrature rules, grids, scripts, digits.
+"""Other ways to the same numbers, each written from its definition: quadrature rules, scripts, digits.
 
-Pressure (11.23), displacement (11.26) and F(d) from (11.29), (11.20).  The
-grid methods follow their descriptions, not their authors' programs: by parts
-with central differences and trapezoids (Benad 2018), convolution over r**2 by
-FFT (Willert 2021).
+Pressure (11.23), displacement (11.26) and F(d) from (11.29), (11.20); with the
+edge term of (11.107) where the depth is free.
 """
 
 from __future__ import annotations
@@ -15,9 +13,10 @@ from functools import cache
 
 import mpmath as mp
 import numpy as np
-from scipy import integrate, optimize, signal, special
+from scipy import integrate, optimize, special
 
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 a = RADIUS
 
@@ -29,36 +28,49 @@ def jacobi(count: int, lower: float, upper: float) -> tuple[Array, Array]:
     return (1 + nodes) / 2, weights / 2 ** (1 + upper + lower)
 
 
+def punch_pressure(subject: Subject, r: Array) -> Array:
+    """The edge term of (11.107), of a depth beyond that of the profile."""
+    return subject.excess * subject.modulus / np.pi / np.sqrt((a - r) * (a + r)) if subject.excess else 0.0
+
+
+def punch_displacement(subject: Subject, r: Array) -> Array:
+    return subject.excess * 2 / np.pi * np.arcsin(a / r) if subject.excess else 0.0
+
+
 def jacobi_pressure(subject: Subject, r: Array, count: int) -> Array:
-    """In t**2, whose distance from the lower limit carries the power -1/2; the break is such a limit."""
-    low = np.maximum(r, subject.edge)
-    width, total = (a - low) * (a + low), 0.0
+    """In t**2, whose distance from the lower limit carries the power -1/2; a break is such a limit."""
+    return subject.modulus / np.pi * sum(
+        _jacobi_pressure(subject, r, low, high, count) for low, high in spans(subject, a)
+    ) + punch_pressure(subject, r)
+
+
+def _jacobi_pressure(subject: Subject, r: Array, start: float, end: float, count: int) -> Array:
+    low = np.clip(r, start, end)
+    width, total = (end - low) * (end + low), 0.0
     for node, weight in zip(*jacobi(count, -0.5, 0.0), strict=True):
         past = width * node
         t = np.sqrt(low * low + past)
         kernel = np.sqrt(past / (past + (low - r) * (low + r)))
         total = total + weight * subject.rate(t) / (2 * t) * kernel
-    return subject.modulus / np.pi * np.sqrt(width) * total
+    return np.sqrt(width) * total
 
 
 def jacobi_displacement(subject: Subject, r: Array, count: int) -> Array:
     """In t - b, with the power -1/2 that g' may have at a break; no singularity without one."""
-    b = subject.edge
-    power, total = (-0.5 if b else 0.0), 0.0
-    for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
-        t = b + (a - b) * node
-        total = total + weight * node**-power * float(subject.rate(t)) * np.arcsin(t / r)
-    return 2 / np.pi * (a - b) * total
+    total = 0.0
+    for low, high in spans(subject, a):
+        power = -0.5 if low else 0.0
+        for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
+            t = low + (high - low) * node
+            total = total + (high - low) * weight * node**-power * float(subject.rate(t)) * np.arcsin(t / r)
+    return 2 / np.pi * total + punch_displacement(subject, r)
 
 
 def jacobi_force(subject: Subject, d: Array, count: int) -> Array:
     """Depth and force over the profile with the power -1/2 at r = a; the radius by brentq."""
-    b = subject.edge
-    nodes, weights = jacobi(count, 0.0, -0.5)
 
     def moment(x: float, power: int) -> float:
-        s = b + (x - b) * nodes
-        return math.sqrt(x - b) * float(np.sum(weights * subject.slope(s) * s**power / np.sqrt(x + s)))
+        return sum(_jacobi_moment(subject, x, power, low, high, count) for low, high in spans(subject, x))
 
     def force(depth: float) -> float:
         return 2 * subject.modulus * moment(radius(subject, lambda x: x * moment(x, 0) - depth), 2)
@@ -66,24 +78,34 @@ def jacobi_force(subject: Subject, d: Array, count: int) -> Array:
     return np.array([force(float(depth)) for depth in d])
 
 
+def _jacobi_moment(subject: Subject, x: float, power: int, low: float, high: float, count: int) -> float:
+    """Integral of f'(s) s**power/sqrt(x**2 - s**2) from one break to the next, or to x."""
+    nodes, weights = jacobi(count, 0.0, -0.5 if high == x else 0.0)
+    s = low + (high - low) * nodes
+    scale = math.sqrt(x - low) if high == x else (high - low) / np.sqrt(x - s)
+    return float(np.sum(scale * weights * subject.slope(s) * s**power / np.sqrt(x + s)))
+
+
 def quad_pressure(subject: Subject, r: Array, *, substituted: bool) -> Array:
-    """The integral (11.23) given to scipy.integrate.quad as it stands, or in t = r cosh(v)."""
+    """The integral (11.23) given to scipy.integrate.quad as it stands, or in t = r cosh(v); from break to break."""
+
+    def span(r: float, low: float, high: float) -> float:
+        if substituted:
+            ends = math.acosh(low / r), math.acosh(high / r)
+            return quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
+        return quad(lambda t: subject.rate_scalar(t) / math.sqrt((t - r) * (t + r)), low, high)
 
     def one(r: float) -> float:
-        low = max(r, subject.edge)
-        if substituted:
-            ends = math.acosh(low / r), math.acosh(a / r)
-            return quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
-        return quad(lambda t: subject.rate_scalar(t) / math.sqrt((t - r) * (t + r)), low, a)
+        return sum(span(r, max(r, low), high) for low, high in spans(subject, a) if high > r)
 
-    return subject.modulus / np.pi * np.array([one(float(x)) for x in r])
+    return subject.modulus / np.pi * np.array([one(float(x)) for x in r]) + punch_pressure(subject, r)
 
 
 def quad_displacement(subject: Subject, r: Array) -> Array:
     def one(r: float) -> float:
-        return quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), subject.edge, a)
+        return sum(quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), *span) for span in spans(subject, a))
 
-    return 2 / np.pi * np.array([one(float(x)) for x in r])
+    return 2 / np.pi * np.array([one(float(x)) for x in r]) + punch_displacement(subject, r)
 
 
 def quad_force(subject: Subject, d: Array) -> Array:
@@ -91,96 +113,17 @@ def quad_force(subject: Subject, d: Array) -> Array:
     b = subject.edge
 
     def depth(x: float) -> float:
-        low = math.asin(min(b / x, 1.0)) if b else 0.0
-        return x * quad(lambda u: float(subject.slope(x * math.sin(u))), low, math.pi / 2)
+        return sum(
+            x * quad(lambda u: float(subject.slope(x * math.sin(u))), math.asin(low / x), math.asin(high / x))
+            for low, high in spans(subject, x)
+        )
 
     def force(given: float) -> float:
-        beyond = quad(lambda t: given - depth(t), b, radius(subject, lambda x: depth(x) - given), tolerance=1e-10)
-        return 2 * subject.modulus * (given * b + beyond)
+        reached = radius(subject, lambda x: depth(x) - given)
+        parts = [quad(lambda t: given - depth(t), *span, tolerance=1e-10) for span in spans(subject, reached)]
+        return 2 * subject.modulus * (given * b + sum(parts))
 
     return np.array([force(float(x)) for x in d])
-
-
-def trapezoid_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
-    """By parts, central differences and trapezoids on a uniform grid: radii and pressures."""
-    x = np.linspace(0.0, a, count + 1)
-    first = np.gradient(subject.depth(x), x, edge_order=2)
-    second = np.gradient(first, x, edge_order=2)
-    r = x[1:-1]
-    kernel = np.arccosh(np.maximum(x / r[:, None], 1.0))
-    kernel[:, -1] /= 2
-    return r, subject.modulus / np.pi * (first[-1] * np.arccosh(a / r) - x[1] * (kernel @ second))
-
-
-def trapezoid_displacement(subject: Subject, r: Array, count: int) -> Array:
-    """Trapezoids over w_1D/sqrt(r**2 - x**2) on the same grid."""
-    x = np.linspace(0.0, a, count + 1)
-    sunk = subject.depth(np.float64(a)) - subject.depth(x)
-    return 2 / np.pi * integrate.trapezoid(sunk / np.sqrt((r[:, None] - x) * (r[:, None] + x)), x, axis=1)
-
-
-def trapezoid_force(subject: Subject, d: Array, count: int) -> Array:
-    """A table of g on the grid, the radius by interpolation, the force by trapezoids."""
-    x = np.linspace(0.0, a, count + 1)
-    depth = subject.depth(x)
-    below = np.concatenate([[0.0], np.cumsum((depth[1:] + depth[:-1]) / 2) * x[1]])
-    first = int(np.searchsorted(x, subject.edge))
-    reached = np.interp(d, depth[first:], x[first:])
-    return 2 * subject.modulus * (d * reached - np.interp(reached, x, below))
-
-
-def fft_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
-    """Convolution over r**2 with exact weights in each cell: radii and pressures.
-
-    The density g'/(2x) is linear in a cell, or constant where it is infinite at a break.
-    """
-    squares = np.linspace(0.0, a * a, count + 1)
-    x = np.sqrt(squares)
-    rise = np.diff(subject.depth(x)) / squares[1]
-    if subject.edge and not np.isfinite(_silent(subject.rate_scalar, subject.edge)):
-        total = _convolution_of_steps(rise[::-1], squares[1])[::-1]
-    else:
-        density = np.append(rise[0], subject.rate(x[1:]) / (2 * x[1:]))
-        total = _convolution(density[::-1], squares[1], count + 1)[::-1]
-    return x[1:-1], subject.modulus / np.pi * total[1:-1]
-
-
-def fft_displacement(subject: Subject, count: int) -> tuple[Array, Array]:
-    """The same for w = 2/pi (d asin(a/r) - int g/sqrt(r**2 - x**2) dx), a < r < 2a."""
-    squares = np.linspace(0.0, 4 * a * a, 4 * count + 1)
-    x = np.sqrt(squares)
-    near = x[: count + 1].copy()
-    near[0] = 1e-8 * a
-    total = _convolution(subject.depth(near) / (2 * near), squares[1], len(squares))
-    w = 2 / np.pi * (subject.depth(np.float64(a)) * np.arcsin(np.minimum(a / x[1:], 1.0)) - total[1:])
-    return x[count + 1 :], w[count:]
-
-
-def _convolution(density: Array, cell: float, size: int) -> Array:
-    """int density(y) (x - y)**(-1/2) dy from 0 to x at x = 0, cell, ..., the density linear between its nodes."""
-    lag = np.arange(size, dtype=np.float64)
-    zeroth, first = np.diff(2 * np.sqrt(lag)), np.diff(2 / 3 * lag**1.5)
-    far, near = first - lag[:-1] * zeroth, lag[1:] * zeroth - first
-    total = np.zeros(size)
-    total[1:] += signal.fftconvolve(density[:-1], far)[: size - 1]
-    inner = density.copy()
-    inner[0] = 0.0
-    total[: size - 1] += signal.fftconvolve(inner, near)[: size - 1]
-    return math.sqrt(cell) * total
-
-
-def _convolution_of_steps(density: Array, cell: float) -> Array:
-    """The same for a density that is constant in each cell."""
-    weights = np.diff(2 * np.sqrt(np.arange(len(density) + 1, dtype=np.float64)))
-    total = signal.fftconvolve(density, weights)[: len(density)]
-    return math.sqrt(cell) * np.append(0.0, total)
-
-
-def _silent(function: Callable[[float], float], x: float) -> float:
-    try:
-        return function(x)
-    except ZeroDivisionError:
-        return math.inf
 
 
 def mpmath_pressure(subject: Subject, r: Array, digits: int, *, substituted: bool) -> list[mp.mpf]:
@@ -224,6 +167,11 @@ def mpmath_force(subject: Subject, d: Array, digits: int) -> list[mp.mpf]:
 
     with mp.workdps(digits):
         return [force(mp.mpf(float(x))) for x in d]
+
+
+def spans(subject: Subject, end: float) -> list[tuple[float, float]]:
+    """From break to break up to a radius."""
+    return [(low, min(high, end)) for low, high in subject.spans if low < end]
 
 
 def radius(subject: Subject, gap: Callable[[float], float]) -> float:

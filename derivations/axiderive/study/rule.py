@@ -1,17 +1,23 @@
-"""The generated rule with its number of nodes left open: Gauss-Legendre after the substitution of the catalogue.
+"""The generated rule with its number of nodes left open.
 
-In s = sqrt(t**2 - b**2) the depth g has no root, and s = c cosh(v) for r > b,
-c sinh(v) for r < b, takes the kernel 1/sqrt(t**2 - r**2) into dv.
+Where the catalogue has a rule it is that rule; where it has a closed form, of a profile without
+break, Gauss-Legendre after the substitution that takes the kernel into dv.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 
 from ..emit.nodes import gauss_legendre
-from .subject import RADIUS, Array, Subject
+from .special_functions import Array
+from .subject import RADIUS, Subject
 
 
 @cache
@@ -22,26 +28,46 @@ def legendre(count: int) -> tuple[Array, Array]:
 
 
 def pressure(subject: Subject, r: Array, count: int) -> Array:
-    """(11.23) in v."""
-    a, b = RADIUS, subject.edge
-    within = r < b
-    scale = np.sqrt(np.abs(r - b) * (r + b))
-    reach = np.where(within, np.sqrt((a - b) * (a + b)), np.sqrt((a - r) * (a + r)))
-    stop, total = np.arcsinh(reach / scale), 0.0
+    """(11.23) in t = r cosh(v)."""
+    stop, total = np.arcsinh(np.sqrt((RADIUS - r) * (RADIUS + r)) / r), 0.0
     for node, weight in zip(*legendre(count), strict=True):
-        v = node * stop
-        total = total + weight * subject.growth(scale * np.where(within, np.sinh(v), np.cosh(v)))
+        total = total + weight * subject.rate(r * np.cosh(node * stop))
     return subject.modulus / np.pi * stop * total
 
 
 def displacement(subject: Subject, r: Array, count: int) -> Array:
-    """(11.26) in s = sqrt(r**2 - b**2) sin(v)."""
-    a, b = RADIUS, subject.edge
-    scale = np.sqrt((r - b) * (r + b))
-    stop = np.arctan2(np.sqrt((a - b) * (a + b)), np.sqrt((r - a) * (r + a)))
-    total = 0.0
+    """(11.26) in t = r sin(v)."""
+    stop, total = np.arctan2(RADIUS, np.sqrt((r - RADIUS) * (r + RADIUS))), 0.0
     for node, weight in zip(*legendre(count), strict=True):
         v = node * stop
-        s, beyond = scale * np.sin(v), scale * np.cos(v)
-        total = total + weight * subject.growth(s) * np.arctan2(np.sqrt(b * b + s * s), beyond) * beyond
+        total = total + weight * subject.rate(r * np.sin(v)) * v * r * np.cos(v)
     return 2 / np.pi * stop * total
+
+
+def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Array:
+    """A function of the catalogue, its rules with that many nodes."""
+    with _nodes(count):
+        return function(x)
+
+
+@contextmanager
+def _nodes(count: int) -> Iterator[None]:
+    """Every rule of the catalogue in one interval of `count` nodes, at each point by itself."""
+    integrals, powers, along = (import_module(f"axicontact.{name}") for name in ("_integrals", "_powers", "_along"))
+    whole = integrals.integral
+
+    def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
+        return whole(integrand, stop, count)
+
+    # from these numbers of points on they would be put in groups, and interpolated along r
+    unbounded = [(integrals, "FEW"), (integrals, "LEAST"), (along, "LEAST")]
+    changes: list[tuple[Any, str, Any]] = [(one, "integral", fixed) for one in (integrals, powers)]
+    changes += [(one, name, math.inf) for one, name in unbounded]
+    before = [(one, name, getattr(one, name)) for one, name, _ in changes]
+    try:
+        for one, name, value in changes:
+            setattr(one, name, value)
+        yield
+    finally:
+        for one, name, value in before:
+            setattr(one, name, value)

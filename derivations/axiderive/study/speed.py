@@ -8,7 +8,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
@@ -23,6 +22,7 @@ from .naive import naive
 from .points import arguments
 from .report import Record, rounded, table, versions
 from .subject import NAMES, PARAMETERS, RADIUS, Subject, subject
+from .timing import paired
 
 SUFFIXES = ("d", "F", "p", "w")
 POINTS = 24
@@ -30,8 +30,6 @@ SIZES = (10_000, 1_000_000)
 LARGEST = 10_000_000
 """Points of the array that is copied: far more than the caches hold."""
 ROUNDS = 7
-SHORTEST, LONGEST = 4e-3, 0.5
-"""Seconds that one timing takes at least, shorter calls are repeated; longer ones are timed three times."""
 IMPORTS = ("axicontact.normal.cone", "axicontact.normal.sphere", "axicontact.graded.normal.power_law")
 SCRIPT = """
 import sys, time
@@ -119,19 +117,8 @@ def in_math(entry: Entry, point: dict[sp.Symbol, float]) -> Callable[..., float]
 
 
 def ratio(own: Callable[[Any], Any], other: Callable[[Any], Any], x: Any, rounds: int) -> float:
-    """Median of the ratios of two timings that follow each other."""
-    first = [_seconds(call, x, 1) for call in (own, other)]
-    first = [min(once, _seconds(call, x, 1)) for once, call in zip(first, (own, other), strict=True)]
-    counts = [max(1, int(SHORTEST / max(once, 1e-7))) if rounds > 1 else 1 for once in first]
-    rounds = min(rounds, 3) if max(first) > LONGEST else rounds
-    return statistics.median(_seconds(own, x, counts[0]) / _seconds(other, x, counts[1]) for _ in range(rounds))
-
-
-def _seconds(call: Callable[[Any], Any], x: Any, repeats: int) -> float:
-    start = time.process_time()
-    for _ in range(repeats):
-        call(x)
-    return (time.process_time() - start) / repeats
+    """Time of one function over that of the other, both at x."""
+    return paired(partial(own, x), partial(other, x), rounds)
 
 
 def _copy(own: Callable[[Any], Any], x: Any, rounds: int) -> float:

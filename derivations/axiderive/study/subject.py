@@ -6,34 +6,55 @@ its rate g'(t) in closed form: everything that the method itself does not find.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from importlib import import_module
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 import sympy as sp
 
 from .. import notation as nt
 from ..contact import systems
-from ..entry import Entry
+from ..contact.complete import edge_depth
+from ..entry import Case, Entry
+from ..profiles.profile import Piece as ProfilePiece
 from ..profiles.profile import Profile
+from ..proof.shape import coefficient, concrete
+from .given import Function, Given, Piece, joined
+from .special_functions import Array
 
-Array = Any
-"""A float64 array or a float."""
-Function = Callable[..., Any]
 NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
 QUANTITIES = ("p", "Fd", "w")
 GRADED, ADHESIVE = "power_law.fgm", ("paraboloid.adh", "cone.adh")
 OTHERS = {GRADED: QUANTITIES, **dict.fromkeys(ADHESIVE, ("ad",))}
 """On a graded half space, and with adhesion: the quantities of their own."""
+RULED = {
+    **dict.fromkeys(("power_law", "polynomial", "hyperboloid", "truncated_cone", "truncated_paraboloid"), ("p", "w")),
+    **dict.fromkeys(("rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch"), ("p", "w")),
+    **dict.fromkeys(("sphere", "ellipsoid"), ("w",)),
+    **dict.fromkeys(("sphere_tipped_cone", "gaussian"), ("p", "w", "Fd")),
+    **dict.fromkeys(("wavy_paraboloid", "concave_power"), ("p", "w")),
+}
+"""Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
+EVERY = dict.fromkeys(NAMES, QUANTITIES) | {name: RULED[name] for name in RULED if name not in NAMES} | OTHERS
+"""The quantities of each problem whose error is measured against run time."""
 RADIUS = 2.0
 PARAMETERS = {
     nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
 }  # fmt: skip
-_s = sp.Symbol("s", positive=True)
+FURTHER: dict[str, dict[Any, Any]] = {
+    "capped_paraboloid": {nt.R1: 6.0, nt.R2: 3.0},
+    "concave_power": {nt.h: 0.1, nt.d: 0.5},
+    "ellipsoid": {nt.h: 2.0, nt.b: 3.0},
+    "gaussian": {nt.h: 0.5, nt.s: 2.0},
+    "polynomial": {nt.coefficients: (0.02, 0.1, 0.03)},
+    "rounded_curved_punch": {nt.R1: 6.0, nt.R2: 3.0},
+    "wavy_paraboloid": {nt.h: 0.01, nt.wavelength: 1.0},
+}
+"""What single profiles have beside these."""
 
 
 @cache
@@ -64,7 +85,7 @@ def emitted(entry: Entry, problem: str) -> Function:
 
 @dataclass(frozen=True)
 class Subject:
-    """One compact profile at RADIUS and PARAMETERS, on the homogeneous half space where its name says nothing else."""
+    """One profile at RADIUS and its parameters, on the homogeneous half space where its name says nothing else."""
 
     name: str
 
@@ -76,107 +97,141 @@ class Subject:
     def entries(self) -> dict[str, Entry]:
         return entries(self.name)
 
+    @cached_property
+    def parameters(self) -> dict[Any, Any]:
+        """The values of what the emitted functions are called with."""
+        known = PARAMETERS | FURTHER.get(self.name, {}) | {nt.a: RADIUS}
+        given = {symbol: known[symbol] for symbol in self.entries["F"].parameters} | {nt.a: RADIUS}
+        return given | ({nt.d: known[nt.d]} if self.complete else {})
+
+    @cached_property
+    def values(self) -> dict[Any, Any]:
+        """The same with the shorthands of the profile, and with each coefficient of a sum by itself."""
+        found = dict(self.parameters)
+        for index, value in enumerate(found.pop(nt.coefficients, ()), 1):
+            found |= {coefficient(index): value, nt.N: index}
+        return found | {symbol: float(expr.subs(found)) for symbol, expr in self.profile.abbreviations}
+
+    def printed(self, suffix: str) -> Entry:
+        """The entry as it is printed, with a sum written out."""
+        entry = self.entries[suffix]
+        cases = tuple(replace(case, expr=concrete(case.expr, self.values)) for case in entry.cases)
+        return replace(entry, cases=cases) if entry.status == "closed" and not entry.composed else entry
+
     @property
-    def values(self) -> dict[sp.Symbol, float]:
-        return {symbol: PARAMETERS[symbol] for symbol in self.entries["F"].parameters} | {nt.a: RADIUS}
+    def few(self) -> bool:
+        """Whether it is measured beside a few other ways only, for its own page."""
+        return self.name in RULED and self.name not in NAMES
 
     @property
     def graded(self) -> bool:
         return nt.k in self.values
 
     @property
+    def complete(self) -> bool:
+        """The radius is that of the body and the depth is free."""
+        return self.profile.contact == "complete"
+
+    @property
     def exponent(self) -> float:
         """k of the elastic grading."""
-        return self.values.get(nt.k, 0.0)
+        return float(self.values.get(nt.k, 0.0))
 
     @property
     def modulus(self) -> float:
-        return self.values[nt.H if self.graded else nt.E_star]
+        return float(self.values[nt.H if self.graded else nt.E_star])
 
-    @cached_property
+    @property
     def edge(self) -> float:
         """Radius b of the flat face where the contact starts, 0 without one."""
-        breaks = self.profile.breaks
-        return float(PARAMETERS[breaks[0]]) if breaks else 0.0
+        return self.spans[0][0]
+
+    @cached_property
+    def spans(self) -> list[tuple[float, float]]:
+        """Radii between which g(t) has one expression."""
+        return [(one.low, one.high) for one in self._depth.pieces]
+
+    @cached_property
+    def excess(self) -> float:
+        """Depth beyond that of the profile, d - g(a): of a complete contact."""
+        return float(self.values[nt.d] - self.depth(np.float64(RADIUS))) if self.complete else 0.0
 
     @cached_property
     def largest(self) -> float:
         """Contact radius below which a root is searched."""
+        bounds = [self.profile.largest] if self.profile.largest is not None else []
         chain = self.profile.chain
-        return float(PARAMETERS[chain[1]]) if chain else 100.0 * RADIUS
+        bounds += chain[chain.index(nt.a) + 1 :] if nt.a in chain else []
+        return min((float(sp.sympify(bound).subs(self.values)) for bound in bounds), default=100.0 * RADIUS)
 
     @cached_property
     def height(self) -> Function:
         """f(r)."""
-        return self._bound(self._in_pieces(nt.r), nt.r, "numpy")
+        return self._given(self.profile.pieces, nt.r).numpy()
 
     @cached_property
     def slope(self) -> Function:
-        """f'(r) of the part beyond the edge."""
-        return self._bound(sp.diff(self.profile.pieces[-1].expr, nt.r), nt.r, "numpy")
+        """f'(r), zero on a flat face."""
+        return self._slope.numpy()
 
     @cached_property
     def slope_mp(self) -> Function:
-        return self._bound(sp.diff(self.profile.pieces[-1].expr, nt.r), nt.r, "mpmath")
+        return self._slope.mpmath()
 
     @cached_property
     def depth(self) -> Function:
         """g(t), zero below the edge."""
-        return self._beyond(self._bound(self._depth, nt.a, "numpy"))
+        return self._depth.numpy()
 
     @cached_property
     def rate(self) -> Function:
         """g'(t), zero below the edge."""
-        return self._beyond(self._bound(sp.diff(self._depth, nt.a), nt.a, "numpy"))
+        return self._depth.rate.numpy()
 
     @cached_property
     def rate_scalar(self) -> Function:
         """g'(t) beyond the edge, in the functions of `math`."""
-        return self._bound(sp.diff(self._depth, nt.a), nt.a, "math")
+        return self._depth.rate.math()
 
     @cached_property
     def rate_mp(self) -> Function:
-        return self._bound(sp.diff(self._depth, nt.a), nt.a, "mpmath")
+        return self._depth.rate.mpmath()
 
     @cached_property
     def depth_mp(self) -> Function:
-        return self._bound(self._depth, nt.a, "mpmath")
+        return self._depth.mpmath()
 
     @cached_property
-    def growth(self) -> Function:
-        """dg/ds in s = sqrt(t**2 - b**2), without the root: what a generated rule integrates."""
-        break_ = self.profile.breaks[0] if self.profile.breaks else sp.S.Zero
-        depth = self._depth.subs(nt.a, sp.sqrt(_s**2 + break_**2))
-        depth = depth.replace(sp.acos, lambda cosine: sp.atan(sp.sqrt(sp.factor(cosine**-2 - 1))))
-        return self._bound(sp.diff(depth, _s), _s, "numpy")
+    def _slope(self) -> Given:
+        return self._given([one for one in self.profile.pieces if one.expr != 0], nt.r).rate
 
-    @property
-    def _depth(self) -> sp.Expr:
-        (case,) = self.entries["d"].cases
-        return case.expr
+    @cached_property
+    def _depth(self) -> Given:
+        """g(t) in pieces, from the entry or, at a fixed edge, from the depth that a face of one power has there."""
+        if self.complete:
+            whole = edge_depth(self.profile) * (nt.t / nt.a) ** nt.n
+            return Given((Piece(0.0, math.inf, whole),), nt.t, self.values)
+        pieces = [self._case(case) for case in self.entries["d"].cases]
+        return Given(joined(pieces), nt.a, self.values)
 
-    def _in_pieces(self, r: sp.Symbol) -> sp.Expr:
-        pieces = [(piece.expr, True if piece.upper is None else r < piece.upper) for piece in self.profile.pieces]
-        return sp.Piecewise(*pieces)
+    def _case(self, case: Case) -> Piece:
+        place = case.chain.index(nt.a)
+        low = self._size(case.chain[place - 1]) if place else 0.0
+        high = self._size(case.chain[place + 1]) if place + 1 < len(case.chain) else math.inf
+        return Piece(low, high, concrete(case.expr, self.values))
 
-    def _bound(self, expr: sp.Expr, variable: sp.Symbol, modules: str) -> Function:
-        parameters = sorted(expr.free_symbols - {variable}, key=str)
-        function = sp.lambdify((variable, *parameters), expr, modules)
-        numbers = [PARAMETERS[symbol] for symbol in parameters]
-        if modules == "mpmath":
-            return lambda x: function(x, *map(mp.mpf, numbers))
-        if modules == "math":
-            return lambda x: function(x, *numbers)
-        return lambda x: function(x, *numbers) + 0.0 * x  # a constant broadcasts
+    def _given(self, members: Sequence[ProfilePiece], variable: sp.Symbol) -> Given:
+        """The pieces of the profile, from the first of these on."""
+        ends = [0.0, *map(self._size, self.profile.breaks), math.inf]
+        offset = len(self.profile.pieces) - len(members)
+        pieces = [
+            Piece(ends[offset + i], ends[offset + i + 1], concrete(one.expr, self.values))
+            for i, one in enumerate(members)
+        ]
+        return Given(tuple(pieces), variable, self.values)
 
-    def _beyond(self, function: Function) -> Function:
-        if not self.edge:
-            return function
-
-        def clipped(t: Array) -> Array:
-            return np.where(t > self.edge, function(np.maximum(t, self.edge)), 0.0)
-
-        return clipped
+    def _size(self, length: sp.Expr) -> float:
+        return float(sp.sympify(length).subs(self.values))
 
 
 @cache

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .. import study
 from ..prose import escaped
 from ..study import error, maps
+from ..study import timing as of_profile
 from .drawing import Figure, Scale
 from .words import slug
 
@@ -21,16 +21,13 @@ MARGIN, HEADING, GAP = 5.0, 5.0, 3.0
 _RECTANGLE = re.compile(r"\(([\d.]+),([\d.]+)\) rectangle \+\(([\d.]+),([\d.]+)\)")
 
 
-def timing(record: Mapping[str, Any], keys: frozenset[str]) -> dict[str, Any] | None:
+def timing(record: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any] | None:
     """Error against run time of these keys for the page of their profile; None if none was measured."""
-    found = study.timing(record, keys)
-    if not found.panels:
+    found = of_profile.timing(record, keys)
+    if found is None:
         return None
-    letters = {line.letter for panel in found.panels for line in panel.lines}
-    return {
-        "panels": [_panel(one, found) for one in found.panels],
-        "methods": [(letter, words) for letter, words in found.methods if letter in letters],
-    }
+    panels = [_panel(one, found.figure) for one in found.figure.panels]
+    return {"panels": panels, "methods": found.methods, "sentences": found.sentences}
 
 
 def model(figures: Mapping[str, Any]) -> dict[str, Any]:

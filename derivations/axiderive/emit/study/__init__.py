@@ -3,19 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from . import error, extremes, maps, speed
 
 Records = Mapping[str, Mapping[str, Any]]
 """What was measured, by name of the study: error, speed, maps, extremes; a study may be missing."""
-
-
-def timing(record: Mapping[str, Any], keys: frozenset[str]) -> error.Figure:
-    """Error against time of these keys alone, in the frame that all panels have."""
-    whole = error.figure(record, keys)
-    return replace(whole, panels=tuple(panel for panel in whole.panels if panel.known))
 
 
 def figures(records: Records, keys: frozenset[str]) -> dict[str, Any]:

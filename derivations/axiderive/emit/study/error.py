@@ -34,7 +34,13 @@ WORDS = {
 OWN = ("emitted", "generated rule")
 """Methods of the catalogue, drawn in colour."""
 
+FEW = frozenset(("emitted", "lambdify", "generated rule", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR"))
+"""Methods that the page of a profile shows; a formula of which no others were measured is drawn there alone."""
+FLOOR = 2.0**-53
+"""Errors below the rounding of a double count as that."""
+
 Point = tuple[float, float]
+Plots = dict[str, dict[str, list[Point]]]
 
 
 @dataclass(frozen=True)
@@ -68,25 +74,48 @@ class Figure:
     methods: tuple[tuple[str, str], ...]
     xticks: tuple[tuple[float, int], ...]
     yticks: tuple[tuple[float, int], ...]
-    width: float = WIDTH
-    height: float = HEIGHT
+    width: float
+    height: float
+
+
+def plots(record: Mapping[str, Any]) -> Plots:
+    """Times and worst errors by key and method, in the order of the record; an error that is none is left out."""
+    found: Plots = {}
+    for row in record["rows"]:
+        if row["worst"] is not None:
+            point = row["ratio"], max(row["worst"], FLOOR)
+            found.setdefault(row["key"], {}).setdefault(row["method"], []).append(point)
+    return found
+
+
+def lettered(found: Plots) -> dict[str, str]:
+    """Letters of the methods in the order in which they come."""
+    methods = dict.fromkeys(method for plot in found.values() for method in plot)
+    return {method: chr(ord("a") + i) for i, method in enumerate(methods)}
 
 
 def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
-    """The panels in the order of the record."""
-    plots: Mapping[str, Mapping[str, Sequence[Point]]] = record["plots"]
-    methods = list(dict.fromkeys(method for plot in plots.values() for method in plot))
-    letters = {method: chr(ord("a") + i) for i, method in enumerate(methods)}
-    ratios = [x for plot in plots.values() for points in plot.values() for x, _ in points]
+    """The panels in the order of the record; those of few methods stand with their profiles."""
+    found = plots(record)
+    letters = lettered(found)
+    return drawn({key: plot for key, plot in found.items() if set(plot) - FEW}, letters, keys, WIDTH, HEIGHT)
+
+
+def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width: float, height: float) -> Figure:
+    """Panels in one frame, with the words of the methods in them."""
+    ratios = [x for plot in found.values() for points in plot.values() for x, _ in points]
     first, last = math.floor(math.log10(min(ratios))), math.ceil(math.log10(max(ratios)))
-    scale = Scale(first, last)
-    panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in plots.items())
+    scale = Scale(first, last, width, height)
+    panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in found.items())
+    shown = {method for plot in found.values() for method in plot}
     step = max(1, math.ceil((last - first) / 5))
     return Figure(
         panels,
-        tuple((letters[method], WORDS.get(method) or escaped(method)) for method in methods),
+        tuple((letter, WORDS.get(method) or escaped(method)) for method, letter in letters.items() if method in shown),
         tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
         tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
+        width,
+        height,
     )
 
 
@@ -96,20 +125,22 @@ class Scale:
 
     first: int
     last: int
+    width: float
+    height: float
 
     def x(self, ratio: float) -> float:
-        return WIDTH * (math.log10(ratio) - self.first) / (self.last - self.first)
+        return self.width * (math.log10(ratio) - self.first) / (self.last - self.first)
 
     def y(self, error: float) -> float:
         power = min(max(math.log10(error), LOWEST), 0.0)
-        return HEIGHT * (power - LOWEST) / -LOWEST
+        return self.height * (power - LOWEST) / -LOWEST
 
 
 def _lines(plot: Mapping[str, Sequence[Point]], letters: Mapping[str, str], scale: Scale) -> Iterator[Line]:
     points = {m: tuple((scale.x(ratio), scale.y(error)) for ratio, error in rows) for m, rows in plot.items()}
     taken = [point for own in points.values() for point in own]
     for method, own in points.items():
-        place = _free(own, taken)
+        place = _free(own, taken, scale)
         taken.append(place)
         yield Line(letters[method], method in OWN, own, place)
 
@@ -117,11 +148,11 @@ def _lines(plot: Mapping[str, Sequence[Point]], letters: Mapping[str, str], scal
 AROUND = tuple((2.1 * math.cos(math.pi * i / 4), 2.1 * math.sin(math.pi * i / 4)) for i in (2, 0, 6, 4, 1, 3, 5, 7))
 
 
-def _free(own: Sequence[Point], taken: Sequence[Point]) -> Point:
+def _free(own: Sequence[Point], taken: Sequence[Point], scale: Scale) -> Point:
     """Beside one of the points, where points and letters are farthest away."""
 
     def room(place: Point) -> float:
-        inside = 1.0 <= place[0] <= WIDTH and 1.0 <= place[1] <= HEIGHT
+        inside = 1.0 <= place[0] <= scale.width and 1.0 <= place[1] <= scale.height
         return min(math.dist(place, other) for other in taken) if inside else -1.0
 
     places = [(x + dx, y + dy) for x, y in own for dx, dy in AROUND]

@@ -1,0 +1,120 @@
+"""Error against run time on the page of a profile: its formulas that a rule evaluates, in a few panels and sentences.
+
+The letters of the methods are those of the study, which has more of them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..evidence import power_of_ten
+from .error import FEW, Figure, drawn, lettered, plots
+
+WIDTH, HEIGHT = 43.0, 27.0
+"""Millimetres of a frame, as high as those of the other plots of a page."""
+GOAL = 1e-12
+"""The error for which the fastest other way is named."""
+REACHED = 1e-14
+"""The error for which the nodes of the rule are counted."""
+OTHERS = ("lambdify", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR")
+KEY = {
+    "emitted": "the function of the catalogue",
+    "lambdify": "the printed formula through NumPy",
+    "generated rule": "its rule at every point, {} nodes",
+    "Gauss-Jacobi": "Gauss--Jacobi rule for the integral, {} nodes",
+    "quad": "adaptive quadrature",
+    "quad and root": "adaptive quadrature and root finding",
+    "trapezoid MDR": "trapezoidal rule, {} intervals",
+}
+NAMED = {
+    "lambdify": "the printed formula through NumPy",
+    "Gauss-Jacobi": "the Gauss--Jacobi rule of {} nodes",
+    "quad": "adaptive quadrature",
+    "quad and root": "adaptive quadrature with root finding",
+    "trapezoid MDR": "the trapezoidal rule on {} intervals",
+}
+
+LEFT = {"p": "p(r)", "w": "w(r)", "Fd": r"F_{\mathrm N}(d)"}
+
+Row = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Timing:
+    """The panels, the meaning of their letters, and what the numbers say of each formula."""
+
+    figure: Figure
+    methods: tuple[tuple[str, str], ...]
+    sentences: tuple[str, ...]
+
+
+def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
+    """What was measured of these keys; None if nothing was."""
+    everything = plots(record)
+    found = {
+        key: {method: points for method, points in everything[key].items() if method in FEW}
+        for key in keys
+        if key in everything
+    }
+    if not found:
+        return None
+    rows = [row for row in record["rows"] if row["key"] in found and row["method"] in FEW]
+    letters = lettered(everything)
+    figure = drawn(found, letters, frozenset(keys), WIDTH, HEIGHT)
+    shown = [method for method in letters if any(method in plot for plot in found.values())]
+    return Timing(
+        figure,
+        tuple((letters[method], KEY[method].format(_settings(method, rows))) for method in shown),
+        tuple(_sentence([row for row in rows if row["key"] == key]) for key in found),
+    )
+
+
+def _settings(method: str, rows: Sequence[Row]) -> str:
+    """8, 16, 32 and 64, of all formulas together."""
+    counts = sorted({_count(row) for row in rows if row["method"] == method and row["setting"]})
+    *most, last = map(_whole, counts) if counts else ("",)
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def _count(row: Row) -> int:
+    return int(row["setting"].removeprefix("N = "))
+
+
+def _sentence(rows: Sequence[Row]) -> str:
+    """Error of the function, nodes of its rule, and the fastest other way to GOAL."""
+    own = rows[0]
+    text = f"${LEFT[own['key'].rpartition('.')[2]]}$: worst error ${_error(own)}$ at {own['points']} points"
+    enough = [_count(row) for row in rows if row["method"] == "generated rule" and _reaches(row, REACHED)]
+    if enough:
+        text += rf"; {min(enough)} nodes of the rule reach ${_power(REACHED)}$"
+    others = [row for row in rows if row["method"] in OTHERS and _reaches(row, GOAL)]
+    goal = _power(GOAL)
+    if not others:
+        return rf"{text}. No other way shown reaches ${goal}$."
+    best = min(others, key=lambda row: row["ratio"])
+    name = NAMED[best["method"]].format(_whole(_count(best)) if best["setting"] else "")
+    return rf"{text}. The fastest other way to ${goal}$, {name}, takes ${_times(best['ratio'])}$ times as long."
+
+
+def _reaches(row: Row, goal: float) -> bool:
+    return row["worst"] is not None and row["worst"] <= goal and not row["lost"]
+
+
+def _power(goal: float) -> str:
+    return f"10^{{{round(math.log10(goal))}}}"
+
+
+def _error(row: Row) -> str:
+    return power_of_ten(f"{row['worst']:.2g}")
+
+
+def _times(ratio: float) -> str:
+    """Two digits: 0.034, 4.4, 120, 11 000."""
+    return _whole(int(ratio)) if ratio >= 10 else f"{ratio:.2g}"
+
+
+def _whole(number: int) -> str:
+    return f"{number:,}".replace(",", r"\,") if number > 9999 else str(number)

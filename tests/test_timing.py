@@ -1,0 +1,176 @@
+"""Error against run time on the pages of the profiles: what is measured, what is drawn, what is said of it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from stored_book import CATALOGUE, PROFILES, evidence
+from test_misprints import NOT_A_NUMBER
+
+from axiderive.emit.handbook import templates
+from axiderive.emit.html import study
+from axiderive.emit.html.drawing import Figure
+from axiderive.emit.readback.numbers import Printout
+from axiderive.emit.readback.statements import Said
+from axiderive.emit.readback.timing import key, sentences
+from axiderive.emit.study.timing import GOAL, Timing, timing
+from axiderive.study import rule
+from axiderive.study import timing as pairs
+from axiderive.study.methods import Plan, methods
+from axiderive.study.points import arguments
+from axiderive.study.subject import RULED, subject
+
+RECORD: dict[str, Any] = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_bytes())
+SAMPLE = ("rounded_cone", "hyperboloid", "ellipsoid")
+
+
+def keys_of(name: str) -> list[str]:
+    return [f"{name}.{suffix}" for suffix in RULED[name]]
+
+
+def timing_of(name: str, record: dict[str, Any] = RECORD) -> Timing:
+    found = timing(record, keys_of(name))
+    assert found is not None
+    return found
+
+
+@cache
+def text_of(name: str) -> str:
+    """The source of the strip as the page has it."""
+    return str(templates().get_template("timing.tex.j2").module.strip(timing_of(name)))  # type: ignore[attr-defined]
+
+
+def test_every_normal_contact_that_a_rule_evaluates_is_measured() -> None:
+    """By what the build measured of its functions, not by the list of the study."""
+    found = {}
+    for name in PROFILES:
+        forms = {suffix: one.get("form") for suffix, one in evidence(name).get("evaluation", {}).items()}
+        suffixes = [suffix for suffix in ("p", "w") if forms.get(suffix) == "rule"]
+        # the force of a concave face is a closed formula behind a bound that rests on a rule
+        suffixes += ["Fd"] if forms.get("F") == "rule" and subject(name).profile.contact == "compact" else []
+        if suffixes:
+            found[name] = tuple(suffixes)
+    assert found == RULED, "study.subject.RULED names what is measured; add the profile, and its parameters to FURTHER"
+    measured = {row["key"] for row in RECORD["rows"]}
+    assert {key for name in RULED for key in keys_of(name)} <= measured
+    assert all(row["lost"] == 0 for row in RECORD["rows"] if row["method"] == "emitted")
+
+
+@pytest.mark.parametrize("name", SAMPLE)
+def test_a_rule_of_as_many_nodes_is_that_of_the_catalogue(name: str) -> None:
+    """With its own number of nodes it gives the values of the function; with few it does not."""
+    suffix = RULED[name][0]
+    x = arguments(subject(name), suffix, 6)
+    found = {one.name + one.setting: one for one in methods(subject(name), suffix, Plan(6, 6, 2, 1, bem=()))}
+    own = np.asarray(found["emitted"].run())
+    assert np.allclose(found["generated ruleN = 32"].run(), own, rtol=2e-14, atol=0)
+    assert np.max(np.abs(np.asarray(found["generated ruleN = 8"].run()) / own - 1)) > 1e-13
+    # nothing of it stays behind
+    assert np.array_equal(found["emitted"].run(), own)
+    assert len(x) == len(own)
+
+
+def test_nodes_are_put_back_after_an_error() -> None:
+    from axicontact import _integrals
+
+    before = _integrals.integral, _integrals.FEW
+
+    def refuses(x: Any) -> Any:
+        assert before[1] != _integrals.FEW
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        rule.with_nodes(refuses, np.ones(2), 8)
+    assert (_integrals.integral, _integrals.FEW) == before
+
+
+def test_a_pair_is_the_ratio_of_its_times(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a clock that each call moves by its own time: the second one is a hundred times as long."""
+    now = [0.0]
+    monkeypatch.setattr(pairs.time, "process_time", lambda: now[0])
+
+    def takes(span: float) -> Any:
+        return lambda: now.__setitem__(0, now[0] + span)
+
+    assert pairs.paired(takes(1.0), takes(0.01), 5) == pytest.approx(100)
+    assert pairs.paired(takes(1e-3), takes(2e-3), 5) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("name", RULED)
+def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
+    text = text_of(name)
+    said = [*sentences(text, name, RECORD), *key(text, name, RECORD)]
+    assert sum(one.place.endswith("points") for one in said if isinstance(one, Printout)) == len(RULED[name])
+    assert len(said) >= 5 * len(RULED[name]) + 5
+    for one in said:
+        assert not one.wrong(one.tex), one
+        numbers = list(re.finditer(r"(?<![\d{-])\d(?!\d*\})", one.tex))
+        for digit in [numbers[0], numbers[-1]] if numbers else []:
+            changed = one.tex[: digit.start()] + str(int(digit[0]) % 9 + 1) + one.tex[digit.end() :]
+            assert changed == one.tex or _refused(one, changed), changed
+    meanings = list(key(text, name, RECORD))
+    for one in meanings:
+        assert [other.tex for other in meanings if not one.wrong(other.tex)] == [one.tex]
+
+
+def _refused(one: Printout | Said, tex: str) -> bool:
+    try:
+        return one.wrong(tex)
+    except NOT_A_NUMBER:
+        return True
+
+
+def test_a_formula_that_nothing_else_reaches_says_so() -> None:
+    own = ("emitted", "generated rule")
+    rows = [row if row["method"] in own else row | {"worst": 2 * GOAL} for row in RECORD["rows"]]
+    found = timing_of("rounded_punch", {"rows": rows})
+    assert all("No other way shown reaches $10^{-12}$." in sentence for sentence in found.sentences)
+    text = "\n".join(found.sentences)
+    assert all(not one.wrong(one.tex) for one in sentences(text, "rounded_punch", {"rows": rows}))
+    assert any(one.wrong(one.tex) for one in sentences(text, "rounded_punch", RECORD))
+
+
+def test_a_method_that_lost_a_value_is_not_the_fastest() -> None:
+    best = min(
+        (row for row in RECORD["rows"] if row["key"] == "ellipsoid.w" and row["worst"] <= GOAL),
+        key=lambda row: float(row["ratio"]) if row["method"] not in ("emitted", "generated rule") else math.inf,
+    )
+    rows = [row | {"lost": 1} if row is best else row for row in RECORD["rows"]]
+    assert timing_of("ellipsoid", {"rows": rows}).sentences != timing_of("ellipsoid").sentences
+
+
+@pytest.mark.parametrize("name", RULED)
+def test_the_panels_are_what_was_measured_in_print_and_on_the_web(name: str) -> None:
+    found = timing_of(name)
+    web = study.timing(RECORD, keys_of(name))
+    assert web is not None
+    assert web["sentences"] == found.sentences
+    letters = {letter for letter, _ in found.methods}
+    (x0, low), (x1, high) = found.figure.xticks[0], found.figure.xticks[-1]
+    for panel, shown in zip(found.figure.panels, web["panels"], strict=True):
+        rows = [row for row in RECORD["rows"] if row["key"] == panel.key]
+        points = [point for line in panel.lines for point in line.points]
+        drawn = {line.letter for line in panel.lines}
+        assert drawn <= letters
+        measured = [(row["ratio"], row["worst"]) for row in rows if _letter(row["method"]) in drawn and row["worst"]]
+        assert len(points) == len(measured)
+        for (x, y), (ratio, worst) in zip(points, measured, strict=True):
+            assert low + (x - x0) * (high - low) / (x1 - x0) == pytest.approx(math.log10(ratio), abs=0.02)
+            assert y / found.figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -15.95459), abs=1e-5)
+        assert f"{points[0][0]:.2f},{points[0][1]:.2f}" in text_of(name)
+        assert _dots(shown) == len(points)
+
+
+def _letter(method: str) -> str:
+    methods = list(dict.fromkeys(row["method"] for row in RECORD["rows"] if row["worst"] is not None))
+    return chr(ord("a") + methods.index(method))
+
+
+def _dots(figure: Figure) -> int:
+    return sum(element == "circle" for element, _, _ in figure.shapes)
