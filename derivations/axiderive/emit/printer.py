@@ -194,7 +194,7 @@ class Printer:
             return self._atom(base)
         base, common = common_power(base)
         exponent *= common
-        power = self._exponent(exponent)
+        power = self.exponent(exponent)
         if isinstance(base, RAISED) and exponent.is_Integer and exponent > 0:
             return self._call(base, f"^{{{power}}}")
         if base.is_Symbol or base is sp.pi:
@@ -202,7 +202,7 @@ class Printer:
             return f"{text[:-1]}{power}}}" if text.endswith("^{*}") else f"{text}^{{{power}}}"
         return f"{self._bracketed(base, sp.S.One)}^{{{power}}}"
 
-    def _exponent(self, exponent: sp.Expr) -> str:
+    def exponent(self, exponent: sp.Expr) -> str:
         above, below = sp.fraction(sp.together(exponent))
         if below == 1:
             return self.sum(exponent)
@@ -211,7 +211,7 @@ class Printer:
 
     def _bracketed(self, base: sp.Expr, exponent: sp.Expr) -> str:
         text = bracket(self.sum(base))
-        return text if exponent == 1 else f"{text}^{{{self._exponent(exponent)}}}"
+        return text if exponent == 1 else f"{text}^{{{self.exponent(exponent)}}}"
 
     def _atom(self, e: sp.Expr) -> str:
         if e.is_Symbol:
@@ -272,7 +272,7 @@ class Printer:
             return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
         if kind in (masters.StruveH, masters.StruveL):
             letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
-            return f"{letter}_{{{self._exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
+            return f"{letter}_{{{self.exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
         if kind in (masters.Hypergeometric, masters.Kummer):
             *upper, lower, z = e.args
             inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])
@@ -299,7 +299,7 @@ class Printer:
         variable, lo, hi = e.limits[0]
         body = e.function
         text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
-        return rf"\int_{{{self._exponent(lo)}}}^{{{self._exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
+        return rf"\int_{{{self.exponent(lo)}}}^{{{self.exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
 
     def _derivative(self, e: sp.Derivative) -> str:
         inner, variable = e.expr, e.variables[0]
