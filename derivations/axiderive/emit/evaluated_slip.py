@@ -54,11 +54,11 @@ def slip_rows(key: str, plain: Mapping[str, Entry], graded: bool) -> Rows:
 
 def grown_rows(key: str, medium: Medium) -> Rows:
     """Integrals over the growth from c to a, which take the place of a difference of close values."""
-    share, found = Printer()(close_share()), integrals(medium)
+    times, found = Printer()(1 / close_share()), integrals(medium)
     halves = {
-        "F": rf"F_{{\mathrm N}}(c)\ge {share}F_{{\mathrm N}}(a)",
-        "u": rf"g(c)\ge {share}g(a)",
-        "tau": rf"p(r;c)\ge {share}p(r;a)",
+        "F": rf"{times} F_{{\mathrm N}}(c)\ge F_{{\mathrm N}}(a)",
+        "u": rf"{times} g(c)\ge g(a)",
+        "tau": rf"{times} p(r;c)\ge p(r;a)",
     }
     return [_row(f"{key}.{suffix}", f"${where}$", found[suffix], suffix != "tau") for suffix, where in halves.items()]
 
@@ -92,11 +92,16 @@ def _share(order: sp.Expr) -> sp.Expr:
     return 1 - sp.exp(-order * GROWTH)
 
 
+def _bracketed(order: sp.Expr) -> str:
+    """The same in print, with the exponential as a power of e."""
+    number = "" if order == 1 else Printer()(order)
+    return rf"(1-\mathrm{{e}}^{{-{bracket(number) if order.is_Add else number} \lambda}})"
+
+
 def _of_powers(key: str, order: sp.Expr, medium: Medium) -> Rows:
     """A power law: both values at a, times what the share of c leaves of them."""
-    printer = Printer(names=NAMES)
-    force = rf"F_x=\mu {LEFT['F']}(a) \, {bracket(printer(_share(order + 1 + medium.k)))}"
-    moved = rf"u={sliding_ratio(medium)} g(a) \, {bracket(printer(_share(order)))}"
+    force = rf"F_x=\mu {LEFT['F']}(a) \, {_bracketed(order + 1 + medium.k)}"
+    moved = rf"u={sliding_ratio(medium)} g(a) \, {_bracketed(order)}"
     return [_row(f"{key}.F {key}.u", "", Region("", tuple(packed([force, moved, GROWN]))).tex)]
 
 

@@ -111,7 +111,8 @@ class Printer:
         root_above, root_below = self._root(parts.root)
         number, below_root = parts.number, [root_below] if root_below else []
         sums = [factor for factor in behind if self._plain(*factor)]
-        if (below or number.q != 1) and not (above or root_above) and number.p == 1 and len(sums) == 1:
+        bare_sums = len(sums) == 1 or (sums == behind and len(below) > 0)
+        if (below or number.q != 1) and not (above or root_above) and number.p == 1 and sums and bare_sums:
             above, behind = sums, [factor for factor in behind if factor not in sums]
         elif (
             below

@@ -78,6 +78,8 @@ def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Valu
         return _formula(one, printed, case, values)
     if one.kind == "rule":
         return _rule(one, entry, printed, case, values)
+    if one.kind == "definition":
+        return _definition(one, printed, case, values)
     return _inverse(one, printed, case, values)
 
 
@@ -100,6 +102,16 @@ def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any
     if one.suffix == "pm":
         env["F_N"] = env["F_N()"](env["a"])
     return _stated(first, env, one.entry, value_of(case.expr, values))
+
+
+def _definition(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+    """An equation about an elastic constant, and about another one that it may be stated with."""
+    own = bound(name_of(one.entry), value_of(case.expr, values), _environment(one.entry, printed, values))
+    if one.uses:
+        other = printed.entries[one.uses]
+        own = bound(name_of(other), value_of(other.cases[0].expr, values), own)
+    first = read(one.regions[0].tex)[0].members
+    return [difference(first[0](own), first[1](own))]
 
 
 def _stated(members: Sequence[Node], env: Mapping[str, Any], entry: Entry, want: Any) -> list[Any]:
