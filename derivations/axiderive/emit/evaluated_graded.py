@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from .. import notation as nt
 from ..abel.masters import IncompleteBeta
@@ -36,11 +37,12 @@ def pressure_rows(key: str, plain: Mapping[str, Entry]) -> Rows:
     ]  # fmt: skip
 
 
-def outside_row() -> str:
-    """The displacement beside any contact on the graded half space, from the gap inside it."""
-    scale = Printer()(GRADED.displacement_scale)
+def outside_row(key: str) -> dict[str, Any]:
+    """The displacement beside any contact, from the gap that the half space closes inside it."""
+    scale, root = Printer()(GRADED.displacement_scale), r"\sqrt{(r-a) (r+a)}"
     share = r"\frac{g(a)-f(s)}{q^{2}+z^{2}}"
-    return (
-        rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z,"
-        r"\qquad s=\sqrt{(a-z) (a+z)},\quad q=\sqrt{(r-a) (r+a)}"
-    )
+    tex = rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
+    return {
+        "half": False, "comment": f"evaluation {key}.w", "label": "Evaluated as", "small": r"$r\ge a$",
+        "tex": rf"{tex},\qquad s=\sqrt{{(a-z) (a+z)}},\quad q={root}", "remark": "",
+    }  # fmt: skip

@@ -9,11 +9,14 @@ from typing import Any
 from .. import notation as nt
 from ..abel import masters
 from ..contact import adhesive, complete, normal, tangential, viscoelastic
-from ..contact.medium import HOMOGENEOUS
+from ..contact.medium import GRADED, HOMOGENEOUS
 from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..contact.systems import BY_NAME, ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
 from . import blocks, matrix, rules
+from .evaluated import Rows
+from .evaluated_graded import outside_row
+from .evaluated_slip import grown_rows
 from .naming import LEFT, label_of
 from .printer import MASTER_NAMES, Printer
 from .prose import domain, prose
@@ -141,12 +144,24 @@ RULED = (
 )
 
 
-def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]]]]:
-    """The rules that hold for every profile, on the graded half space, by the title of their system."""
+def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
+    """The rules that hold for every profile, on the graded half space, by the title of their system.
+
+    Behind them stands how they are evaluated.
+    """
     return [
-        (blocks.TITLES[system][0], _paired([_rule_row(system, suffix) for suffix in suffixes]))
+        (
+            blocks.TITLES[system][0],
+            _paired([_rule_row(system, suffix) for suffix in suffixes]),
+            rule_evaluations().get(system, []),
+        )
         for system, suffixes in RULED
     ]
+
+
+def rule_evaluations() -> dict[str, Rows]:
+    """How the catalogue evaluates a rule of the graded half space for any profile."""
+    return {"graded.normal": [outside_row("fgm")], "graded.tangential": grown_rows("fgm.tan", GRADED)}
 
 
 HALF = 100.0

@@ -65,7 +65,7 @@ def _form_differs(key: str, first: Statement, definitions: list[Statement], one:
         # psi less the first terms of its series leaves seven powers of a far distance; quadratures take long
         with mp.workdps(2 * DIGITS + (1 if r"\int" in one.tex else 10) * decades(values)):
             env = named(values) | Printed(entries, base).kappa
-            if base is not entries:
+            if base is not entries or nt.k in values:
                 env |= functions(base, values) | _retraction(entries, values)
             if nt.c in values and nt.r in values and values[nt.r] > values[nt.c]:
                 continue  # the slip ring, where nothing is subtracted

@@ -46,9 +46,14 @@ def functions(base: Entries, values: Values) -> dict[str, Any]:
 
         return value
 
+    def shape(place: Any) -> Any:
+        piece = next(p for p in profile.pieces if p.upper is None or place < at_precision(p.upper, values))
+        return at_precision(piece.expr, {**values, nt.r: place})
+
     profile = next(iter(base.values())).profile
     breaks = [at_precision(b, values) for b in profile.breaks]
     return {
+        "f()": shape,
         "g()": lambda radius: at("d", False, a=radius),
         "g'()": lambda radius: at("d", True, a=radius),
         "F_N()": lambda radius: at("F", False, a=radius),
