@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .. import __version__
-from . import front, laws, references, study
+from . import front, front_rules, laws, references, study
 from .evidence import power_of_ten
 from .prose import escaped
 from .transcribed import typeset
@@ -60,7 +60,7 @@ def model(
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
-        "rules": front.rule_rows(),
+        "rules": front_rules.rule_rows(),
         "chart": _chart(summaries),
         "matrix": front.matrix_rows(summaries),
         "signs": front.matrix_legend(),
