@@ -112,12 +112,8 @@ def _mathematics(tokens: list[Token]) -> str:
             out, at = out + (rf"\sqrt{{{inside}}}" if text == "sqrt" else rf"\lvert {inside}\rvert "), end + 1
             continue
         if text in ("^", "_"):
-            at += 1
-            negative = tokens[at][1] == "-"
-            grouped = tokens[at][1] == "("
-            end = _closing(tokens, at) if grouped else at + negative
-            inside = tokens[at + 1 : end] if grouped else tokens[at : end + 1]
-            out, at = out + f"{text}{{{_mathematics(inside)}}}", end + 1
+            raised, at = _script(tokens, at + 1)
+            out += f"{text}{{{_mathematics(raised)}}}"
             continue
         if kind == "name":
             out += NAMES[text.rstrip("'")] + ("'" if text.endswith("'") else " ")
@@ -127,6 +123,15 @@ def _mathematics(tokens: list[Token]) -> str:
             out += r"\,"
         at += 1
     return re.sub(r" +(?=[^A-Za-z\\\d])|(?<=[^A-Za-z}])\s+$", "", out).strip()
+
+
+def _script(tokens: list[Token], at: int) -> tuple[list[Token], int]:
+    """What is raised or lowered, a bracket without its sides or one token with its sign, and what follows it."""
+    if tokens[at][1] == "(":
+        end = _closing(tokens, at)
+        return tokens[at + 1 : end], end + 1
+    end = at + 1 + (tokens[at][1] == "-")
+    return tokens[at:end], end
 
 
 def _closing(tokens: list[Token], start: int) -> int:
