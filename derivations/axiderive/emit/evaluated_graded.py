@@ -11,10 +11,14 @@ from ..contact.medium import GRADED
 from ..entry import Entry
 from ..notation import k, r
 from .evaluated import Rows
+from .evaluated_slip import packed
 from .order import bracket
 from .printer import Printer
+from .rows import Region
 from .universal import power_of_depth
 
+ROOM = 330.0
+"""Points for a formula with integrals, which are wider than their parts."""
 GROWN = r"\lambda=\ln\Bigl(1+\frac{a-r}{r}\Bigr)"
 
 
@@ -28,21 +32,20 @@ def pressure_rows(key: str, plain: Mapping[str, Entry]) -> Rows:
     scale = rf"{printer(GRADED.pressure_scale * nt.a**k)} g'(a)"
     ring = rf"\bigl[1-\exp(-2 y)\bigr]^{{{printer.exponent((k - 1) / 2)}}}"
     fall = rf"\exp\bigl[-{rate} (\lambda-y)\bigr]"
-    tex = rf"p(r)={scale}\int_{{0}}^{{\lambda}} {ring} {fall}\,\mathrm{{d}}y,\qquad {GROWN}"
-    return [
-        {
-            "half": False, "comment": f"evaluation {key}.p", "label": "Evaluated as", "small": f"${printer(r)}\\le a$",
-            "tex": tex, "remark": "",
-        }
-    ]  # fmt: skip
+    integral = rf"p(r)={scale}\int_{{0}}^{{\lambda}} {ring} {fall}\,\mathrm{{d}}y"
+    return [_row(f"{key}.p", f"{printer(r)}\\le a", [integral, GROWN])]
 
 
 def outside_row(key: str) -> dict[str, Any]:
     """The displacement beside any contact, from the gap that the half space closes inside it."""
     scale, root = Printer()(GRADED.displacement_scale), r"\sqrt{(r-a) (r+a)}"
     share = r"\frac{g(a)-f(s)}{q^{2}+z^{2}}"
-    tex = rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
+    integral = rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
+    return _row(f"{key}.w", r"r\ge a", [integral, r"s=\sqrt{(a-z) (a+z)}", f"q={root}"])
+
+
+def _row(key: str, where: str, parts: list[str]) -> dict[str, Any]:
     return {
-        "half": False, "comment": f"evaluation {key}.w", "label": "Evaluated as", "small": r"$r\ge a$",
-        "tex": rf"{tex},\qquad s=\sqrt{{(a-z) (a+z)}},\quad q={root}", "remark": "",
+        "half": False, "comment": f"evaluation {key}", "label": "Evaluated as", "small": f"${where}$",
+        "tex": Region("", tuple(packed(parts, ROOM))).tex, "remark": "",
     }  # fmt: skip

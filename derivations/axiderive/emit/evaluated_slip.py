@@ -117,11 +117,11 @@ def _of_terms(key: str, plain: Mapping[str, Entry]) -> Rows:
     return [_row(f"{key}.F {key}.u", "", Region("", tuple(lines)).tex)]
 
 
-def packed(texts: list[str]) -> list[str]:
+def packed(texts: list[str], room: float = LINE) -> list[str]:
     """Formulas one behind the other, in lines that fit."""
     lines = texts[:1]
     for text in texts[1:]:
-        if width(lines[-1] + r",\qquad " + text) <= LINE:
+        if width(lines[-1] + r",\qquad " + text) <= room:
             lines[-1] += r",\qquad " + text
         else:
             lines[-1] += ","
