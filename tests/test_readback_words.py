@@ -12,9 +12,10 @@ from misprints import misprints, range_misprints
 from stored_book import HANDBOOK, KEYS, PROFILES, stored
 from test_misprints import NOT_A_NUMBER
 
+from axiderive.contact.systems import Problem, problem
 from axiderive.emit.readback import sentences, statements
 from axiderive.emit.readback.examples import further_examples
-from axiderive.emit.readback.further import ENDS, KINDS, further, wrong
+from axiderive.emit.readback.further import ENDS, KINDS, Further, further, wrong
 from axiderive.emit.readback.given import given_numbers
 from axiderive.emit.readback.inline import Inline, inline
 from axiderive.emit.readback.numbers import Printout, check_values, number, worked_example
@@ -193,6 +194,8 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
                 assert one.small.partition(",")[0] in ENDS[one.kind], f"{path}: {one}"
             if one.kind not in KINDS or one.kind == "evaluation" and r"\int" in one.tex:
                 continue  # integrals are read back with the evaluation forms
+            if _of_physics(one) and path not in MET:
+                continue  # as they are printed, in test_evaluated_physics
             assert not wrong(one, stored), f"{path}: {one}"
             count[one.kind] += 1
             if count[one.kind] % 3:
@@ -204,6 +207,18 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
     assert set(count) == set(KINDS)
     assert sum(count.values()) >= 63
     assert mutants >= 28
+
+
+MET = ("profiles/cone.tex", "profiles/sphere.tex", "profiles/capped_paraboloid.tex")
+"""Spreads whose evaluation of adhesion, friction and inverses is read from the source."""
+
+
+def _of_physics(one: Further) -> bool:
+    return one.kind in ("solved", "corrected") or one.kind == "evaluation" and bool(problem_of(one).system.rests_on)
+
+
+def problem_of(one: Further) -> Problem:
+    return problem(one.keys[0].rpartition(".")[0])
 
 
 def _passes(one: object) -> bool:

@@ -12,8 +12,12 @@ from . import laws
 from .approaches import approach_rows
 from .arrangement import lines, ordered
 from .evaluated import evaluation_rows
+from .evaluated_adhesive import adhesive_rows
 from .evaluated_fields import field_rows
+from .evaluated_graded import pressure_rows
+from .evaluated_inverses import inverse_rows
 from .evaluated_plane import plane_rows
+from .evaluated_slip import slip_rows
 from .limits import limit_rows
 from .prose import prose
 from .reductions import reduction_rows
@@ -121,11 +125,12 @@ def blocks(
 def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
-    """Rows that follow from those of the problem: evaluation forms, limits as checked, one adhesive power-law curve."""
+    """Rows that follow from those of the problem: evaluation forms, limits as checked, adhesive power-law curves."""
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
         return [
             *evaluations(problem, entries, evidence),
+            *inverse_rows(problem.profile, entries),
             *approach_rows(problem.profile, entries),
             *limit_rows(problem.profile, entries, evidence),
             *reduction_rows(problem.profile, entries),
@@ -136,11 +141,16 @@ def _further(
             *approach_rows(problem.profile, entries),
             *reduction_rows(problem.profile, entries),
         ]
-    if system.endswith("adhesive") and "Fc" in entries and problem.profile.contact == "compact":
-        graded = system.startswith("graded")
-        base = Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name)
-        return universal_rows(problem.key, derived[base.key]["d"], graded)
-    return []
+    graded = system.startswith("graded")
+    plain = derived.get(Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name).key, {})
+    if problem.profile.contact != "compact" or "d" not in plain:
+        return []
+    if system.endswith("adhesive"):
+        found = adhesive_rows(problem.key, plain, graded)
+        return [*found, *(universal_rows(problem.key, plain["d"], graded) if "Fc" in entries else [])]
+    if system.endswith("tangential"):
+        return slip_rows(problem.key, plain, graded)
+    return pressure_rows(problem.key, plain) if system == "graded.normal" else []
 
 
 def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:

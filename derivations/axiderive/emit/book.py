@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .. import __version__
-from . import front, laws, references, study
+from . import front, front_rules, laws, references, study
 from .evidence import power_of_ten
 from .prose import escaped
+from .transcribed import typeset
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
 PLACES = {"plane": 2, "loads": 3, "materials": 4}
@@ -59,7 +60,7 @@ def model(
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
-        "rules": front.rule_rows(),
+        "rules": front_rules.rule_rows(),
         "chart": _chart(summaries),
         "matrix": front.matrix_rows(summaries),
         "signs": front.matrix_legend(),
@@ -76,11 +77,8 @@ def model(
 
 
 def _chapter(record: Mapping[str, Any]) -> dict[str, Any]:
-    """The record of the chapter with its words as LaTeX; formulas of the errata stay as they are written."""
-    rows = [row | {"title": escaped(row["title"]), "residual": power_of_ten(row["residual"])} for row in record["rows"]]
-    errata = [
-        {name: text if name in ("printed", "right") else escaped(text) for name, text in erratum.items()}
-        for erratum in record["errata"]
-    ]
-    steps = [step | {"claim": escaped(step["claim"])} for step in record.get("steps", [])]
+    """The record of the chapter with its words and their formulas as LaTeX."""
+    rows = [row | {"title": typeset(row["title"]), "residual": power_of_ten(row["residual"])} for row in record["rows"]]
+    errata = [{name: typeset(text) for name, text in erratum.items()} for erratum in record["errata"]]
+    steps = [step | {"claim": typeset(step["claim"])} for step in record.get("steps", [])]
     return {"rows": rows, "errata": errata, "steps": steps}

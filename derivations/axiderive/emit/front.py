@@ -11,11 +11,12 @@ from ..abel import masters
 from ..contact import adhesive, complete, normal, tangential, viscoelastic
 from ..contact.medium import HOMOGENEOUS
 from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ..contact.systems import BY_NAME, ROUND, SYSTEMS
+from ..contact.systems import ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
-from . import blocks, matrix, rules
-from .naming import LEFT, label_of
-from .printer import MASTER_NAMES, Printer
+from . import matrix
+from .naming import LEFT
+from .printed_functions import MASTER_NAMES
+from .printer import Printer
 from .prose import domain, prose
 from .shorthand import with_kappa
 from .width import width
@@ -132,47 +133,6 @@ def suffixes() -> list[tuple[str, str]]:
                 suffix, label = suffix.partition("_")[0] + "_...", label.rpartition(",")[0]
             found.setdefault(f"{group}{suffix}", label)
     return list(found.items())
-
-
-RULED = (
-    ("graded.normal", ("p", "w", "pm")),
-    ("graded.adhesive", ("Dl", "d", "F", "p", "w", "ad", "aF", "ac", "Fc", "dc", "am", "Fm", "dm")),
-    ("graded.tangential", ("F", "u", "us", "tau", "c")),
-)
-
-
-def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]]]]:
-    """The rules that hold for every profile, on the graded half space, by the title of their system."""
-    return [
-        (blocks.TITLES[system][0], _paired([_rule_row(system, suffix) for suffix in suffixes]))
-        for system, suffixes in RULED
-    ]
-
-
-HALF = 100.0
-"""Points for a rule on half a line."""
-
-
-def _paired(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
-    """Neighbours that are short go on one line."""
-    lines: list[list[dict[str, Any]]] = []
-    for row in rows:
-        behind = 10 + 2.0 * len(row["remark"]) if row["remark"] else 0
-        row["narrow"] = width(row["tex"]) + behind <= HALF
-        if row["narrow"] and lines and len(lines[-1]) == 1 and lines[-1][0]["narrow"]:
-            lines[-1].append(row)
-        else:
-            lines.append([row])
-    return lines
-
-
-def _rule_row(system: str, suffix: str) -> dict[str, Any]:
-    found = rules.rule(system, suffix)
-    assert found is not None
-    tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
-    label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
-    group = BY_NAME[system].group
-    return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
 
 
 SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ_{%s}$", "∫": r"\,$\int_{%s}$", "√": r"\,$\surd_{%s}$"}

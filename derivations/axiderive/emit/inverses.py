@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
@@ -13,6 +14,7 @@ from ..stable.forms import EvaluationForm
 from .code import python
 from .compact import Compact
 from .growth import ends, exponents, tip_exponent
+from .places import PLACES
 from .private import Private
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
@@ -33,7 +35,7 @@ class Inverses:
         radius = {suffix: self._radius(suffix) for suffix in ("ad", "aF")}
         return radius | {"Fd": self._through("Fd", "force", "ad"), "dF": self._through("dF", "depth", "aF")}
 
-    def _closed(self, entry: Entry) -> EvaluationForm | None:
+    def closed(self, entry: Entry) -> EvaluationForm | None:
         """The closed form if there is one regime, nothing cancels and no large angle is raised to an exponential.
 
         sinh(asinh(x)/3) loses ln(x)/3 units of the last place: 221 at a force of 1e183.
@@ -44,9 +46,22 @@ class Inverses:
         raised = any(expr.has(sp.sinh, sp.cosh) for expr in (form.value, *(expr for _, expr in form.steps)))
         return None if form.cancels or raised else form
 
+    def unknowns(self) -> Iterator[tuple[str, sp.Expr, str]]:
+        """Kind of the place, its length and the range in print, where the unknown is not the radius itself."""
+        kind, end = self.compact.scale("tip")
+        b = self.compact.b
+        if b is None and self.compact.rooted:
+            yield "below", end, ""
+        elif b is not None and self.profile.truncated:
+            yield "beyond", b, ""
+        elif b is not None:
+            if kind == "tanh":
+                yield "below", end, f"a<{b}"
+            yield "beyond", b, f"a>{b}"
+
     def _radius(self, suffix: str) -> Private:
         entry, (_, field) = self.compact.entries[suffix], TARGET[suffix]
-        form = self._closed(entry)
+        form = self.closed(entry)
         name = entry.quantity.function
         if form is not None:
             lines = self.functions.returned(form)
@@ -60,7 +75,7 @@ class Inverses:
         """F(a(d)) or d(a(F)), closed or as that composition."""
         entry, (_, field) = self.compact.entries[suffix], TARGET[inner]
         name = entry.quantity.function
-        form = self._closed(entry) if entry.composed is None else None
+        form = self.closed(entry) if entry.composed is None else None
         if form is not None:
             lines = self.functions.returned(form)
             return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
@@ -97,12 +112,12 @@ class Inverses:
         slope = self.compact.slopes["beyond" if self.profile.truncated else "tip"][0]
         if self.profile.truncated:
             b = str(self.compact.b)
-            place = f"{b} * np.sqrt(1.0 + t * t), {b} * t"
+            place = PLACES["beyond"].code.format(b)
             rate = f"root * root / a * {slope.call('a', 'root')}"
             needs = {b}
         else:
             R = str(self.compact.scale("tip")[1])
-            place = f"{R} * np.tanh(t), {R} / np.cosh(t)"
+            place = PLACES["below"].code.format(R)
             rate = f"t * root * root / {R} * {slope.call('a', 'root')}"
             needs = {R}
         if suffix == "aF":

@@ -9,12 +9,10 @@ relies on), and \left( is never used.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import sympy as sp
 
 from .. import notation as nt
-from ..abel import masters
 from .factors import Factor, Product, Root, common_out, common_power, taken_apart
 from .order import (
     RAISED,
@@ -23,27 +21,16 @@ from .order import (
     factor_key,
     has_fraction,
     is_function,
-    is_one_group,
     is_scale,
     samples,
     term_key,
 )
-
-FUNCTIONS = {
-    sp.sin: r"\sin", sp.cos: r"\cos", sp.tan: r"\tan", sp.asin: r"\arcsin", sp.acos: r"\arccos", sp.atan: r"\arctan",
-    sp.sinh: r"\sinh", sp.cosh: r"\cosh", sp.tanh: r"\tanh", sp.log: r"\ln", sp.exp: r"\exp",
-    sp.acosh: r"\operatorname{arcosh}", sp.asinh: r"\operatorname{arsinh}", sp.atanh: r"\operatorname{artanh}",
-}  # fmt: skip
-MASTER_NAMES = {
-    masters.C0: r"\mathrm{C}_{0}", masters.LegendreChi2: r"\chi_{2}", masters.ArctanIntegral: r"\mathrm{Ti}_{2}",
-    masters.Dawson: r"\mathrm{D}", sp.sign: r"\operatorname{sgn}", sp.Max: r"\max",
-}  # fmt: skip
-
+from .printed_functions import MASTER_NAMES, FunctionPrinter
 
 EXPONENTS_OF_GRADING = (sp.Rational(-99, 100), sp.Rational(99, 100))
 
 
-class Printer:
+class Printer(FunctionPrinter):
     """Prints SymPy expressions; `chain` is the ascending order of lengths that is known to hold."""
 
     def __init__(self, chain: tuple[sp.Expr, ...] = (), names: Mapping[sp.Symbol, str] | None = None) -> None:
@@ -111,7 +98,8 @@ class Printer:
         root_above, root_below = self._root(parts.root)
         number, below_root = parts.number, [root_below] if root_below else []
         sums = [factor for factor in behind if self._plain(*factor)]
-        if (below or number.q != 1) and not (above or root_above) and number.p == 1 and len(sums) == 1:
+        bare_sums = len(sums) == 1 or (sums == behind and len(below) > 0)
+        if (below or number.q != 1) and not (above or root_above) and number.p == 1 and sums and bare_sums:
             above, behind = sums, [factor for factor in behind if factor not in sums]
         elif (
             below
@@ -194,7 +182,7 @@ class Printer:
             return self._atom(base)
         base, common = common_power(base)
         exponent *= common
-        power = self._exponent(exponent)
+        power = self.exponent(exponent)
         if isinstance(base, RAISED) and exponent.is_Integer and exponent > 0:
             return self._call(base, f"^{{{power}}}")
         if base.is_Symbol or base is sp.pi:
@@ -202,7 +190,7 @@ class Printer:
             return f"{text[:-1]}{power}}}" if text.endswith("^{*}") else f"{text}^{{{power}}}"
         return f"{self._bracketed(base, sp.S.One)}^{{{power}}}"
 
-    def _exponent(self, exponent: sp.Expr) -> str:
+    def exponent(self, exponent: sp.Expr) -> str:
         above, below = sp.fraction(sp.together(exponent))
         if below == 1:
             return self.sum(exponent)
@@ -211,7 +199,7 @@ class Printer:
 
     def _bracketed(self, base: sp.Expr, exponent: sp.Expr) -> str:
         text = bracket(self.sum(base))
-        return text if exponent == 1 else f"{text}^{{{self._exponent(exponent)}}}"
+        return text if exponent == 1 else f"{text}^{{{self.exponent(exponent)}}}"
 
     def _atom(self, e: sp.Expr) -> str:
         if e.is_Symbol:
@@ -250,66 +238,6 @@ class Printer:
         message = f"no print form for {type(e).__name__}: {e}"
         raise TypeError(message)
 
-    # functions
-
-    def _call(self, e: Any, power: str = "") -> str:
-        kind = type(e)
-        if kind in FUNCTIONS:
-            return self._named(FUNCTIONS[kind] + power, e.args[0], always=kind is sp.exp)
-        if kind in MASTER_NAMES:
-            return MASTER_NAMES[kind] + bracket(",".join(self.sum(x) for x in e.args))
-        if kind in (sp.elliptic_f, sp.elliptic_e):
-            letter = r"\mathrm{F}" if kind is sp.elliptic_f else r"\mathrm{E}"
-            return letter + bracket(",".join([*map(self.small, e.args[:-1]), self.small(sp.sqrt(e.args[-1]))]))
-        if kind is sp.elliptic_k:
-            return r"\mathrm{K}" + bracket(self.small(sp.sqrt(e.args[0])))
-        if kind is sp.gamma:
-            return r"\Gamma" + bracket(self.small(e.args[0]))
-        if kind is sp.beta:
-            return r"\mathrm{B}" + bracket(",".join(map(self.small, e.args[:2])))
-        if kind is masters.IncompleteBeta:
-            z, p, q = e.args
-            return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
-        if kind in (masters.StruveH, masters.StruveL):
-            letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
-            return f"{letter}_{{{self._exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
-        if kind in (masters.Hypergeometric, masters.Kummer):
-            *upper, lower, z = e.args
-            inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])
-            return rf"{{}}_{{{len(upper)}}}\mathrm{{F}}_{{1}}" + bracket(inside)
-        if kind is masters.CapMoment:
-            exponent, *lengths = map(self.sum, e.args)
-            return r"\mathrm{J}" + bracket(f"{exponent};" + ",".join(lengths))
-        name = {"w1D": r"w_{\mathrm{1D}}"}.get(kind.__name__, kind.__name__)
-        return name + bracket(",".join(self.sum(x) for x in e.args))
-
-    def _named(self, name: str, argument: sp.Expr, always: bool = False) -> str:
-        text = self.small(argument) if _is_small_fraction(argument) else self.sum(argument)
-        one_factor = argument.is_Symbol or argument.is_Integer or is_one_group(text)
-        return f"{name} {text}" if one_factor and not always else name + bracket(text)
-
-    def small(self, expr: sp.Expr) -> str:
-        """An argument with small fractions: Gamma((n + 1)/2), F(phi, r/b)."""
-        above, below = sp.fraction(sp.together(expr))
-        if below == 1:
-            return self.sum(expr).replace(r"\frac", r"\tfrac")
-        return rf"\tfrac{{{self.sum(above)}}}{{{self.sum(below)}}}"
-
-    def _integral(self, e: sp.Integral) -> str:
-        variable, lo, hi = e.limits[0]
-        body = e.function
-        text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
-        return rf"\int_{{{self._exponent(lo)}}}^{{{self._exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
-
-    def _derivative(self, e: sp.Derivative) -> str:
-        inner, variable = e.expr, e.variables[0]
-        if isinstance(inner, sp.Function) and inner.args == (variable,):
-            name = {"w1D": r"w_{\mathrm{1D}}"}.get(type(inner).__name__, type(inner).__name__)
-            return f"{name}'({self.sum(variable)})"
-        if inner.is_Symbol:
-            return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
-        return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
-
 
 def _is_of_pi(root: Root) -> bool:
     """Whether the root is a number, which stands in front."""
@@ -319,12 +247,6 @@ def _is_of_pi(root: Root) -> bool:
 def _stands_behind(base: sp.Expr) -> bool:
     """A function that is no scale of a sum; cos(pi k/2) is one."""
     return is_function(base) and not isinstance(base, TRIGONOMETRIC)
-
-
-def _is_small_fraction(argument: sp.Expr) -> bool:
-    """pi k/2: symbols over a number, set as one small fraction."""
-    number, rest = argument.as_coeff_Mul()
-    return bool(number.is_Rational and number.q != 1 and number > 0 and all(x.is_Atom for x in rest.args or (rest,)))
 
 
 def _is_positive(value: sp.Expr) -> bool:

@@ -19,7 +19,7 @@ from .rules import radius_name, rule
 from .shorthand import LINE, Short, shortened, with_kappa
 from .width import width
 
-Kind = Literal["formula", "root", "composition", "rule"]
+Kind = Literal["formula", "root", "composition", "rule", "definition"]
 INDENT = r"\enspace\enspace "
 EXPLICIT = 250.0
 """Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
@@ -86,7 +86,9 @@ def row(entry: Entry) -> Row:
         plain = _normal_row(entry)
         compact = entry.profile.contact == "compact"
         return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
-    if system in ("plane", "loads", "viscoelastic", *BODIES.names):
+    if system in BODIES.names:
+        return _constant(entry)
+    if system in ("plane", "loads", "viscoelastic"):
         return _root_or_formula(entry)
     if entry.profile.contact == "complete":
         return _formula(entry)
@@ -99,6 +101,17 @@ def _normal_row(entry: Entry) -> Row:
         function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
         return Row(entry, "composition", (Region("", (f"{LEFT[entry.suffix]}={function}",)),), "with $a$ from", inner)
     return _root_or_formula(entry)
+
+
+def _constant(entry: Entry) -> Row:
+    """An elastic constant, where it is read better by the equation that defines it: 1/E* as a sum, H over h_N."""
+    known, own = entry.definition, entry.quantity.symbol
+    used = known.rhs.free_symbols - set(entry.parameters)
+    if known.lhs == 1 / own:
+        return Row(entry, "definition", (Region("", (Printer()(known),)),))
+    if known.lhs == own and len(used) == 1:
+        return Row(entry, "definition", (Region("", (Printer()(known),)),), "with the factor", used.pop().name)
+    return _formula(entry)
 
 
 SOLVED = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}", "aP": "P(a)=P"}

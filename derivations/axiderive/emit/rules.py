@@ -72,8 +72,13 @@ def radius_name(suffix: str) -> str:
     return rf"a_{{\mathrm {suffix[-1]}}}"
 
 
+def sliding_ratio(medium: Medium) -> str:
+    """Tangential displacement over the depth of the normal contact that slides or grows."""
+    return Printer()(nt.mu * medium.modulus / (nt.G_star if medium.k == 0 else nt.H_x))
+
+
 def _tangential(medium: Medium) -> dict[str, Rule]:
-    ratio = Printer()(nt.mu * medium.modulus / (nt.G_star if medium.k == 0 else nt.H_x))
+    ratio = sliding_ratio(medium)
     return {
         "F": Rule(r"F_x=\mu\,\bigl[F_{\mathrm N}(a)-F_{\mathrm N}(c)\bigr]"),
         "tau": Rule(r"\tau(r)=\mu\,\bigl[p(r;a)-p(r;c)\bigr]", "with $p(r;c)=0$ for $r>c$"),

@@ -18,6 +18,7 @@ Link = Callable[[str, str], Markup]
 _GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
 _TOKEN = re.compile(
     rf"""(?P<formula>(?<!\\)\$(?P<tex>(?:[^$\\]|\\.)+)\$)
+    |\\\((?P<quoted>.+?)\\\)
     |\\hyperref\[(?P<label>[^\]]*)\]{_GROUP.replace("(", "(?P<linked>", 1)}
     |\\own\{{(?P<own>[^}}]*)\}}
     |\\eqr\{{(?P<equation>[^}}]*)\}}
@@ -60,8 +61,8 @@ def words(text: str, link: Link) -> Markup:
 def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
     for match in _TOKEN.finditer(text):
         found = match.groupdict()
-        if found["tex"]:
-            yield formula(found["tex"])
+        if found["tex"] or found["quoted"]:
+            yield formula(found["tex"] or found["quoted"])
         elif found["label"]:
             yield link(found["label"], found["linked"])
         elif found["own"]:

@@ -61,7 +61,7 @@ def integrates(one: Row, base: Entries) -> bool:
     return any(r"\int" in region.tex for own in rows for region in own.regions)
 
 
-def _value(expr: sp.Expr, values: Values) -> Any:
+def value_of(expr: sp.Expr, values: Values) -> Any:
     return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
@@ -78,6 +78,8 @@ def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Valu
         return _formula(one, printed, case, values)
     if one.kind == "rule":
         return _rule(one, entry, printed, case, values)
+    if one.kind == "definition":
+        return _definition(one, printed, case, values)
     return _inverse(one, printed, case, values)
 
 
@@ -95,11 +97,21 @@ def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any
     env = environment(statements[1:], env)
     first = statements[0].members
     if isinstance(case.expr, sp.Equality):
-        wanted = [_value(side, values) for side in (case.expr.lhs, case.expr.rhs)]
+        wanted = [value_of(side, values) for side in (case.expr.lhs, case.expr.rhs)]
         return [difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
     if one.suffix == "pm":
         env["F_N"] = env["F_N()"](env["a"])
-    return _stated(first, env, one.entry, _value(case.expr, values))
+    return _stated(first, env, one.entry, value_of(case.expr, values))
+
+
+def _definition(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
+    """An equation about an elastic constant, and about another one that it may be stated with."""
+    own = bound(name_of(one.entry), value_of(case.expr, values), _environment(one.entry, printed, values))
+    if one.uses:
+        other = printed.entries[one.uses]
+        own = bound(name_of(other), value_of(other.cases[0].expr, values), own)
+    first = read(one.regions[0].tex)[0].members
+    return [difference(first[0](own), first[1](own))]
 
 
 def _stated(members: Sequence[Node], env: Mapping[str, Any], entry: Entry, want: Any) -> list[Any]:
@@ -143,18 +155,18 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
         return _law(one, entry, printed, case, values)
     statements = read(one.regions[0].tex)
     if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
-        _balance(entry, case, values)
+        balance(entry, case, values)
         env = _environment(entry, printed, values)
         left, right = (member(env) for member in statements[0].members)
         return [difference(left, right)]
     if system.endswith("adhesive") and entry.suffix[-1] in "cm":
         _pull_off(entry, printed.entries, case, values)
     env = _environment(entry, printed, values)
-    want = _value(case.expr, values)
+    want = value_of(case.expr, values)
     return _stated(statements[0].members, environment(statements[1:], env), entry, want)
 
 
-def _balance(entry: Entry, case: Case, values: Values) -> None:
+def balance(entry: Entry, case: Case, values: Values) -> None:
     """The unknown takes its closed value, or the load the value that goes with the unknown."""
     unknown = {"c": nt.c, "ad": nt.a, "aF": nt.a}.get(entry.suffix, nt.a_c)
     if not isinstance(case.expr, sp.Equality):
@@ -175,7 +187,7 @@ def _pull_off(entry: Entry, entries: Entries, case: Case, values: Values) -> Non
         values[nt.a_c] = evaluate(radius.cases[0].expr, values, DIGITS + 15)
         return
     own = next(other for other in radius.cases if other.chain == case.chain)
-    _balance(radius, own, values)
+    balance(radius, own, values)
 
 
 def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
@@ -196,7 +208,7 @@ def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -
     expr = case.expr.rhs if isinstance(case.expr, sp.Equality) else case.expr
     if "Fd" not in printed.base:
         env["F_N()"] = lambda depth: printed.at("F", {**env, "d": depth})
-    return _stated(first, env, one.entry, _value(expr, values))
+    return _stated(first, env, one.entry, value_of(expr, values))
 
 
 def _function(text: str, env: Mapping[str, Any]) -> Any:

@@ -6,7 +6,7 @@ Which entries they are about stands in the comment above them: `%% limit cone.d`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,26 +14,23 @@ import mpmath as mp
 import sympy as sp
 
 from ... import notation as nt
-from ...entry import Entry
-from ...proof.evaluate import case_at, decades, evaluate
+from ...proof.evaluate import case_at, evaluate
 from ...proof.unevaluated import evaluate_case
-from .borders import Place, misplaced, places_of
 from .compare import DIGITS, difference
+from .evaluations import as_named, evaluation_differs
+from .exact import Stored
 from .grammar import read
-from .left import bound, name_of
-from .nodes import Node, environment
+from .nodes import Node
 from .points import points_of
-from .printed import Printed, holds, name_in_print, named
+from .printed import name_in_print, named
 from .source import arguments, without_remark
 from .statements import CLOSE
+from .unknowns import correction_differs, unknown_differs
 
-Entries = Mapping[str, Entry]
-Stored = Callable[[str], Entries]
-"""The entries of a problem by its key."""
 GAP = r",\enspace "
 NEAR = sp.Rational(1, 10**60)
 """How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
-KINDS = ("evaluation", "limit", "universal")
+KINDS = ("evaluation", "limit", "universal", "solved", "corrected")
 """Kinds that are read here; approaches to an end, rules and slopes of an integral have readers of their own."""
 ENDS = {
     "edge": (r"r\to a", r"x\to a"), "far-field": (r"r\to\infty", r"x\to\infty"), "axis": (r"r\to 0",),
@@ -69,43 +66,11 @@ def further(text: str) -> Iterator[Further]:
 
 def wrong(one: Further, stored: Stored) -> bool:
     """Whether a row says something else than the entries it is about."""
-    return {"evaluation": _evaluation, "limit": _limit, "universal": _universal}[one.kind](one, stored)
-
-
-def _differs(members: Sequence[Node], env: Mapping[str, Any], own: Mapping[str, Any], want: Any) -> bool:
-    return len(members) < 2 or any(
-        difference(member(own if i == 0 else env), want) > CLOSE for i, member in enumerate(members)
-    )
-
-
-def _named(entry: Entry, want: Any, env: Mapping[str, Any]) -> dict[str, Any]:
-    """The quantity under its name; a depth is also that of the function g."""
-    own = bound(name_of(entry), want, env)
-    return bound("g(a)", want, own) if entry.suffix == "d" and "a" in own else own
-
-
-def _evaluation(one: Further, stored: Stored) -> bool:
-    (key,) = one.keys
-    problem, _, suffix = key.rpartition(".")
-    entries = stored(problem)
-    entry, met = entries[suffix], False
-    for case, values in points_of(entry, "formula", entries, 2, 7):
-        # psi less the first terms of its series leaves seven powers of a far distance; quadratures take long
-        with mp.workdps(2 * DIGITS + (1 if r"\int" in one.tex else 10) * decades(values)):
-            env = named(values) | Printed(entries, entries).kappa
-            if not holds(one.small, env):
-                continue
-            met = True
-            want = evaluate(case.expr, values, DIGITS)
-            statements = read(one.tex)
-            if _differs(statements[0].members, environment(statements[1:], env), _named(entry, want, env), want):
-                return True
-    return not met or bool(one.small and _misplaced(entry, entries, one.small))
-
-
-def _misplaced(entry: Entry, entries: Entries, condition: str) -> bool:
-    places: list[Place] = places_of(entry, "formula", entries)
-    return any(misplaced(entry, [condition], places, partial=True))
+    readers = {
+        "evaluation": evaluation_differs, "limit": _limit, "universal": _universal, "solved": unknown_differs,
+        "corrected": correction_differs,
+    }  # fmt: skip
+    return readers[one.kind](one, stored)
 
 
 def _limit(one: Further, stored: Stored) -> bool:
@@ -147,7 +112,7 @@ def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, store
             want = evaluate_case(case, at, DIGITS)
             # a printed limit is a formula of the simpler profile, which does not know the symbol
             env = {name: number for name, number in named(at).items() if name != name_in_print(symbol)}
-            own = _named(entry, want, env)
+            own = as_named(entry, want, env)
             try:
                 tested.append(all(difference(read(text)[0].members[0](own), want) <= CLOSE for text in (left, right)))
             except ValueError:  # a root of the case that does not hold here

@@ -1,0 +1,68 @@
+"""The rules in front of the book that hold for every profile, and how they are evaluated."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..contact import adhesive, tangential
+from ..contact.medium import GRADED
+from ..contact.systems import BY_NAME
+from ..entry import COMPACT
+from . import blocks, rules
+from .evaluated import Rows
+from .evaluated_graded import outside_row
+from .evaluated_slip import grown_rows
+from .naming import label_of
+from .width import width
+
+RULED = (
+    ("graded.normal", ("p", "w", "pm")),
+    ("graded.adhesive", ("Dl", "d", "F", "p", "w", "ad", "aF", "ac", "Fc", "dc", "am", "Fm", "dm")),
+    ("graded.tangential", ("F", "u", "us", "tau", "c")),
+)
+
+
+def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
+    """The rules that hold for every profile, on the graded half space, by the title of their system.
+
+    Behind them stands how they are evaluated.
+    """
+    return [
+        (
+            blocks.TITLES[system][0],
+            _paired([_rule_row(system, suffix) for suffix in suffixes]),
+            rule_evaluations().get(system, []),
+        )
+        for system, suffixes in RULED
+    ]
+
+
+def rule_evaluations() -> dict[str, Rows]:
+    """How the catalogue evaluates a rule of the graded half space for any profile."""
+    return {"graded.normal": [outside_row("fgm")], "graded.tangential": grown_rows("fgm.tan", GRADED)}
+
+
+HALF = 100.0
+"""Points for a rule on half a line."""
+
+
+def _paired(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Neighbours that are short go on one line."""
+    lines: list[list[dict[str, Any]]] = []
+    for row in rows:
+        behind = 10 + 2.0 * len(row["remark"]) if row["remark"] else 0
+        row["narrow"] = width(row["tex"]) + behind <= HALF
+        if row["narrow"] and lines and len(lines[-1]) == 1 and lines[-1][0]["narrow"]:
+            lines[-1].append(row)
+        else:
+            lines.append([row])
+    return lines
+
+
+def _rule_row(system: str, suffix: str) -> dict[str, Any]:
+    found = rules.rule(system, suffix)
+    assert found is not None
+    tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
+    label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
+    group = BY_NAME[system].group
+    return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
