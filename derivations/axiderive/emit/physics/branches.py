@@ -34,20 +34,30 @@ def branch_functions(module: NormalModule) -> list[str]:
 def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str], rate: str) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
     load, xi = f"lambda a: _{quantity}({arguments})", f'XI["{quantity}"]'
-    units, bend = own_units(module.profile, module.geometry, "E_star", field), corner(module.profile)
+    units, unknown = own_units(module.profile, module.geometry, "E_star", field), unknowns(module.profile)
     lines = [
         *units,
         f'found = _branches({passed}, control="{quantity}")',
-        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma{bend})", units),
+        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma, {unknown})", units),
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
 
 
-def corner(profile: Profile) -> str:
-    """The break inside the domain as the last argument of a call, "" without one."""
-    if profile.truncated or not profile.breaks:
-        return ""
-    return f", corner={python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))}"
+def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str:
+    """The unknowns below and beyond a break, and a break inside the domain, as the last arguments of a call.
+
+    On a graded half space the depth of a `steep` profile leaves the break as a power of its root.
+    """
+    inner = "radius_itself()"
+    if profile.largest is not None:
+        inner = "on_the_bump(s)"
+    elif profile.chain:
+        inner = f"up_to({', '.join(filter(None, [python(profile.chain[-1]), grading]))})"
+    if not profile.breaks:
+        return inner
+    end = python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))
+    outer = f"beyond_edge({end}{f', 1.0 + {grading}' if steep else ''})"
+    return f"{inner}, {outer}" if profile.truncated else f"{inner}, {outer}, corner={end}"
 
 
 def _rate(module: NormalModule) -> list[str]:
