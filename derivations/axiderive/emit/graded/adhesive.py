@@ -149,11 +149,12 @@ class _Adhesive:
         for quantity, (field, *_) in ORDERS.items():
             units = own_units(self.profile, self.geometry, "H", field)
             unknown = unknowns(self.profile, "k", steep=self.family.has("flank", "rim"))
-            given = f"{field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0, {unknown}"
+            given = f"{field}, found, lambda a: _{quantity}(a, {both}), slope, pulled, {unknown}"
             lines = [
                 *units,
                 f'found = _branches({both}, control="{quantity}")',
                 f'slope = growth_of(normal._rate, {geometry}, H, k, dgamma, control="{quantity}")',
+                f'pulled = pull_of(H, k, dgamma, control="{quantity}")',
                 *returned(f"stable_radius({given})", units),
             ]
             writer.rule(f"_radius_from_{quantity}", [field], needs, lines)

@@ -25,7 +25,7 @@ IMPORTS = (
     ".._domain: numbers, require, require_coefficients, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
     f".._functions: {', '.join(HELPERS)}",
-    ".._stable: stable_radius",
+    ".._stable: growth, stable_radius",
     ".._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
 SUMMARY = {

@@ -7,6 +7,8 @@ from ..code import python
 from .own_units import own_units, returned
 from .text import NormalModule, private
 
+PULLED = {"depth": "hess_retraction", "force": "pull"}
+
 
 def branch_functions(module: NormalModule) -> list[str]:
     """The private functions of pull-off and of the stable radii."""
@@ -27,18 +29,23 @@ def branch_functions(module: NormalModule) -> list[str]:
         private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
         private("_pull_off_radius", [], [*needs, "control"], lowest),
-        *(_inverse(module, quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
+        *(_inverse(module, quantity, field, needs) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
 
-def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str], rate: str) -> str:
+def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str]) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
-    load, xi = f"lambda a: _{quantity}({arguments})", f'XI["{quantity}"]'
     units, unknown = own_units(module.profile, module.geometry, "E_star", field), unknowns(module.profile)
+    rate = f"_rate({', '.join(['a', *module.geometry])})"
+    curves = [
+        f"lambda a: _{quantity}({arguments})",
+        f'lambda a: growth({rate}, a, "{quantity}", E_star, dgamma)',
+        f"lambda a: {PULLED[quantity]}(a, E_star, dgamma)",
+    ]
     lines = [
         *units,
         f'found = _branches({passed}, control="{quantity}")',
-        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma, {unknown})", units),
+        *returned(f"stable_radius({field}, found, {', '.join(curves)}, {unknown})", units),
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
 

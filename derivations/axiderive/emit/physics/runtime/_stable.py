@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ._adhesion import hess_retraction
+from ._adhesion import XI, hess_retraction
 from ._branches import Branches, Load
 from ._elementwise import Array
 from ._inverse import inverse
@@ -16,23 +16,25 @@ EPS = np.finfo(float).eps
 NOISE = 2.0 * EPS
 """Of a load, over its parts."""
 SLACK, LOST = 1e-6, 0.3
-"""So that a bracket spans all doubles, but where the load is met to a thousandth; the slope where it is all rounding."""
+"""The first so that a bracket spans all doubles, but where the load is met to a thousandth.
+
+The second is the slope of what is all rounding.
+"""
 
 
 def stable_radius(
     value: Array,
     found: Branches,
     load: Load,
-    rate: Load,
-    xi: float,
-    E_star: Array,
-    dgamma: Array,
+    slope_of: Load,
+    pulled: Load,
     inner: Unknown,
     outer: Unknown | None = None,
     corner: Array | None = None,
 ) -> Array:
     """The largest radius of a stable contact under this load; NaN below pull-off.
 
+    `slope_of` is the derivative of the load, `pulled` the part of it by adhesion.
     A `corner` of the load divides a branch; the unknown is that of `inner` below it and that of `outer` beyond,
     counted from the start of the branch.  The load in excess of the least of a branch, over what it is short of
     the largest where the branch ends, grows from nothing to infinity, as a power at both ends.
@@ -48,7 +50,7 @@ def stable_radius(
     first, reach, largest, place = _counted(low, np.where(np.isfinite(top), high, np.inf), beyond, inner, outer)
     ends = np.isfinite(reach)
     # the load is a difference, known to the rounding of its parts
-    fixed = np.abs(least) + _scale(low, xi, E_star) * hess_retraction(low, E_star, dgamma)
+    fixed = np.abs(least) + pulled(low)
     parts = fixed + np.abs(value)
     least_short = 4.0 * NOISE * parts
 
@@ -59,7 +61,7 @@ def stable_radius(
         known = EPS * (fixed + np.abs(own))
         lost = more <= known
         more = np.where(lost, known, more)
-        slope = t * step * growth(rate, a, xi, E_star, dgamma) * (1.0 / more + np.where(ends, 1.0 / short, 0.0))
+        slope = t * step * slope_of(a) * (1.0 / more + np.where(ends, 1.0 / short, 0.0))
         more = more / short
         # from a flat stretch, the step to a load far above would leave the range of doubles
         slope = np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
@@ -71,14 +73,15 @@ def stable_radius(
 
     short = np.where(ends, np.maximum(top - value, least_short), 1.0)
     wanted = np.where(value < np.inf, np.maximum(value - least, 0.0) / short, 0.0)
-    # close to an edge the load may be flat as far as it is known
-    unit = np.minimum(np.where(beyond, np.maximum(first, 1.0), first), largest)
     far = ends & (wanted > 1.0)
-    unit = np.where(far, reach, unit)
+    order, least_unit = (
+        getattr(inner, name) if outer is None else np.where(beyond, getattr(outer, name), getattr(inner, name))
+        for name in ("order", "unit")
+    )
+    unit = np.where(far, reach, np.minimum(np.maximum(first, least_unit), largest))
     scale, slope = excess(unit)
     # next to the least the excess is a square, next to a corner at most a cube, far away at most a fourth power
     ratio = wanted / scale
-    order = np.where(beyond, 3.0, 2.0)
     start = unit * ratio ** (1.0 / np.where((ratio > 1.0) & ~far, 4.0, order))
     # without adhesion the least radius says nothing of the others
     start = np.where(ends & (slope == LOST), reach, start)
@@ -146,12 +149,7 @@ def _counted(
     return first, reach, np.where(np.isfinite(reach) | beyond, np.inf, inner.end - first), place
 
 
-def growth(rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:
-    """Derivative of the load: that of the depth, or 2 E_star a times it with the retraction weighed by xi."""
-    slope = rate(a) - xi * hess_retraction(a, E_star, dgamma) / (2.0 * a)
-    return slope * _scale(a, xi, E_star)
-
-
-def _scale(a: Array, xi: float, E_star: Array) -> Array:
-    """The load of a contact moved by a unit length: a depth, or the force of the flat punch."""
-    return np.where(xi == 1.0, 1.0, 2.0 * E_star * a)
+def growth(slope: Array, a: Array, control: str, E_star: Array, dgamma: Array) -> Array:
+    """Derivative of the load by that of the depth without adhesion, with the retraction weighed by xi."""
+    own = slope - XI[control] * hess_retraction(a, E_star, dgamma) / (2.0 * a)
+    return 2.0 * E_star * a * own if control == "force" else own

@@ -22,6 +22,10 @@ class Unknown(NamedTuple):
     of: Callable[[Array], Array]
     back: Callable[[Array], tuple[Array, Array]]
     end: Array | float = np.inf
+    order: Array | float = 2.0
+    """The highest power of x with which an excess begins."""
+    unit: float = 0.0
+    """The x up to which a load may be flat as far as it is known, for a branch that starts below."""
 
 
 def radius_itself() -> Unknown:
@@ -42,7 +46,7 @@ def up_to(R: Array, k: Array | float = 0.0) -> Unknown:
         v = -np.log1p(-k * x) / k
         return R * np.tanh(v), R * np.exp(k * v) / np.cosh(v) ** 2
 
-    return Unknown(of, back, like(CLOSEST))
+    return Unknown(of, back, like(CLOSEST), order=3.0, unit=0.5)
 
 
 def on_the_bump(s: Array) -> Unknown:
@@ -57,7 +61,6 @@ def on_the_bump(s: Array) -> Unknown:
 
 def beyond_edge(b: Array, first: Array | float = 1.0, last: Array | float = 1.0) -> Unknown:
     """For a load that leaves b as t**first and ends as t**last, t = sqrt(a**2/b**2 - 1)."""
-
     plain = isinstance(first, float) and first == last == 1.0
 
     def of(a: Array) -> Array:
@@ -69,13 +72,29 @@ def beyond_edge(b: Array, first: Array | float = 1.0, last: Array | float = 1.0)
         a = b * np.hypot(1.0, t)
         return a, a * (t * t / (1.0 + t * t)) / (x * slope)
 
-    return Unknown(of, back)
+    return Unknown(of, back, order=3.0 / first, unit=1.0)
 
 
 def powers_joined(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
-    """The t with t**first (1 + t**2)**((last - first)/2) = x, and d ln x/d ln t there; Halley's steps in ln t."""
-    x, first, last = np.broadcast_arrays(x, first, last)
-    gain, wanted = last - first, np.log(x)
+    """The t with t**first (1 + t**2)**((last - first)/2) = x, and d ln x/d ln t there."""
+    t, slope = _joined(np.log(x), first, last)
+    return _mended(t, x, t**first * (1.0 + t * t) ** ((last - first) / 2.0), slope), slope
+
+
+def powers_summed(x: Array, small: Array, e: Array, large: Array) -> tuple[Array, Array]:
+    """The t with small t**e + large t**2 = x, and d ln x/d ln t there.
+
+    The share of the second term over that of the first is the square of what `_joined` finds.
+    """
+    ratio, slope = _joined(np.log(x / small) - e / 2.0 * np.log(x / large), e, 2.0)
+    t = np.where(ratio > 1e8, 1.0, ratio / np.hypot(1.0, ratio)) * np.sqrt(x / large)
+    return _mended(t, x, small * t**e + large * t * t, slope), slope
+
+
+def _joined(wanted: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
+    """The first of them by the logarithm of x: Halley's steps in ln t."""
+    wanted, first, last = np.broadcast_arrays(wanted, first, last)
+    gain = last - first
     near = 0.5 * np.log(np.expm1(np.clip(2.0 * wanted / last, 0.0, 600.0)) + first / last)
     log = np.where(wanted < 0.0, wanted / first + 0.5 * np.log(first / last), near)
     log = np.where(wanted > 300.0 * last, wanted / last, log)
@@ -88,8 +107,10 @@ def powers_joined(x: Array, first: Array | float, last: Array | float) -> tuple[
         log = log + np.where(np.isfinite(step), step, 0.0)
         if not np.any(np.abs(step) > SETTLED):
             break
-    t = np.exp(log)
-    slope = first + gain * (t * t / (1.0 + t * t))
-    # the rounding of a logarithm is felt in its exponential
-    missed = x / (t**first * (1.0 + t * t) ** (gain / 2.0)) - 1.0
-    return t * np.where(np.abs(missed) < 1e-6 * slope, 1.0 + missed / slope, 1.0), slope
+    return np.exp(log), first + gain / (1.0 + np.exp(-2.0 * log))
+
+
+def _mended(t: Array, x: Array, found: Array, slope: Array) -> Array:
+    """t without the rounding of its logarithm."""
+    missed = x / found - 1.0
+    return t * np.where(np.abs(missed) < 1e-6 * slope, 1.0 + missed / slope, 1.0)
