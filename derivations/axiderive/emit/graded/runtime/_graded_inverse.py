@@ -10,7 +10,7 @@ from ._elementwise import Array
 from ._graded_growth import gaussian_rate
 from ._integrals import difference_root
 from ._inverse import ROUNDING, Beyond, Curve, inverse, inverse_across
-from ._unknowns import Unknown, beyond_edge, powers_joined, powers_summed, radius_itself, up_to
+from ._unknowns import Unknown, beyond_edge, radius_itself, root_of, up_to
 
 Load = Callable[..., Array]
 SLACK = 1e-6
@@ -78,20 +78,20 @@ def radius_beyond(
 ) -> Array:
     """The same for a flat face of radius b; both functions take a and its root b t = sqrt(a**2 - b**2).
 
-    The load grows as t**e for small and for large t, with the two `exponents`; the unknown is
-    t**e (1 + t**2)**((f - e)/2), which does the same: with e = 1 + k near 0 it does not run away.
+    The load grows as a power of t for small and for large t, with the two `exponents`; so does the unknown, which
+    does not run away where the first is 1 + k near 0.
     """
     first, last = exponents
     value = value + np.zeros(1)
     unknown = beyond_edge(b, first, last)
 
     def curve(x: Array) -> tuple[Array, Array]:
-        t, slope = powers_joined(x, first, last)
+        t, slope = root_of(x, first, last)
         a, root = np.hypot(b, b * t), b * t
         own = load(a, root, *needs)
         return own, root * (root / a) * rate(a, root, *needs) / own / slope
 
-    unit = 2.0 ** ((last - first) / 2.0) * np.ones_like(value)
+    unit = unknown.of(b * np.sqrt(2.0)) * np.ones_like(value)
     x = inverse(curve, value, unit * (value / curve(unit)[0]), (SLACK, np.inf), smooth=True)
     return unknown.back(x)[0]
 
@@ -167,7 +167,7 @@ def _beyond(
 ) -> Array:
     """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
 
-    Both terms are read from the load close to b; the unknown is their sum, which is steep at no least power.
+    Both terms are read from the load close to b, and with them the t at which one gives way to the other.
     """
     beyond = _sides(load, rate, b, needs)[1]
 
@@ -179,23 +179,29 @@ def _beyond(
     near = CLOSE * np.ones_like(excess)
     more, slope = more_and_rate(near)
     second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
-    terms = (more * (1.0 - second) / near**least, least, more * second / near**2)
+    # where the powers are all but equal it does not matter where they meet
+    meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
+    unit = more * (1.0 - second) * (meet / near) ** least
+
+    def place(x: Array) -> tuple[Array, Array]:
+        t, power = root_of(x, least, 2.0)
+        return meet * t, power
 
     def curve(x: Array) -> tuple[Array, Array]:
-        t, power = powers_summed(x, *terms)
+        t, power = place(x)
         own, slope = more_and_rate(t)
         return own, slope / own / power
 
     def share(x: Array) -> Array:
-        t, power = powers_summed(x, *terms)
+        t, power = place(x)
         return t * t / (1.0 + t * t) / power
 
     # both the value and that at the break are rounded, some of them sums
     noise = 8.0 * ROUNDING * (base + excess)
-    x = inverse(
-        curve, excess, np.where(excess > 0.0, excess, base), (SLACK, np.inf), share=share, smooth=True, noise=noise
-    )
-    t = powers_summed(x, *terms)[0]
+    start = np.where(excess > 0.0, excess / unit, 1.0)
+    wanted = np.where(excess > 0.0, excess, unit)
+    x = inverse(curve, wanted, start, (SLACK, np.inf), share=share, smooth=True, noise=noise)
+    t = place(x)[0]
     return np.where(excess > 0.0, b * np.sqrt(1.0 + t * t), b)
 
 

@@ -86,7 +86,7 @@ def stable_radius(
     # without adhesion the least radius says nothing of the others
     start = np.where(ends & (slope == LOST), reach, start)
     noise = NOISE * parts * np.where(ends, (1.0 + wanted) / short, 1.0)
-    t = inverse(excess, wanted, start, (SLACK, np.inf), largest, share=share, smooth=True, noise=noise)
+    t = inverse(excess, wanted, start, (SLACK, np.inf), largest, share, smooth=True, noise=noise)
     a = place(t)[0]
     return np.where((value == np.inf) & (high == np.inf), np.inf, np.where(np.isfinite(least), a, np.nan))
 

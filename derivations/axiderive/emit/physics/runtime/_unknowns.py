@@ -10,8 +10,8 @@ import numpy as np
 from ._elementwise import Array
 from ._integrals import difference_root
 
-SETTLED, STEPS = 1e-9, 12
-"""Where the steps towards ln t end: what they still miss is made good by the iteration that asks for t."""
+SHARP, SETTLED, STEPS = 0.01, 1e-9, 12
+"""First powers below SHARP are joined to the last as a graded load does; steps of the join that count as settled."""
 CLOSEST = 18.3
 """artanh(a/R) of the last radius that is told from R."""
 
@@ -65,37 +65,47 @@ def beyond_edge(b: Array, first: Array | float = 1.0, last: Array | float = 1.0)
 
     def of(a: Array) -> Array:
         t = difference_root(a, b) / b
-        return t if plain else t**first * (1.0 + t * t) ** ((last - first) / 2.0)
+        return t if plain else power_of(t, first, last)
 
     def back(x: Array) -> tuple[Array, Array]:
-        t, slope = (x, 1.0) if plain else powers_joined(x, first, last)
+        t, slope = (x, 1.0) if plain else root_of(x, first, last)
         a = b * np.hypot(1.0, t)
         return a, a * (t * t / (1.0 + t * t)) / (x * slope)
 
     return Unknown(of, back, order=3.0 / first, unit=1.0)
 
 
-def powers_joined(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
-    """The t with t**first (1 + t**2)**((last - first)/2) = x, and d ln x/d ln t there."""
-    t, slope = _joined(np.log(x), first, last)
-    return _mended(t, x, t**first * (1.0 + t * t) ** ((last - first) / 2.0), slope), slope
+def root_of(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
+    """The t at which x is t**first for small t and t**last for large, and d ln x/d ln t there.
 
-
-def powers_summed(x: Array, small: Array, e: Array, large: Array) -> tuple[Array, Array]:
-    """The t with small t**e + large t**2 = x, and d ln x/d ln t there.
-
-    The share of the second term over that of the first is the square of what `_joined` finds.
+    Joined at t**2 = first/last without a kink; but where the first is near 0 the bend would be sharp, and x is
+    t**first (1 + t**2)**((last - first)/2).
     """
-    ratio, slope = _joined(np.log(x / small) - e / 2.0 * np.log(x / large), e, 2.0)
-    t = np.where(ratio > 1e8, 1.0, ratio / np.hypot(1.0, ratio)) * np.sqrt(x / large)
-    return _mended(t, x, small * t**e + large * t * t, slope), slope
+    if np.any(first < SHARP):
+        return _root_of_product(x, first, last)
+    share = first / last
+    square = np.where(x < 1.0, share, np.maximum(x, 1.0) ** (2.0 / last) - 1.0 + share)
+    t = np.sqrt(square) * np.where(x < 1.0, np.minimum(x, 1.0) ** (1.0 / first), 1.0)
+    return t, np.where(x < 1.0, first, last * square / (square + 1.0 - share))
 
 
-def _joined(wanted: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
-    """The first of them by the logarithm of x: Halley's steps in ln t."""
-    wanted, first, last = np.broadcast_arrays(wanted, first, last)
-    gain = last - first
-    near = 0.5 * np.log(np.expm1(np.clip(2.0 * wanted / last, 0.0, 600.0)) + first / last)
+def power_of(t: Array, first: Array | float, last: Array | float) -> Array:
+    """The x of which `root_of` gives t."""
+    if np.any(first < SHARP):
+        return _product(t, first, last)
+    share = first / last
+    low = np.minimum(t / np.sqrt(share), 1.0) ** first
+    return np.where(t * t < share, low, (np.maximum(t * t - share, 0.0) + 1.0) ** (last / 2.0))
+
+
+def _product(t: Array, first: Array | float, last: Array | float) -> Array:
+    return t**first * (1.0 + t * t) ** ((last - first) / 2.0)
+
+
+def _root_of_product(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
+    """Halley's steps in ln t."""
+    wanted, gain = np.log(x), last - first
+    near = 0.5 * np.log(np.expm1(np.minimum(np.maximum(2.0 * wanted / last, 0.0), 600.0)) + first / last)
     log = np.where(wanted < 0.0, wanted / first + 0.5 * np.log(first / last), near)
     log = np.where(wanted > 300.0 * last, wanted / last, log)
     for _ in range(STEPS):
@@ -107,10 +117,7 @@ def _joined(wanted: Array, first: Array | float, last: Array | float) -> tuple[A
         log = log + np.where(np.isfinite(step), step, 0.0)
         if not np.any(np.abs(step) > SETTLED):
             break
-    return np.exp(log), first + gain / (1.0 + np.exp(-2.0 * log))
-
-
-def _mended(t: Array, x: Array, found: Array, slope: Array) -> Array:
-    """t without the rounding of its logarithm."""
-    missed = x / found - 1.0
-    return t * np.where(np.abs(missed) < 1e-6 * slope, 1.0 + missed / slope, 1.0)
+    t, slope = np.exp(log), first + gain / (1.0 + np.exp(-2.0 * log))
+    # the rounding of the logarithm is felt in its exponential
+    missed = x / _product(t, first, last) - 1.0
+    return t * np.where(np.abs(missed) < 1e-6 * slope, 1.0 + missed / slope, 1.0), slope
