@@ -10,7 +10,7 @@ from ._elementwise import Array
 from ._graded_growth import gaussian_rate
 from ._integrals import difference_root
 from ._inverse import ROUNDING, Beyond, Curve, inverse, inverse_across
-from ._unknowns import Unknown, beyond_edge, radius_itself, root_of, up_to
+from ._unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
 
 Load = Callable[..., Array]
 SLACK = 1e-6
@@ -103,13 +103,13 @@ def radius_across(
     b: Array,
     needs: tuple[Array, ...],
     tip: Array,
-    least: Array | float = 1.0,
+    least: Array | None = None,
     end: Array | None = None,
 ) -> Array:
-    """The same for a profile with a break at b, the power `tip` of a below and at least t**least in excess beyond."""
+    """The same for a profile with a break at b: the power `tip` of a below, in excess from t**least on beyond."""
     value = value + np.zeros(1)
-    if end is None and isinstance(least, float):
-        return inverse_across(*_sides(load, rate, b, needs), value, b, tip, None, least)
+    if end is None and least is None:
+        return inverse_across(*_sides(load, rate, b, needs), value, b, tip)
     base = load(b + np.zeros_like(value), np.zeros_like(value), *needs)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
@@ -118,7 +118,11 @@ def radius_across(
         radius = _below(load, rate, np.where(above, base, value), base, b, needs, below, tip)
     if not np.any(above):
         return radius
-    return np.where(above, _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, least), radius)
+    return np.where(
+        above,
+        _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip),
+        radius,
+    )
 
 
 def _sides(load: Load, rate: Load, b: Array, needs: tuple[Array, ...]) -> tuple[Curve, Beyond]:
@@ -163,7 +167,14 @@ def _below(
 
 
 def _beyond(
-    load: Load, rate: Load, excess: Array, base: Array, b: Array, needs: tuple[Array, ...], least: Array | float
+    load: Load,
+    rate: Load,
+    excess: Array,
+    base: Array,
+    b: Array,
+    needs: tuple[Array, ...],
+    least: Array | float,
+    tip: Array,
 ) -> Array:
     """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
 
@@ -198,7 +209,9 @@ def _beyond(
 
     # both the value and that at the break are rounded, some of them sums
     noise = 8.0 * ROUNDING * (base + excess)
-    start = np.where(excess > 0.0, excess / unit, 1.0)
+    first = place(np.where(excess > 0.0, excess / unit, 1.0))[0]
+    # far away the break is forgotten
+    start = power_of(np.where(first > 1.0, first ** (2.0 / tip), first) / meet, least, 2.0)
     wanted = np.where(excess > 0.0, excess, unit)
     x = inverse(curve, wanted, start, (SLACK, np.inf), share=share, smooth=True, noise=noise)
     t = place(x)[0]

@@ -10,7 +10,7 @@ import numpy as np
 from ._elementwise import Array
 from ._integrals import difference_root
 
-SHARP, SETTLED, STEPS = 0.01, 1e-9, 12
+SHARP, SETTLED, STEPS = 0.3, 1e-9, 12
 """First powers below SHARP are joined to the last as a graded load does; steps of the join that count as settled."""
 CLOSEST = 18.3
 """artanh(a/R) of the last radius that is told from R."""
