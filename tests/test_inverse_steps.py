@@ -27,6 +27,8 @@ MISSED = 1.8
 """4e-16 in units of EPS, over 1 + the change of the value by a unit of the radius."""
 NEAR_THE_MAXIMUM = 2.5
 """Of the depth of a Gaussian bump, whose form rounds more often than that of the others."""
+NEAR_A_GRADED_MAXIMUM = 4.0
+"""There the load is an integral; 2.9 measured."""
 GAUSSIAN_END = 1.5019752682686114
 COMPACT_WAVES = 12.391420936291584
 Numbers = dict[str, Any]
@@ -89,7 +91,7 @@ NORMAL = (
     "truncated_cone", "rounded_punch", "truncated_paraboloid", "sphere", "ellipsoid", "hyperboloid", "rounded_cone",
     "sphere_tipped_cone", "capped_paraboloid", "rounded_curved_punch", "gaussian",
 )  # fmt: skip
-GRADED = tuple(name for name in NORMAL if name not in ("sphere_tipped_cone", "gaussian"))
+GRADED = NORMAL
 
 
 def counted(module: ModuleType, monkeypatch: pytest.MonkeyPatch) -> list[int]:
@@ -133,8 +135,6 @@ def check(module: ModuleType, name: str, calls: list[int], graded: bool) -> None
     for _ in range(points):
         known, radius = draw.bodies(name)
         known |= {"E_star": draw.decades(-3, 3), "H": draw.decades(-3, 3), "k": draw.grading()}
-        if graded and name == "capped_paraboloid":
-            known["k"] = max(known["k"], -0.9)  # a corner that all but jumps asks for up to fourteen
         for quantity in ("depth", "force"):
             forward, inverse = getattr(module, f"_{quantity}"), getattr(module, f"_radius_from_{quantity}")
             with np.errstate(all="ignore"):
@@ -144,12 +144,10 @@ def check(module: ModuleType, name: str, calls: list[int], graded: bool) -> None
                 calls[0] = 0
                 found = inverse(value, *arguments(inverse, known))
                 most, tried = max(most, calls[0]), tried + 1
-                assert missed(forward, found, value, known) <= (NEAR_THE_MAXIMUM if name == "gaussian" else MISSED), (
-                    quantity,
-                    known,
-                    radius,
-                    float(found[0]),
-                )
+                bound = MISSED
+                if name == "gaussian":
+                    bound = NEAR_A_GRADED_MAXIMUM if graded else NEAR_THE_MAXIMUM
+                assert missed(forward, found, value, known) <= bound, (quantity, known, radius, float(found[0]))
         assert most <= STEPS + BESIDE, (known, radius, most)
     assert tried > points
 

@@ -12,7 +12,7 @@ from ...profiles.profile import Profile
 from ..code import python
 from ..physics import text
 from ..physics.adhesive import SUMMARY
-from ..physics.branches import corner
+from ..physics.branches import unknowns
 from ..physics.own_units import own_units, returned
 from ..physics.text import Function, name_of
 from .families import family
@@ -148,14 +148,14 @@ class _Adhesive:
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
             units = own_units(self.profile, self.geometry, "H", field)
-            bend = corner(self.profile)
+            unknown = unknowns(self.profile, "k", steep=self.family.has("flank", "rim"))
+            given = f"{field}, found, lambda a: _{quantity}(a, {both}), slope, pulled, {unknown}"
             lines = [
                 *units,
                 f'found = _branches({both}, control="{quantity}")',
                 f'slope = growth_of(normal._rate, {geometry}, H, k, dgamma, control="{quantity}")',
-                *returned(
-                    f"stable_radius({field}, found, lambda a: _{quantity}(a, {both}), slope, 1.0, H, 0.0{bend})", units
-                ),
+                f'pulled = pull_of(H, k, dgamma, control="{quantity}")',
+                *returned(f"stable_radius({given})", units),
             ]
             writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
 

@@ -25,11 +25,13 @@ RUNTIME = Path(__file__).with_name("runtime")
 SHARED = (
     "..._adhesion: PullOff, power_law_radius, require_control",
     "..._branches: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond,"
-    " radii_of_waves, radii_to, stable_radius",
+    " radii_of_waves, radii_to",
     "..._domain: numbers, require, require_coefficients, require_order, require_reach",
     "..._elementwise: Array, Result, elementwise",
     "..._integrals: difference_root",
     "..._slip: stick_force",
+    "..._stable: stable_radius",
+    "..._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
 
 

@@ -170,7 +170,7 @@ class _Normal:
             return [f"return {root.get(exponent, f'({unit}) ** (1.0 / {exponent})')}"]
         call = f"(_{quantity}{{at}}, _{rate}{{at}}, {field}, {{length}}, {passed}{{more}})"
         if own.has("gaussian"):
-            text = call.format(at="", length="gaussian_reach(s, k)", more="")
+            text = call.format(at="", length="gaussian_reach(s, k)", more=", on_the_bump(s)")
             return [f"return radius_up_to{text}"]
         if own.root:
             return [f"return {self.through_root(quantity, call)}"]

@@ -7,6 +7,8 @@ from ..code import python
 from .own_units import own_units, returned
 from .text import NormalModule, private
 
+PULLED = {"depth": "hess_retraction", "force": "pull"}
+
 
 def branch_functions(module: NormalModule) -> list[str]:
     """The private functions of pull-off and of the stable radii."""
@@ -27,27 +29,42 @@ def branch_functions(module: NormalModule) -> list[str]:
         private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
         private("_pull_off_radius", [], [*needs, "control"], lowest),
-        *(_inverse(module, quantity, field, needs, rate) for quantity, field in (("depth", "d"), ("force", "F"))),
+        *(_inverse(module, quantity, field, needs) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
 
-def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str], rate: str) -> str:
+def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str]) -> str:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
-    load, xi = f"lambda a: _{quantity}({arguments})", f'XI["{quantity}"]'
-    units, bend = own_units(module.profile, module.geometry, "E_star", field), corner(module.profile)
+    units, unknown = own_units(module.profile, module.geometry, "E_star", field), unknowns(module.profile)
+    rate = f"_rate({', '.join(['a', *module.geometry])})"
+    curves = [
+        f"lambda a: _{quantity}({arguments})",
+        f'lambda a: growth({rate}, a, "{quantity}", E_star, dgamma)',
+        f"lambda a: {PULLED[quantity]}(a, E_star, dgamma)",
+    ]
     lines = [
         *units,
         f'found = _branches({passed}, control="{quantity}")',
-        *returned(f"stable_radius({field}, found, {load}, {rate}, {xi}, E_star, dgamma{bend})", units),
+        *returned(f"stable_radius({field}, found, {', '.join(curves)}, {unknown})", units),
     ]
     return private(f"_radius_from_{quantity}", [field], needs, lines)
 
 
-def corner(profile: Profile) -> str:
-    """The break inside the domain as the last argument of a call, "" without one."""
-    if profile.truncated or not profile.breaks:
-        return ""
-    return f", corner={python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))}"
+def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str:
+    """The unknowns below and beyond a break, and a break inside the domain, as the last arguments of a call.
+
+    On a graded half space the depth of a `steep` profile leaves the break as a power of its root.
+    """
+    inner = "radius_itself()"
+    if profile.largest is not None:
+        inner = "on_the_bump(s)"
+    elif profile.chain:
+        inner = f"up_to({', '.join(filter(None, [python(profile.chain[-1]), grading]))})"
+    if not profile.breaks:
+        return inner
+    end = python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))
+    outer = f"beyond_edge({end}{f', 1.0 + {grading}' if steep else ''})"
+    return f"{inner}, {outer}" if profile.truncated else f"{inner}, {outer}, corner={end}"
 
 
 def _rate(module: NormalModule) -> list[str]:

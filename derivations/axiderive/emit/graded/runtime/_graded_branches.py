@@ -54,3 +54,13 @@ def growth_of(
         return slope * punch_stiffness(a, H, k) if control == "force" else slope
 
     return growth
+
+
+def pull_of(H: Array, k: Array, dgamma: Array, control: str) -> Callable[[Array], Array]:
+    """The part of the depth or the force by adhesion."""
+
+    def pulled(a: Array) -> Array:
+        moved = graded_retraction(a, H, k, dgamma)
+        return moved * punch_stiffness(a, H, k) if control == "force" else moved
+
+    return pulled
