@@ -92,6 +92,7 @@ def imports(module: ModuleText) -> list[str]:
     roots = [name for name in ("between", "inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
+    waves = ["from .._waves import inverse_over_waves"] if "inverse_over_waves(" in text else []
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
@@ -100,7 +101,7 @@ def imports(module: ModuleText) -> list[str]:
     powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
-    return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
+    return [*blocks, *waves, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 import sympy as sp
 
+from ..abel import masters
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
+from ..notation import a
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
 from .code import python
 from .compact import Compact
-from .growth import ends, exponents, tip_exponent
+from .growth import QUANTITY, exponents, powers, start, tip_exponent
 from .private import Private
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
@@ -108,13 +109,15 @@ class Inverses:
             needs = {R}
         if suffix == "aF":
             rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
+        like = start(self.compact, suffix)
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
             f"    a, root = {place}",
             f"    value = {target.call('a', 'root')}",
             f"    return value, {rate} / value",
             "",
-            f"start = between(np.log({field} / curve(1.0)[0]), {self._ends(suffix)})",
+            f"rest = {like.rest}",
+            f"start = between(np.log({field} / curve(1.0)[0]), {like.text('rest')})",
             f"t = inverse(curve, {field}, start, {self._exponents(suffix)}, smooth=True)",
             f"return {place}",
         ]
@@ -126,20 +129,49 @@ class Inverses:
 
     def _newton(self, suffix: str, name: str) -> Private:
         curve, field = TARGET[suffix]
+        if self.compact.scale("tip")[0] == "waves":
+            return self._over_waves(suffix, name)
         lines, needs = self._curve(suffix)
         largest = self.profile.largest
         if self.compact.b is not None:
             return self._across(suffix, name)
         if largest is not None:
             needs = needs | {str(s) for s in largest.free_symbols}
-            lines.append(f"largest = {python(largest)} * np.ones_like({field})")
-            lines.append(f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)})")
+            like = start(self.compact, suffix)
+            lines += [
+                "def like(short: Array) -> Array:",
+                f"    rest = {like.rest}",
+                f"    return between(np.log(short / {like.scale:.7g}), {like.text('rest')})",
+                "",
+                f"largest = {python(largest)} * np.ones_like({field})",
+                f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
+            ]
             return self.functions.add(name, (field,), lines, needs)
-        start = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
+        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
         needs = needs | {str(s) for s in self._start().free_symbols}
         lines += self._least_start(suffix)
-        lines.append(f"return inverse(curve, {field}, {start}, {self._exponents(suffix)}, smooth=True)")
+        lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
         return self.functions.add(name, (field,), lines, needs)
+
+    def _over_waves(self, suffix: str, name: str) -> Private:
+        """A paraboloid and a wave: the depth is square (z**2 + waves z H_0(z)), a = unit z."""
+        field, depth = TARGET[suffix][1], sp.expand(self.compact.entries["d"].cases[0].expr)
+        (wave,) = depth.atoms(masters.StruveH)
+        unit, square = a / wave.args[1], depth.coeff(wave, 0) / a**2
+        waves = depth.coeff(wave, 1) / (a * unit * square)
+        if any(sp.cancel(expr).has(a) for expr in (unit, square, waves)):
+            message = f"{self.profile.name}: g(a) = {depth} is no paraboloid with one wave; solve it by `inverse`"
+            raise ValueError(message)
+        scaled, stiffness = f"{field} / unit * ({python(sp.cancel(1 / square))} / unit)", HOMOGENEOUS.stiffness()
+        if suffix == "aF":
+            scaled = f"{scaled} / ({python(stiffness.subs(a, sp.Symbol('unit', positive=True)))})"
+        lines = [
+            f"unit = {python(sp.cancel(unit))}",
+            f"waves = {python(sp.factor_terms(sp.cancel(waves)))}",
+            f"return unit * inverse_over_waves({scaled}, waves, {1 if suffix == 'ad' else 2})",
+        ]
+        needs = {str(s) for s in (*unit.free_symbols, *square.free_symbols, *waves.free_symbols)} - {"a"}
+        return self.functions.add(name, (field,), lines, needs | ({"E_star"} if suffix == "aF" else set()))
 
     def _curve(self, suffix: str) -> tuple[list[str], set[str]]:
         """Value and logarithmic slope over the radius."""
@@ -162,16 +194,17 @@ class Inverses:
         curve, field = TARGET[suffix]
         target, b = self.functions.functions[curve], str(self.compact.b)
         slope = self.compact.slopes["beyond"][0]
-        beyond = self.functions.functions.get(f"{curve}_beyond")
+        beyond = self.functions.functions[f"{curve}_beyond"]
         lines, needs = self._curve(suffix)
         kind, length = self.compact.scale("tip")
         end = f", {length}" if kind == "tanh" else ""
         lines += [
             "def beyond(a: Array, root: Array) -> tuple[Array, Array]:",
-            f"    value = {beyond.call() if beyond else target.call('a')}",
+            f"    value = {beyond.call('a', 'root')}",
             f"    return value, {self._scaled(suffix, 'root * root / a')} * {slope.call('a', 'root')}",
             "",
-            f"return inverse_across(curve, beyond, {field}, {b}, {tip_exponent(self.compact, suffix)}{end})",
+            f"base = {beyond.call(b, f'0.0 * {b}')}",
+            f"return inverse_across(curve, beyond, {field}, {b}, {tip_exponent(self.compact, suffix)}{end}, base=base, {powers(self.compact, suffix)})",
         ]
         return self.functions.add(name, (field,), lines, {*needs, *slope.needs, *target.needs, b})
 
@@ -179,11 +212,15 @@ class Inverses:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
         if not self.compact.summed:
             return []
-        curve, field = TARGET[suffix]
-        alone = re.sub(r"\bA\b", "(0.0,) * (j - 1) + (A_j,)", self.functions.functions[curve].call("1.0"))
+        quantity, field = QUANTITY[suffix], TARGET[suffix][1]
+        value = evaluation_form(self.compact.entries[quantity].cases[0].expr, facts_of((a,))).value
+        (series,) = value.atoms(sp.Sum)
+        (coefficient,) = series.function.atoms(sp.Indexed)
+        first = series.function.subs({coefficient: sp.Symbol("A_j", positive=True), a: 1})
+        alone = python(value.subs(series, first))
         degree = "j" if suffix == "ad" else "(j + 1)"
         return [
-            f"terms = (np.log({field} / {alone}) / {degree} for j, A_j in enumerate(A, 1))",
+            f"terms = (np.log({field} / ({alone})) / {degree} for j, A_j in enumerate(A, 1))",
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
@@ -226,8 +263,3 @@ class Inverses:
         """Whole numbers between which d ln value/d ln t lies."""
         low, high = exponents(self.compact, suffix)
         return f"({low}, {high})"
-
-    def _ends(self, suffix: str) -> str:
-        """What `between` asks for: the curve at both ends, and how to join them."""
-        small, large, blend = ends(self.compact, suffix)
-        return f"{small}, {large}, {blend}"

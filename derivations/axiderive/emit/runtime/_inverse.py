@@ -7,11 +7,12 @@ from collections.abc import Callable
 import numpy as np
 
 from ._elementwise import Array
+from ._functions import nth_root
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
 Beyond = Callable[[Array, Array], tuple[Array, Array]]
-ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING = 120, 8, 4, 1e-9, 2.0**-53
+ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
 """No curve of the catalogue needs more than six evaluations; the others are for those of other profiles."""
 
 
@@ -66,7 +67,7 @@ def inverse(
         step = _step(step, before, slope_before, error, slope)
     for _ in range(1 if smooth else POLISHING):
         change = t * ((value - y) / y) / slope
-        change = np.where(np.abs(change) < 1e-6 * t, change, 0.0)
+        change = np.where(np.abs(change) < 1e-3 * t, change, 0.0)
         t = t + change
         if smooth or not np.any(np.abs(change) > 1e-14 * t):
             break
@@ -102,37 +103,83 @@ def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: 
     return newton + np.where(np.abs(more) < 0.5 * np.abs(newton), more, 0.0)
 
 
-def between(x: Array, small: tuple[float, float], large: tuple[float, float], blend: float) -> Array:
-    """The t of a curve known at its ends: ln t where x is the logarithm of the curve over its value at t = 1.
+def between(
+    x: Array, small: tuple[float, float], large: tuple[float, float], blend: float, rest: tuple[float, ...]
+) -> Array:
+    """About the t of a curve known at its ends: ln t where x is the logarithm of the curve over its value at t = 1.
 
     There t is (exp(x)/c)**(1/e), with c and e for `small` t and for `large`; `blend` is the power of either that
-    is summed.
+    is summed to q.  In between t is q times a polynomial of q/(1 + q), whose coefficients are the `rest`.
     """
+    q = _joined(x, small, large, blend)
+    v, factor = 1.0 - 1.0 / (1.0 + q), rest[-1]
+    for coefficient in rest[-2::-1]:
+        factor = factor * v + coefficient
+    return q * factor
+
+
+def _joined(x: Array, small: tuple[Array, float], large: tuple[Array, float], blend: float) -> Array:
     first, last = (blend / e * (x - np.log(c)) for c, e in (small, large))
     return np.exp((np.maximum(first, last) + np.log1p(np.exp(-np.abs(first - last)))) / blend)
 
 
-def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponents) -> Array:
+def _joining(like: Array, slope: Array, small: float, large: float) -> Array:
+    """About the t of a curve over its value at t = 1, less steep for large t than for small, from its slopes."""
+    x = np.log(like)
+    if small == large:
+        return np.exp(x / np.where(x < 0.0, slope, large))
+    share = np.minimum(np.maximum((slope - small) / (large - small), 1e-12), 1.0 - 1e-12)
+    return _joined(x, (1.0 / (1.0 - share), small), (1.0 / share, large), 0.5 * (small + large))
+
+
+def _leaving(like: Array, share: Array, tip: Array | float, small: float, large: float) -> Array:
+    """The same where a power of the radius, `share` at t = 1, is left by a sum with powers of t."""
+    x, rest = np.log(like), np.maximum(1.0 - share, 1e-300)
+    below = _joined(np.minimum(x, 0.0), (share, 2.0), (rest, small), -0.5 * (2.0 + small))
+    return np.where(x < 0.0, below, _joined(np.maximum(x, 0.0), (share, tip), (rest, large), -0.5 * (tip + large)))
+
+
+def inverse_below(
+    curve: Curve,
+    value: Array,
+    largest: Array,
+    exponents: Exponents,
+    like: Callable[[Array], Array] = np.sqrt,
+) -> Array:
     """The t with curve(t) = value, for 0 < t <= largest where the curve ends with slope zero; not a number beyond.
 
     What the value is short of the largest, over the value, is nearly a power of the shortfall s of t over t at both
-    ends; `exponents` are bounds of that power.
+    ends; `exponents` are bounds of that power, `like` is about s of it.
     """
     top = curve(largest)[0]
 
     def shortfall(s: Array) -> tuple[Array, Array]:
         t = largest / (1.0 + s)
         y, slope = curve(t)
-        # next to the end the difference is all rounding, of either sign
-        short = np.maximum((top - y) / y, ROUNDING)
-        return short, np.maximum(s / (1.0 + s) * slope * (1.0 + short) / short, exponents[0])
+        short = (top - y) / y
+        return _above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
 
     # the largest value and the argument are both rounded
     short = np.maximum((top - value) / value, 0.0)
     noise = 4.0 * ROUNDING * (1.0 + short)
-    s = inverse(shortfall, short, np.sqrt(short), exponents, smooth=True, noise=noise)
+    s = inverse(shortfall, short, like(short), exponents, smooth=True, noise=noise)
     t = largest / (1.0 + s)
     return np.where(value <= top * (1.0 + 2.0**-48), t, np.nan)
+
+
+def _above_noise(
+    difference: Array, rate: Array, size: Array, power: float | None, least: Array | float
+) -> tuple[Array, Array]:
+    """A difference of numbers of one `size` and its logarithmic slope; near zero it is all rounding, its rate is not.
+
+    There it is that rate over its first `power`, if that is known.
+    """
+    tiny = ROUNDING * size
+    if power is None:
+        known = np.maximum(difference, tiny)
+    else:
+        known = np.where(difference > LOST * tiny, difference, np.maximum(rate / power, tiny * tiny))
+    return known, np.maximum(rate / known, least)
 
 
 def inverse_across(
@@ -143,33 +190,48 @@ def inverse_across(
     tip: Array | float,
     end: Array | None = None,
     least: Array | float = 1.0,
+    base: Array | None = None,
+    powers: tuple[float, float] | None = None,
+    leaving: tuple[float, float] | None = None,
 ) -> Array:
     """The radius with curve(radius) = value, for a curve whose slope jumps or bends sharply at b.
 
     It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the
     curve below would be infinitely steep at `end`.
-    Above, the excess over curve(b) grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a higher one,
-    even where the curve leaves b with an infinite slope.
+    Above, the excess over `base`, the curve at b, grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a
+    higher one, even where the curve leaves b with an infinite slope.  Those for small and for large t are the
+    `powers`; or, where the tip is a power of the radius, `leaving` are those of what comes to its continuation.
     There `beyond` gives the value and its derivative by ln t, from the radius and b t.
     """
-    base = curve(b * np.ones_like(value))[0]
+    like = np.ones_like(value)
+    if base is None:
+        base = curve(b * like)[0]
     above = value > base
-    radius = b * np.ones_like(value)
+    radius = b * like
     if not np.all(above):
-        radius = _below(curve, np.where(above, base, value), base, b, tip, end)
+        lower = np.where(above, base, value)
+        # of a power nothing is left to iterate
+        power = end is None and (powers or leaving)
+        radius = b * nth_root(lower / base, tip) if power else _below(curve, lower, base, b, tip, end)
     if not np.any(above):
         return radius
     high = np.where(above, value, 2.0 * base)
 
     def excess(t: Array) -> tuple[Array, Array]:
         y, rate = beyond(b * np.sqrt(1.0 + t * t), b * t)
-        more = np.maximum(y - base, ROUNDING * base)
-        # next to b the difference is all rounding
-        return more, np.maximum(rate / more, least)
+        return _above_noise(y - base, rate, base, small, least)
 
+    start, small = like, None if powers is leaving else (powers or (2.0,))[0]
+    if powers is not None or leaving is not None:
+        one, slope = excess(1.0)
+        more = (high - base) / one
+        if powers is not None:
+            start = _joining(more, slope, *powers)
+        else:
+            start = _leaving(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
     # both the value and that at the break are rounded, some of them sums
-    noise = 8.0 * ROUNDING * high
-    t = inverse(excess, high - base, np.ones_like(value), (least, np.inf), smooth=True, noise=noise)
+    noise = 5.0 * ROUNDING * high
+    t = inverse(excess, high - base, start, (least, np.inf), smooth=True, noise=noise)
     return np.where(above, b * np.sqrt(1.0 + t * t), radius)
 
 
@@ -179,7 +241,6 @@ def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float
         # a parabolic tip is met at once
         return inverse(curve, value, b * (value / base) ** (1.0 / tip), (tip, np.inf), b, smooth=True)
     reach = np.arctanh(np.minimum(b / end, 1.0 - ROUNDING))
-    like = value / base * np.where(reach > 1.0, reach, reach**tip)
 
     def share(t: Array) -> Array:
         return t / (np.sinh(t) * np.cosh(t))
@@ -188,5 +249,8 @@ def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float
         y, slope = curve(end * np.tanh(t))
         return y, slope * share(t)
 
-    start = np.where(like > 1.0, like, like ** (1.0 / tip))
-    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), np.inf, share, smooth=True)))
+    last, slope = bent(reach)
+    # the curve beyond b may begin a few roundings later
+    value = np.minimum(value, last)
+    start = reach * _joining(value / last, slope, tip, 1.0)
+    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), reach, share, smooth=True)))
