@@ -70,16 +70,17 @@ class Growth:
 
 
 def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
-    """Whole numbers between which the slope lies."""
+    """Whole numbers between which the slope lies.
+
+    That is proved for sums of powers, whose slope is a mean of the powers with positive weights.  For the others it
+    is measured: the exact formulas at the places of `Growth`, and the range widened to whole numbers.
+    """
     if compact.summed:
         return ("1.0", "len(A)") if suffix == "ad" else ("2.0", "len(A) + 1.0")
     with mp.workdps(DIGITS):
         growth = Growth(compact, suffix)
         slopes = [float(growth.slope(t)) for t in growth.places]
     low, high = min(slopes), max(slopes)
-    if compact.scale("tip")[0] == "waves":
-        # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
-        return "0.0", f"{math.ceil(high) + 3}.0"
     return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"
 
 

@@ -89,9 +89,10 @@ def imports(module: ModuleText) -> list[str]:
         line = f"from .._integrals import {', '.join(rules)}"
         split = ["from .._integrals import (", *(f"    {rule}," for rule in rules), ")"]
         blocks += [line] if len(line) <= 120 else split
-    roots = [name for name in ("between", "inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
+    roots = [name for name in ("inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
+    starts = ["from .._starts import between"] if "between(" in text else []
     waves = ["from .._waves import inverse_over_waves"] if "inverse_over_waves(" in text else []
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
@@ -101,7 +102,7 @@ def imports(module: ModuleText) -> list[str]:
     powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
-    return [*blocks, *waves, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
+    return [*blocks, *starts, *waves, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache

@@ -1,4 +1,9 @@
-"""Bodies of the inverse functions: closed where stable, else Newton's iteration in a variable of bounded slope."""
+"""Bodies of the inverse functions: closed where stable, else an iteration in a variable of bounded slope.
+
+It begins at a fit of the inverse where one dimensionless number says all, at what joins the two ends of the curve
+where two do, and over waves on a Taylor series.  At most five evaluations of a whole array and two of one number
+have been seen, in `tests/test_inverse_steps.py`; twice that for arrays on both sides of the edge of a spherical tip.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..abel import masters
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
 from ..notation import a
@@ -16,6 +20,7 @@ from .code import python
 from .compact import Compact
 from .growth import QUANTITY, exponents, powers, start, tip_exponent
 from .private import Private
+from .waves import wave_lines
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
 
@@ -154,24 +159,9 @@ class Inverses:
         return self.functions.add(name, (field,), lines, needs)
 
     def _over_waves(self, suffix: str, name: str) -> Private:
-        """A paraboloid and a wave: the depth is square (z**2 + waves z H_0(z)), a = unit z."""
-        field, depth = TARGET[suffix][1], sp.expand(self.compact.entries["d"].cases[0].expr)
-        (wave,) = depth.atoms(masters.StruveH)
-        unit, square = a / wave.args[1], depth.coeff(wave, 0) / a**2
-        waves = depth.coeff(wave, 1) / (a * unit * square)
-        if any(sp.cancel(expr).has(a) for expr in (unit, square, waves)):
-            message = f"{self.profile.name}: g(a) = {depth} is no paraboloid with one wave; solve it by `inverse`"
-            raise ValueError(message)
-        scaled, stiffness = f"{field} / unit * ({python(sp.cancel(1 / square))} / unit)", HOMOGENEOUS.stiffness()
-        if suffix == "aF":
-            scaled = f"{scaled} / ({python(stiffness.subs(a, sp.Symbol('unit', positive=True)))})"
-        lines = [
-            f"unit = {python(sp.cancel(unit))}",
-            f"waves = {python(sp.factor_terms(sp.cancel(waves)))}",
-            f"return unit * inverse_over_waves({scaled}, waves, {1 if suffix == 'ad' else 2})",
-        ]
-        needs = {str(s) for s in (*unit.free_symbols, *square.free_symbols, *waves.free_symbols)} - {"a"}
-        return self.functions.add(name, (field,), lines, needs | ({"E_star"} if suffix == "aF" else set()))
+        field = TARGET[suffix][1]
+        lines, needs = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
+        return self.functions.add(name, (field,), lines, needs)
 
     def _curve(self, suffix: str) -> tuple[list[str], set[str]]:
         """Value and logarithmic slope over the radius."""
@@ -196,6 +186,7 @@ class Inverses:
         slope = self.compact.slopes["beyond"][0]
         beyond = self.functions.functions[f"{curve}_beyond"]
         lines, needs = self._curve(suffix)
+        grown, leaves = tip_exponent(self.compact, suffix), powers(self.compact, suffix)
         kind, length = self.compact.scale("tip")
         end = f", {length}" if kind == "tanh" else ""
         lines += [
@@ -204,7 +195,7 @@ class Inverses:
             f"    return value, {self._scaled(suffix, 'root * root / a')} * {slope.call('a', 'root')}",
             "",
             f"base = {beyond.call(b, f'0.0 * {b}')}",
-            f"return inverse_across(curve, beyond, {field}, {b}, {tip_exponent(self.compact, suffix)}{end}, base=base, {powers(self.compact, suffix)})",
+            f"return inverse_across(curve, beyond, {field}, {b}, {grown}{end}, base=base, {leaves})",
         ]
         return self.functions.add(name, (field,), lines, {*needs, *slope.needs, *target.needs, b})
 
@@ -220,13 +211,14 @@ class Inverses:
         alone = python(value.subs(series, first))
         degree = "j" if suffix == "ad" else "(j + 1)"
         return [
-            f"terms = (np.log({field} / ({alone})) / {degree} for j, A_j in enumerate(A, 1))",
+            f"alone = ({alone} for j, A_j in enumerate(A, 1))",
+            f"terms = (np.log({field} / term) / {degree} for j, term in enumerate(alone, 1))",
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
     def _start(self) -> sp.Expr:
         """A length of the profile that is small against the largest contact radius."""
-        lengths = [p for p in self.profile.parameters if p.name in ("b", "s", "wavelength")]
+        lengths = [p for p in self.profile.parameters if p.name == "b"]
         return lengths[-1] / 1000 if lengths else sp.S.One
 
     def _slope_of_radius(self) -> tuple[str, set[str]]:

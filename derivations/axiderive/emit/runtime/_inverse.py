@@ -8,12 +8,13 @@ import numpy as np
 
 from ._elementwise import Array
 from ._functions import nth_root
+from ._starts import joining, leaving_power
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
 Beyond = Callable[[Array, Array], tuple[Array, Array]]
 ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
-"""No curve of the catalogue needs more than six evaluations; the others are for those of other profiles."""
+"""Normal contacts need at most six evaluations, mostly three; the others are for curves of other profiles."""
 
 
 def inverse(
@@ -31,6 +32,7 @@ def inverse(
     `curve` returns its value and its logarithmic slope d ln curve/d ln t.  That slope lies between
     the two `exponents`, so the error of `start` bounds the root from both sides:
     ln t - ln start lies between ln(value/curve(start)) divided by either exponent.
+    With exponents that do not hold the root may be outside, and what is found is an end of that interval.
     A step in ln t is taken unless it leaves the bracket; where it does not settle, the bracket is halved.
     A point that is settled stays: where the curve is met within a rounding or within `noise`, or where a step no
     longer changes what t stands for, a quantity whose logarithm moves with `share` of that of t.  What is left then
@@ -101,42 +103,6 @@ def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: 
     bend, bend_before = (1.0 / slope - mean) / way, (mean - 1.0 / slope_before) / way
     more = error * error * (bend + (bend - bend_before) / way * before)
     return newton + np.where(np.abs(more) < 0.5 * np.abs(newton), more, 0.0)
-
-
-def between(
-    x: Array, small: tuple[float, float], large: tuple[float, float], blend: float, rest: tuple[float, ...]
-) -> Array:
-    """About the t of a curve known at its ends: ln t where x is the logarithm of the curve over its value at t = 1.
-
-    There t is (exp(x)/c)**(1/e), with c and e for `small` t and for `large`; `blend` is the power of either that
-    is summed to q.  In between t is q times a polynomial of q/(1 + q), whose coefficients are the `rest`.
-    """
-    q = _joined(x, small, large, blend)
-    v, factor = 1.0 - 1.0 / (1.0 + q), rest[-1]
-    for coefficient in rest[-2::-1]:
-        factor = factor * v + coefficient
-    return q * factor
-
-
-def _joined(x: Array, small: tuple[Array, float], large: tuple[Array, float], blend: float) -> Array:
-    first, last = (blend / e * (x - np.log(c)) for c, e in (small, large))
-    return np.exp((np.maximum(first, last) + np.log1p(np.exp(-np.abs(first - last)))) / blend)
-
-
-def _joining(like: Array, slope: Array, small: float, large: float) -> Array:
-    """About the t of a curve over its value at t = 1, less steep for large t than for small, from its slopes."""
-    x = np.log(like)
-    if small == large:
-        return np.exp(x / np.where(x < 0.0, slope, large))
-    share = np.minimum(np.maximum((slope - small) / (large - small), 1e-12), 1.0 - 1e-12)
-    return _joined(x, (1.0 / (1.0 - share), small), (1.0 / share, large), 0.5 * (small + large))
-
-
-def _leaving(like: Array, share: Array, tip: Array | float, small: float, large: float) -> Array:
-    """The same where a power of the radius, `share` at t = 1, is left by a sum with powers of t."""
-    x, rest = np.log(like), np.maximum(1.0 - share, 1e-300)
-    below = _joined(np.minimum(x, 0.0), (share, 2.0), (rest, small), -0.5 * (2.0 + small))
-    return np.where(x < 0.0, below, _joined(np.maximum(x, 0.0), (share, tip), (rest, large), -0.5 * (tip + large)))
 
 
 def inverse_below(
@@ -226,9 +192,9 @@ def inverse_across(
         one, slope = excess(1.0)
         more = (high - base) / one
         if powers is not None:
-            start = _joining(more, slope, *powers)
+            start = joining(more, slope, *powers)
         else:
-            start = _leaving(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
+            start = leaving_power(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
     # both the value and that at the break are rounded, some of them sums
     noise = 5.0 * ROUNDING * high
     t = inverse(excess, high - base, start, (least, np.inf), smooth=True, noise=noise)
@@ -252,5 +218,5 @@ def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float
     last, slope = bent(reach)
     # the curve beyond b may begin a few roundings later
     value = np.minimum(value, last)
-    start = reach * _joining(value / last, slope, tip, 1.0)
+    start = reach * joining(value / last, slope, tip, 1.0)
     return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), reach, share, smooth=True)))

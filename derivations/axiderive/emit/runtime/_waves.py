@@ -59,7 +59,10 @@ def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, li
 
 
 def _reached(series: list[Array], change: Array, value: Array) -> Array:
-    """The s in [-1, 1] at which the series has grown by `change`, or the end before; by Laguerre's steps for a cubic."""
+    """The s in [-1, 1] at which the series has grown by `change`, or the end before it.
+
+    By Laguerre's steps for a cubic: where the slope touches zero the root is nearly a triple one.
+    """
     most = least = 0.0 * change
     for coefficient in series[::-1]:
         most, least = coefficient + most, -coefficient - least
