@@ -12,7 +12,9 @@ from .code import python
 
 
 def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> tuple[list[str], set[str]]:
-    """The body of a(d) or a(F), by the `field`, for g(a) = square (z**2 + waves z H_0(z)), a = unit z, and the parameters it needs.
+    """The body of a(d) or a(F), by the `field`, and the parameters it needs.
+
+    The depth is g(a) = square (z**2 + waves z H_0(z)) with a = unit z.
 
     Raises
     ------
