@@ -99,7 +99,9 @@ class Lumped(Regimes):
         needs = {*needs, *slope.needs, str(self.b)}
         # the root says more of a radius next to the break: for the inverse
         whole = self.functions.add("force_beyond", ("a", "reach"), lines, needs)
-        return self.functions.add("force", ("a",), [f"return {whole.call('a', self._reach())}"], needs)
+        reach = self._reach()
+        own = needs if reach.startswith("difference_root") else needs - {str(self.b)}
+        return self.functions.add("force", ("a",), [f"return {whole.call('a', reach)}"], own)
 
     def _reach(self) -> str:
         """The text of sqrt(a**2 - b**2), and of zero within the break."""
