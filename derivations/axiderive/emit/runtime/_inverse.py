@@ -14,7 +14,7 @@ Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
 Beyond = Callable[[Array, Array], tuple[Array, Array]]
 ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
-"""Normal contacts need at most five evaluations and two at single points, mostly three; the others are for curves of other profiles."""
+"""Normal contacts need at most five evaluations and two at single points, mostly three; the rest is for others."""
 
 
 def inverse(
