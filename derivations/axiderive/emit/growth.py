@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import mpmath as mp
 import sympy as sp
@@ -13,6 +14,8 @@ from .compact import Compact
 from .example import NUMERIC
 
 DIGITS = 60
+DEGREE = 8
+"""Coefficients of a start: its error is below 1e-3 then, and the iteration does the rest."""
 QUANTITY = {"ad": "d", "aF": "F"}
 Power = tuple[float, float]
 """c and e of c t**e."""
@@ -67,16 +70,17 @@ class Growth:
 
 
 def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
-    """Whole numbers between which the slope lies."""
+    """Whole numbers between which the slope lies.
+
+    That is proved for sums of powers, whose slope is a mean of the powers with positive weights.  For the others it
+    is measured: the exact formulas at the places of `Growth`, and the range widened to whole numbers.
+    """
     if compact.summed:
         return ("1.0", "len(A)") if suffix == "ad" else ("2.0", "len(A) + 1.0")
     with mp.workdps(DIGITS):
         growth = Growth(compact, suffix)
         slopes = [float(growth.slope(t)) for t in growth.places]
     low, high = min(slopes), max(slopes)
-    if compact.scale("tip")[0] == "waves":
-        # where the waves are steepest g' touches zero, and it never exceeds twice the slope of the paraboloid
-        return "0.0", f"{math.ceil(high) + 3}.0"
     return f"{math.floor(low + 1e-6)}.0", f"{math.ceil(high - 1e-6)}.0"
 
 
@@ -87,15 +91,62 @@ def tip_exponent(compact: Compact, suffix: str) -> str:
         return f"{_power(growth, growth.places[0])[1]}"
 
 
-def ends(compact: Compact, suffix: str) -> tuple[Power, Power, float]:
-    """The curve over its value at t = 1 for small and for large t, and the power by which they are joined best."""
+def powers(compact: Compact, suffix: str) -> str:
+    """How the curve leaves its value at the break, as arguments of `inverse_across`; as powers of t.
+
+    Where a tip that is a power of the radius lies below the curve it is what exceeds its continuation.
+    """
+    with mp.workdps(DIGITS):
+        growth = Growth(compact, suffix)
+        b, beyond, tip = growth.number(compact.b), growth.curves["beyond"], growth.curves["tip"]
+        left = compact.scale("tip")[0] == "" and tip(2 * b) < beyond(2 * b)
+
+        def more(t: mp.mpf) -> mp.mpf:
+            radius = b * mp.sqrt(1 + t * t)
+            return mp.log(beyond(radius) - (tip(radius) if left else beyond(b)))
+
+        ends = (mp.mpf(10) ** -12, mp.mpf(10) ** 12)
+        small, large = (round(float(2 * (more(t * 2) - more(t)) / mp.log(2))) / 2 for t in ends)
+    return f"{'leaving' if left else 'powers'}=({small}, {large})"
+
+
+@dataclass(frozen=True)
+class Start:
+    """What `between` asks for: the curve over its value at t = 1 for small and for large t, joined and corrected."""
+
+    small: Power
+    large: Power
+    blend: float
+    """The power of both that is summed."""
+    rest: tuple[float, ...]
+    """t over the q so found, a polynomial of q/(1 + q)."""
+    scale: float
+    """The curve at t = 1, with the parameters of the sketch."""
+
+    def text(self, rest: str) -> str:
+        return f"{self.small}, {self.large}, {self.blend}, {rest}"
+
+
+def start(compact: Compact, suffix: str) -> Start:
+    """An approximate inverse over all t; where one dimensionless number says all it is good for two to four digits."""
     with mp.workdps(DIGITS):
         growth = Growth(compact, suffix)
         places = growth.places
         first, last = (_power(growth, t) for t in (places[0], places[-1]))
-        curve = [(float(mp.log(t)), float(growth(t) - growth(mp.mpf(1)))) for t in places]
-    blends = [k / 4 for k in range(-24, 25) if k]
-    return first, last, min(blends, key=lambda blend: _miss(curve, first, last, blend))
+        one = growth(mp.mpf(1))
+        curve = [(float(mp.log(t)), float(growth(t) - one)) for t in places]
+        blend = min((k / 4 for k in range(-24, 25) if k), key=lambda blend: _miss(curve, first, last, blend))
+        reach = places[-1] / (1 + places[-1])
+        nodes = [reach * (1 + mp.cos(mp.pi * (k + mp.mpf(0.5)) / DEGREE)) / 2 for k in range(DEGREE)]
+        points = [(t, _joined(float(growth(t) - one), first, last, blend)) for t in (v / (1 - v) for v in nodes)]
+        rest = _through([(1 - 1 / (1 + mp.exp(q)), t / mp.exp(q)) for t, q in points])
+        return Start(first, last, blend, rest, float(mp.exp(one)))
+
+
+def _through(points: Sequence[tuple[mp.mpf, mp.mpf]]) -> tuple[float, ...]:
+    """Coefficients in ascending order of the polynomial through the points, to the digits that a start needs."""
+    rows = mp.matrix([[v**j for j in range(len(points))] for v, _ in points])
+    return tuple(float(f"{float(c):.7g}") for c in mp.lu_solve(rows, mp.matrix([value for _, value in points])))
 
 
 def _power(growth: Growth, t: mp.mpf) -> Power:
@@ -105,11 +156,12 @@ def _power(growth: Growth, t: mp.mpf) -> Power:
     return float(f"{factor:.4g}"), exponent
 
 
+def _joined(x: float, first: Power, last: Power, blend: float) -> float:
+    """ln t by the two ends alone."""
+    one, other = (blend / e * (x - math.log(c)) for c, e in (first, last))
+    return (max(one, other) + math.log1p(math.exp(-abs(one - other)))) / blend
+
+
 def _miss(curve: Sequence[tuple[float, float]], first: Power, last: Power, blend: float) -> float:
     """The largest error of ln t."""
-
-    def joined(x: float) -> float:
-        one, other = (blend / e * (x - math.log(c)) for c, e in (first, last))
-        return (max(one, other) + math.log1p(math.exp(-abs(one - other)))) / blend
-
-    return max(abs(joined(x) - t) for t, x in curve)
+    return max(abs(_joined(x, first, last, blend) - t) for t, x in curve)

@@ -87,9 +87,11 @@ def imports(module: ModuleText) -> list[str]:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
     if "difference_root(" in text:
         blocks.append("from .._integrals import difference_root")
-    roots = [name for name in ("between", "inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
+    roots = [name for name in ("inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
+    starts = ["from .._starts import between"] if "between(" in text else []
+    waves = ["from .._waves import inverse_over_waves"] if "inverse_over_waves(" in text else []
     kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
     if kernels:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
@@ -103,7 +105,7 @@ def imports(module: ModuleText) -> list[str]:
         line = f"from .._rules import {', '.join(rules)}"
         split = ["from .._rules import (", *(f"    {rule}," for rule in rules), ")"]
         blocks += [line] if len(line) <= 120 else split
-    return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
+    return [*blocks, *starts, *waves, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache

@@ -1,8 +1,12 @@
-"""Bodies of the inverse functions: closed where stable, else Newton's iteration in a variable of bounded slope."""
+"""Bodies of the inverse functions: closed where stable, else an iteration in a variable of bounded slope.
+
+It begins at a fit of the inverse where one dimensionless number says all, at what joins the two ends of the curve
+where two do, and over waves on a Taylor series.  At most five evaluations of a whole array and two of one number
+have been seen, in `tests/test_inverse_steps.py`; twice that for arrays on both sides of the edge of a spherical tip.
+"""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -10,12 +14,15 @@ import sympy as sp
 
 from ..contact.medium import HOMOGENEOUS
 from ..entry import Entry
-from ..stable.forms import EvaluationForm
+from ..notation import a
+from ..stable.forms import EvaluationForm, evaluation_form
+from ..stable.signs import facts_of
 from .code import python
 from .compact import Compact
-from .growth import ends, exponents, tip_exponent
+from .growth import QUANTITY, exponents, powers, start, tip_exponent
 from .places import PLACES
 from .private import Private
+from .waves import wave_lines
 
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
 
@@ -122,13 +129,15 @@ class Inverses:
             needs = {R}
         if suffix == "aF":
             rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
+        like = start(self.compact, suffix)
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
             f"    a, root = {place}",
             f"    value = {target.call('a', 'root')}",
             f"    return value, {rate} / value",
             "",
-            f"start = between(np.log({field} / curve(1.0)[0]), {self._ends(suffix)})",
+            f"rest = {like.rest}",
+            f"start = between(np.log({field} / curve(1.0)[0]), {like.text('rest')})",
             f"t = inverse(curve, {field}, start, {self._exponents(suffix)}, smooth=True)",
             f"return {place}",
         ]
@@ -140,19 +149,33 @@ class Inverses:
 
     def _newton(self, suffix: str, name: str) -> Private:
         curve, field = TARGET[suffix]
+        if self.compact.scale("tip")[0] == "waves":
+            return self._over_waves(suffix, name)
         lines, needs = self._curve(suffix)
         largest = self.profile.largest
         if self.compact.b is not None:
             return self._across(suffix, name)
         if largest is not None:
             needs = needs | {str(s) for s in largest.free_symbols}
-            lines.append(f"largest = {python(largest)} * np.ones_like({field})")
-            lines.append(f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)})")
+            like = start(self.compact, suffix)
+            lines += [
+                "def like(short: Array) -> Array:",
+                f"    rest = {like.rest}",
+                f"    return between(np.log(short / {like.scale:.7g}), {like.text('rest')})",
+                "",
+                f"largest = {python(largest)} * np.ones_like({field})",
+                f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
+            ]
             return self.functions.add(name, (field,), lines, needs)
-        start = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
+        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
         needs = needs | {str(s) for s in self._start().free_symbols}
         lines += self._least_start(suffix)
-        lines.append(f"return inverse(curve, {field}, {start}, {self._exponents(suffix)}, smooth=True)")
+        lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
+        return self.functions.add(name, (field,), lines, needs)
+
+    def _over_waves(self, suffix: str, name: str) -> Private:
+        field = TARGET[suffix][1]
+        lines, needs = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
         return self.functions.add(name, (field,), lines, needs)
 
     def _curve(self, suffix: str) -> tuple[list[str], set[str]]:
@@ -176,16 +199,18 @@ class Inverses:
         curve, field = TARGET[suffix]
         target, b = self.functions.functions[curve], str(self.compact.b)
         slope = self.compact.slopes["beyond"][0]
-        beyond = self.functions.functions.get(f"{curve}_beyond")
+        beyond = self.functions.functions[f"{curve}_beyond"]
         lines, needs = self._curve(suffix)
+        grown, leaves = tip_exponent(self.compact, suffix), powers(self.compact, suffix)
         kind, length = self.compact.scale("tip")
         end = f", {length}" if kind == "tanh" else ""
         lines += [
             "def beyond(a: Array, root: Array) -> tuple[Array, Array]:",
-            f"    value = {beyond.call() if beyond else target.call('a')}",
+            f"    value = {beyond.call('a', 'root')}",
             f"    return value, {self._scaled(suffix, 'root * root / a')} * {slope.call('a', 'root')}",
             "",
-            f"return inverse_across(curve, beyond, {field}, {b}, {tip_exponent(self.compact, suffix)}{end})",
+            f"base = {beyond.call(b, f'0.0 * {b}')}",
+            f"return inverse_across(curve, beyond, {field}, {b}, {grown}{end}, base=base, {leaves})",
         ]
         return self.functions.add(name, (field,), lines, {*needs, *slope.needs, *target.needs, b})
 
@@ -193,17 +218,22 @@ class Inverses:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
         if not self.compact.summed:
             return []
-        curve, field = TARGET[suffix]
-        alone = re.sub(r"\bA\b", "(0.0,) * (j - 1) + (A_j,)", self.functions.functions[curve].call("1.0"))
+        quantity, field = QUANTITY[suffix], TARGET[suffix][1]
+        value = evaluation_form(self.compact.entries[quantity].cases[0].expr, facts_of((a,))).value
+        (series,) = value.atoms(sp.Sum)
+        (coefficient,) = series.function.atoms(sp.Indexed)
+        first = series.function.subs({coefficient: sp.Symbol("A_j", positive=True), a: 1})
+        alone = python(value.subs(series, first))
         degree = "j" if suffix == "ad" else "(j + 1)"
         return [
-            f"terms = (np.log({field} / {alone}) / {degree} for j, A_j in enumerate(A, 1))",
+            f"alone = ({alone} for j, A_j in enumerate(A, 1))",
+            f"terms = (np.log({field} / term) / {degree} for j, term in enumerate(alone, 1))",
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
     def _start(self) -> sp.Expr:
         """A length of the profile that is small against the largest contact radius."""
-        lengths = [p for p in self.profile.parameters if p.name in ("b", "s", "wavelength")]
+        lengths = [p for p in self.profile.parameters if p.name == "b"]
         return lengths[-1] / 1000 if lengths else sp.S.One
 
     def _slope_of_radius(self) -> tuple[str, set[str]]:
@@ -240,8 +270,3 @@ class Inverses:
         """Whole numbers between which d ln value/d ln t lies."""
         low, high = exponents(self.compact, suffix)
         return f"({low}, {high})"
-
-    def _ends(self, suffix: str) -> str:
-        """What `between` asks for: the curve at both ends, and how to join them."""
-        small, large, blend = ends(self.compact, suffix)
-        return f"{small}, {large}, {blend}"

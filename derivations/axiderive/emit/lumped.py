@@ -98,10 +98,14 @@ class Lumped(Regimes):
             return self._limited("force", lines, needs)
         slope = self.slopes["beyond"][0]
         growth = slope.with_parameters()
-        lines.append(f"reach = {self._reach()}")
         lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self._width()})")
         lines.append("return tip + beyond")
-        return self.functions.add("force", ("a",), lines, {*needs, *slope.needs, str(self.b)})
+        needs = {*needs, *slope.needs, str(self.b)}
+        # the root says more of a radius next to the break: for the inverse
+        whole = self.functions.add("force_beyond", ("a", "reach"), lines, needs)
+        reach = self._reach()
+        own = needs if reach.startswith("difference_root") else needs - {str(self.b)}
+        return self.functions.add("force", ("a",), [f"return {whole.call('a', reach)}"], own)
 
     def _reach(self) -> str:
         """The text of sqrt(a**2 - b**2), and of zero within the break."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 PACKAGE = "axicontact"
 RULES = ("integral", "panels")
-ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below"))
+ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_over_waves"))
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
