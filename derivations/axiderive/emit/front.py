@@ -48,13 +48,25 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
 
 
 def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
-    """The symbols with the sections, by name and number, whose formulas hold them; those of most sections left out."""
+    """The symbols with the runs of sections whose formulas hold them: the name of the first, 1.1--1.5."""
     found = []
     for symbol in nt.all_notation():
         places = [(m["name"], m["number"]) for m in summaries if symbol.name in m["symbols"]]
         if places and symbol.name not in ("j", "N", "stiffness") and 2 * len(places) <= len(summaries):
-            found.append((symbol.latex, places))
+            found.append((symbol.latex, _runs(places)))
     return found
+
+
+def _runs(places: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Sections that follow each other in a chapter as one range, with the name of the first."""
+    found: list[tuple[str, str, str]] = []
+    for name, number in places:
+        chapter, _, section = number.partition(".")
+        if found and found[-1][2] == f"{chapter}.{int(section) - 1}":
+            found[-1] = (*found[-1][:2], number)
+        else:
+            found.append((name, number, number))
+    return [(name, first if first == last else f"{first}--{last}") for name, first, last in found]
 
 
 def _unit(unit: str) -> str:
@@ -114,24 +126,27 @@ def _name(master: type[masters.Master]) -> str:
 
 
 QUANTITIES = (
-    ("", (COMPACT, COMPLETE)),
-    ("adh.", (adhesive.QUANTITIES,)),
-    ("tan.", (tangential.QUANTITIES,)),
-    ("vis.", (viscoelastic.QUANTITIES,)),
-    ("plane: ", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
+    ("Normal contact", "", (COMPACT, COMPLETE)),
+    ("Adhesive contact; graded: .fgm.adh", "adh.", (adhesive.QUANTITIES,)),
+    ("Tangential contact; graded: .fgm.tan", "tan.", (tangential.QUANTITIES,)),
+    ("Viscoelastic half-space", "vis.", (viscoelastic.QUANTITIES,)),
+    ("Plane contact", "", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
 )
 
 
-def suffixes() -> list[tuple[str, str]]:
-    """What the end of a key means, without the four laws spelled out."""
-    found: dict[str, str] = {}
-    for group, tables in QUANTITIES:
+def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
+    """What the end of a key means, by kind of contact, in the words of the rows; without the four laws spelled out."""
+    found = []
+    for title, group, tables in QUANTITIES:
+        ends: dict[str, str] = {}
         for q in (q for table in tables for q in table.values()):
             suffix, label = q.suffix, q.label
             if group == "vis.":
-                suffix, label = suffix.partition("_")[0] + "_...", label.rpartition(",")[0]
-            found.setdefault(f"{group}{suffix}", label)
-    return list(found.items())
+                suffix = suffix.partition("_")[0] + "_..."
+            words, small = label_of(suffix, label)
+            ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)
+        found.append((title, list(ends.items())))
+    return found
 
 
 RULED = (

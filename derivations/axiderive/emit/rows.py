@@ -17,6 +17,7 @@ from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
 from .shorthand import LINE, Short, shortened, with_kappa
+from .tidied import tidied
 from .width import width
 
 Kind = Literal["formula", "root", "composition", "rule"]
@@ -171,7 +172,7 @@ def names_of(entry: Entry) -> dict[sp.Symbol, str]:
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
     own = names_of(entry)
-    expr = expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp))
+    expr = tidied(expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp)))
     if isinstance(expr, sp.Equality):
         printer = Printer(chain, with_kappa(expr).names | own)
         return Region(condition(entry, pairs, chain, printer), (printer(expr),))
