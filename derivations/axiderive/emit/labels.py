@@ -69,14 +69,15 @@ def _room(clear: float) -> float:
 
 
 def _beside(own: Rows, others: list[Rows], place: tuple[float, float], half: float, tall: float) -> float:
-    """Room of a label left or right of a steep curve, which has left the height of the label by its middle."""
+    """Room of a label left or right of a steep curve, which has left the height of the label by its first half."""
     x, y = place
     near = [x + half * shift / 2 for shift in range(5)]
-    if not 0.01 < near[-1] < 1.0:
+    left = abs(_height(own, x + half / 2) - y) - tall / 2
+    if left < 0 or not 0.01 < near[-1] < 1.0:
         return -9.0
     spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
     clear = [_clear(span, y - tall / 2, y + tall / 2) for span in spans]
-    return _room(min(*clear, abs(_height(own, x + half) - y) - tall / 2, y - tall / 2))
+    return _room(min([*clear, left, y - tall / 2]))
 
 
 def _same(rows: Rows, others: Rows) -> bool:

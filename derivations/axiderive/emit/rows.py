@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..contact.systems import BODIES
 from ..entry import Entry
-from ..notation import a_c
+from ..notation import a_c, c
 from .naming import LEFT, label_of, left_of, system_of
 from .order import brackets_around
 from .printer import Printer
@@ -149,11 +149,21 @@ def _superposed(entry: Entry, system: str) -> Row:
     if entry.suffix == "Dl" and not graded:
         return _formula(entry)
     spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
-    if spelled and _is_power(entry.cases[0].expr, a_c) and not (graded and entry.suffix not in PULLED_OFF):
+    if (
+        spelled
+        and not _is_long(entry.cases[0].expr)
+        and _is_power(entry.cases[0].expr, a_c)
+        and not (graded and entry.suffix not in PULLED_OFF)
+    ):
         plain = _formula(entry)
         if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
             return replace(plain, regions=(replace(plain.regions[0], condition=""),))
     return _ruled(entry, system, listed=graded)
+
+
+def _is_long(expr: sp.Expr) -> bool:
+    """Whether the state of the stick radius has several terms of its own; the rule says it in two."""
+    return any(len(total.args) > 2 for total in tidied(expr).atoms(sp.Add) if total.has(c))
 
 
 def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
