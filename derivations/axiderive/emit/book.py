@@ -10,6 +10,7 @@ from .. import __version__
 from . import front, laws, references, study
 from .evidence import power_of_ten
 from .prose import escaped
+from .symbol_index import symbol_index
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
 PLACES = {"plane": 2, "loads": 3, "materials": 4}
@@ -111,7 +112,7 @@ def model(
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],
-        "symbol_index": front.symbol_index(summaries),
+        "symbol_index": symbol_index(summaries),
         "key_groups": front.by_problem(keys),
         "keys_count": {"profiles": len(summaries), "entries": len(keys)},
         "version": __version__,
