@@ -12,6 +12,7 @@ from axiderive.emit import plots
 from axiderive.emit.curves import WIDEST, curves
 from axiderive.emit.html.drawing import pairs
 from axiderive.emit.html.sketch import sketch
+from axiderive.emit.labels import HIGHEST
 from axiderive.emit.sketch_given import load_sketch
 from axiderive.emit.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
 from axiderive.emit.spread import pool_of
@@ -84,7 +85,7 @@ def test_an_infinite_pressure_at_a_break_is_drawn_to_the_top(name: str, infinite
 @pytest.mark.parametrize("name", ["cone", "hyperboloid"])
 def test_the_curve_with_adhesion_runs_to_the_edge_of_its_frame(name: str) -> None:
     x, y = pairs(curves(profile_of(name), drawn(name)).adhesion.stable)[-1]
-    assert x >= WIDEST or y >= plots.HIGHEST
+    assert x >= WIDEST or y >= HIGHEST
 
 
 def test_the_lines_of_the_maps_hold_every_map_once() -> None:

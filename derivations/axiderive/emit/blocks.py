@@ -29,7 +29,7 @@ TITLES = {
     "adhesive": (
         "Adhesive contact",
         r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$; "
-        r"pull-off at fixed force, $a_{\mathrm c}$, and at fixed depth, $a_{\mathrm m}$",
+        r"pull-off under force control, $a_{\mathrm c}$, and under depth control, $a_{\mathrm m}$",
     ),
     "tangential": (
         "Tangential contact",

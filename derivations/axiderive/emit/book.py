@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from typing import Any
 
 from .. import __version__
 from . import front, front_rules, laws, references, study
 from .evidence import power_of_ten
 from .prose import escaped
+from .symbol_index import symbol_index
 from .transcribed import typeset
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
@@ -20,7 +22,8 @@ QUESTIONS = (
     ("Is the pressure given, and not the shape?", ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power")),
     ("Is the body long, and the same in every section: a roller, a wedge, a rail?", (
         "plane.parabola", "plane.wedge", "plane.power_law", "plane.truncated_wedge", "plane.rounded_wedge",
-        "plane.rounded_punch", "plane.flat_punch", "plane.eccentric_punch",
+        "plane.rounded_punch", "plane.flat_punch", "plane.eccentric_punch", "plane.quartic", "plane.sextic",
+        "plane.concave_parabola", "plane.concave_quartic", "plane.concave_power",
     )),
     ("Does a sharp edge bound the contact whatever the load?", (
         "flat_punch", "capped_cylinder", "concave_paraboloid", "concave_quartic", "concave_power",
@@ -40,9 +43,45 @@ QUESTIONS = (
 """What to ask about a body, and the profiles that answer it."""
 
 
-def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
-    titles = {m["name"]: m["title"] for m in summaries}
-    return [(words, [(name, titles[name]) for name in names if name in titles]) for words, names in QUESTIONS]
+def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    known = {m["name"]: (m["name"], m["number"], m["title"]) for m in summaries}
+    return [(words, [known[name] for name in names if name in known]) for words, names in QUESTIONS]
+
+
+FRONT = (
+    ("How to read an entry", "howto"), ("Notation", "notation"), ("Definitions", "definitions"),
+    ("Rules for every profile", "rules"), ("Viscoelastic laws", "laws"), ("Which profile?", "chart"),
+    ("All profiles", "master"),
+)  # fmt: skip
+BACK = (
+    ("Profile and physics", "matrix"), ("Error against run time", "study"), ("What a call costs", "speed"),
+    ("Stability maps", "maps"), ("Stiff and extreme cases", "extremes"),
+    ("Chapter 11, equation by equation", "chapter"), ("Errata of chapter 11", "errata"),
+    ("References", "references"), ("Index", "symbols"),
+)  # fmt: skip
+"""Titles and labels of the parts before and behind the entries."""
+NEEDED = {
+    "study": "error", "speed": "speed", "maps": "maps", "extremes": "extremes",
+    "chapter": "chapter11", "errata": "chapter11",
+}  # fmt: skip
+"""What a part prints, by its label, where it is not always there."""
+
+
+Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
+"""Title and summaries of each chapter."""
+
+
+def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
+    """Number, title and label of every part and entry; the chapters with their own numbers and titles."""
+    front, back = ([("", t, f"part:{name}") for t, name in part if name not in left_out] for part in (FRONT, BACK))
+    return {
+        "front": front,
+        "back": back,
+        "chapters": [
+            (members[0]["chapter"], title, [(m["number"], m["title"], f"sec:{m['name']}") for m in members])
+            for title, members in chapters
+        ],
+    }
 
 
 def model(
@@ -52,9 +91,14 @@ def model(
 ) -> dict[str, Any]:
     """What the template of the main file prints."""
     chapters = [(title, [m for m in summaries if m["chapter"] == i + 1]) for i, title in enumerate(CHAPTERS)]
+    chapters = [(title, members) for title, members in chapters if members]
     keys = [key for m in summaries for key in m["keys"]]
+    drawn = study.figures(studies or {}, frozenset(keys))
+    shown = {**drawn, "chapter11": chapter11}
+    left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
     return {
-        "chapters": [(title, members) for title, members in chapters if members],
+        "chapters": chapters,
+        "contents": _contents(chapters, left_out),
         "suffixes": front.suffixes(),
         "notation": front.notation_rows({s for m in summaries for s in m["symbols"]}),
         "definitions": front.definition_rows(),
@@ -65,11 +109,11 @@ def model(
         "matrix": front.matrix_rows(summaries),
         "signs": front.matrix_legend(),
         "chapter11": chapter11 and _chapter(chapter11),
-        "studies": study.figures(studies or {}, frozenset(keys)),
+        "studies": drawn,
         "works": [
             (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
         ],
-        "symbol_index": front.symbol_index(summaries),
+        "symbol_index": symbol_index(summaries),
         "key_groups": front.by_problem(keys),
         "keys_count": {"profiles": len(summaries), "entries": len(keys)},
         "version": __version__,

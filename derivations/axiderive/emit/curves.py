@@ -7,12 +7,14 @@ from typing import Any
 
 import mpmath as mp
 
+from .. import notation as nt
 from ..profiles.profile import Profile
-from .plots import HIGHEST, Curve, coordinates, labelled
+from .labels import HIGHEST, Curve, coordinates, labelled
 from .values import Numbers
 
-SHARE = "0.6"
-"""Retraction of the sketched contact over its depth, which fixes the work of separation of the plot."""
+PULL, LIGHT_PULL = 0.4, 0.1
+"""Force of pull-off over that of the sketch, which fixes the work of separation; the second where a contact has a
+largest radius, below which it would come loose under a larger one."""
 WIDEST, LARGEST = 2.0, 8
 """Right end of the plot with adhesion, and the largest radius that is drawn to reach it, over that of the sketch."""
 
@@ -27,6 +29,8 @@ class Adhesion:
     force: tuple[float, float]
     depth: tuple[float, float]
     without: str
+    pull: float
+    """Pull-off force over the force of the sketch."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ def _radii(profile: Profile, numbers: Numbers, largest: Any) -> list[Any]:
     """Contact radii from the tip or the first break on, dense at the start."""
     low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else numbers["a"] / 1000
     high = largest
-    if profile.chain:
+    if nt.a in profile.chain:
         high = min(high, numbers[profile.chain[-1].name] * mp.mpf("0.999"))
     return [low + (high - low) * (mp.mpf(i) / 60) ** 2 for i in range(61)]
 
@@ -77,7 +81,7 @@ def _largest(profile: Profile, numbers: Numbers, scale: Any) -> Any:
     if profile.largest is not None:
         return radius * mp.mpf("1.3")
     largest = radius * 2
-    while not profile.chain and largest < LARGEST * radius:
+    while nt.a not in profile.chain and largest < LARGEST * radius:
         member, shift = numbers.at(a=largest), scale * mp.sqrt(largest)
         if member("d") - shift >= WIDEST * depth or member("F") - 2 * largest * shift >= HIGHEST * force:
             break
@@ -88,7 +92,8 @@ def _largest(profile: Profile, numbers: Numbers, scale: Any) -> Any:
 def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
     """The rule of Hess with E_star = 1; stability follows from where force and depth are least."""
     radius, depth, force = numbers["a"], numbers.depth, numbers("F")
-    scale = mp.mpf(SHARE) * depth / mp.sqrt(radius)
+    pull = PULL if profile.largest is None else LIGHT_PULL
+    scale = _scale(_states(profile, numbers, radius * 2), pull * force)
     rows, plain = [], []
     for a, d, load in _states(profile, numbers, _largest(profile, numbers, scale)):
         shift = scale * mp.sqrt(a)
@@ -104,7 +109,18 @@ def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
         _point(rows[least_force]),
         _point(rows[least_depth]),
         coordinates(plain),
+        pull,
     )
+
+
+def _scale(states: list[tuple[Any, Any, Any]], pull: Any) -> Any:
+    """Retraction over the root of the radius with which the least force is -pull."""
+    low, high = mp.mpf(0), max(d / mp.sqrt(a) for a, d, _ in states)
+    for _ in range(40):
+        middle = (low + high) / 2
+        least = min(load - 2 * a * middle * mp.sqrt(a) for a, _, load in states)
+        low, high = (middle, high) if least > -pull else (low, middle)
+    return low
 
 
 def _slip(profile: Profile, numbers: Numbers) -> list[tuple[float, float]]:

@@ -14,7 +14,7 @@ from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..contact.systems import ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
 from . import matrix
-from .naming import LEFT
+from .naming import LEFT, label_of
 from .printed_functions import MASTER_NAMES
 from .printer import Printer
 from .prose import domain, prose
@@ -46,16 +46,6 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
         for n in nt.all_notation()
         if n.name in used - skip
     ]
-
-
-def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
-    """The symbols with the sections, by name and number, whose formulas hold them; those of most sections left out."""
-    found = []
-    for symbol in nt.all_notation():
-        places = [(m["name"], m["number"]) for m in summaries if symbol.name in m["symbols"]]
-        if places and symbol.name not in ("j", "N", "stiffness") and 2 * len(places) <= len(summaries):
-            found.append((symbol.latex, places))
-    return found
 
 
 def _unit(unit: str) -> str:
@@ -115,24 +105,27 @@ def _name(master: type[masters.Master]) -> str:
 
 
 QUANTITIES = (
-    ("", (COMPACT, COMPLETE)),
-    ("adh.", (adhesive.QUANTITIES,)),
-    ("tan.", (tangential.QUANTITIES,)),
-    ("vis.", (viscoelastic.QUANTITIES,)),
-    ("plane: ", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
+    ("Normal contact", "", (COMPACT, COMPLETE)),
+    ("Adhesive contact; graded: .fgm.adh", "adh.", (adhesive.QUANTITIES,)),
+    ("Tangential contact; graded: .fgm.tan", "tan.", (tangential.QUANTITIES,)),
+    ("Viscoelastic half-space", "vis.", (viscoelastic.QUANTITIES,)),
+    ("Plane contact", "", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
 )
 
 
-def suffixes() -> list[tuple[str, str]]:
-    """What the end of a key means, without the four laws spelled out."""
-    found: dict[str, str] = {}
-    for group, tables in QUANTITIES:
+def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
+    """What the end of a key means, by kind of contact, in the words of the rows; without the four laws spelled out."""
+    found = []
+    for title, group, tables in QUANTITIES:
+        ends: dict[str, str] = {}
         for q in (q for table in tables for q in table.values()):
             suffix, label = q.suffix, q.label
             if group == "vis.":
-                suffix, label = suffix.partition("_")[0] + "_...", label.rpartition(",")[0]
-            found.setdefault(f"{group}{suffix}", label)
-    return list(found.items())
+                suffix = suffix.partition("_")[0] + "_..."
+            words, small = label_of(suffix, label)
+            ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)
+        found.append((title, list(ends.items())))
+    return found
 
 
 SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ_{%s}$", "∫": r"\,$\int_{%s}$", "√": r"\,$\surd_{%s}$"}

@@ -12,7 +12,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .plots import HIGHEST, TALL, Curve, Rows, coordinates, labelled
+from .labels import HIGHEST, TALL, Curve, Rows, coordinates, labelled
 from .values import Numbers, Values
 
 DIGITS = 16
@@ -53,7 +53,8 @@ def _load_axes(load: Load, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
     labels = list(EXPONENTS) if free else [""]
     radii = [mp.mpf(i) / 50 for i in range(50)] + [mp.mpf("0.99"), mp.mpf("0.998")]
     pressures = [[(float(x), float((1 - x * x) ** mp.mpf(str(s)))) for x in radii] for s in map(sp.Float, exponents)]
-    places = [mp.mpf(2 * i + 1) / 41 for i in range(61)]
+    beside = [1 + sign * mp.mpf(gap) for gap in ("1e-5", "1e-3", "0.005", "0.015", "0.03", "0.05") for sign in (-1, 1)]
+    places = sorted([*(mp.mpf(2 * i + 1) / 41 for i in range(61)), *beside])
     displacements = []
     for s in exponents:
         values: Values = {nt.a: sp.S.One, nt.p_0: sp.S.One, nt.E_star: sp.S.One, nt.sigma: s}
@@ -119,12 +120,12 @@ def axes(
         placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves], LOW_TALL)
         curves.append(replace(placed, coordinates=coordinates(rows)))
     curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
-    step = 4.0 if top > 8 else 1.0
+    step, parts = 4.0 if top > 8 else 1.0, 3 if wide == 3 else 4
     return Axes(
         names,
         x,
         (0.0, top),
-        (tuple(left + wide * i / 4 for i in range(5)), tuple(step * i for i in range(int(top / step) + 1))),
+        (tuple(left + wide * i / parts for i in range(parts + 1)), tuple(step * i for i in range(int(top / step) + 1))),
         tuple(curves),
         *words,
     )

@@ -53,7 +53,8 @@ def _law(law: viscoelastic.Law) -> LawText:
         TITLES[law.suffix],
         f"E(t)={printer(law.relaxation)}",
         f"J(t)={printer(law.creep)}",
-        rf"\Phi_{{m}}(t)={printer(law.ramp)}",
+        # E_1 and the index of 1F1 behind it are read as one without more space
+        rf"\Phi_{{m}}(t)={printer(law.ramp)}".replace(r"\, {}_{1}", r"\,\, {}_{1}"),
     )
 
 

@@ -27,8 +27,9 @@ GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUN
 PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
 
 LABELS = {
-    "ac": "Pull-off: at fixed force", "am": "Pull-off: at fixed depth", "us": "Full slip: displacement",
-    "Fc": "Pull-off force", "dc": "Depth: at fixed force", "Fm": "Force: at fixed depth", "dm": "Least depth",
+    "ac": "Pull-off radius: force control", "am": "Pull-off radius: depth control",
+    "Fc": "Pull-off force: force control", "Fm": "Pull-off force: depth control",
+    "dc": "Pull-off depth: force control", "dm": "Pull-off depth: depth control", "us": "Full slip: displacement",
     "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
     "rz": "Ring: of first zero pressure", "aP": "Half-width from load",
     "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
@@ -47,7 +48,9 @@ def label_of(suffix: str, text: str) -> tuple[str, str]:
 
 
 def _short(label: str) -> str:
-    return "Displacement" if label in ("Displacement outside", "Surface displacement") else label
+    if label in ("Displacement outside", "Surface displacement"):
+        return "Displacement"
+    return "Depth" if label == "Depth of the middle" else label
 
 
 def system_of(entry: Entry) -> str:

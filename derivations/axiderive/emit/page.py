@@ -130,7 +130,8 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
         )
     else:
         derivative = sp.diff(profile.pieces[-1].expr, nt.r)
-        slope = min((Printer()(form) for form in (derivative, sp.factor(derivative))), key=width)
+        by_terms = sp.Add(*map(sp.factor, sp.Add.make_args(derivative)))
+        slope = min((Printer()(form) for form in (derivative, by_terms, sp.factor(derivative))), key=width)
         beyond = f" beyond $r={Printer()(profile.breaks[-1])}$" if profile.breaks else ""
         split = ", split at the break," if profile.breaks else ""
         start = (

@@ -55,6 +55,8 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
         lines.append(("Contact", r"frictionless, complete: the edges $x=\pm a$ are fixed, $P$ is free"))
     else:
         lines.append(("Contact", r"frictionless, complete: the edge $r=a$ is fixed, $d$ is free"))
+    if plane and nt.e not in profile.parameters:
+        lines.append(("Symmetry", r"$f(-x)=f(x)$; formulas for $x\ge 0$"))
     if profile.largest is not None:
         lines.append(("Largest", f"$a<{_largest(profile.largest)}$; beyond it the contact is not compact"))
     lines.append(("Valid for", prose(profile.validity)))

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -16,28 +17,14 @@ import sympy as sp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
+from .labels import HIGHEST, Curve, Rows, coordinates, labelled
 from .strips import StripNumbers
 from .values import Numbers
 
-Rows = list[tuple[float, float]]
-
-HIGHEST = 3.2
-"""Upper end of the pressure axis; curves are cut a little above it."""
 TOP = HIGHEST * 1.06
 WIDEST = 2.0
 PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
 RATIOS = ("0.25", "0.5", "0.8")
-
-
-@dataclass(frozen=True)
-class Curve:
-    """Coordinates, the label and where it sits."""
-
-    coordinates: str
-    label: str
-    x: float
-    y: float
-    above: bool = True
 
 
 @dataclass(frozen=True)
@@ -162,52 +149,23 @@ def _pressure(numbers: Numbers) -> Rows:
     breaks = [float(numbers[b.name] / radius) for b in numbers.profile.breaks]
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in _radii(breaks)]
     rows += [(b, TOP) for b in breaks if b < 1 and _grows([y for x, y in rows if 0 < b - x < 2e-4 * b])]
-    return [(x, y) for x, y in sorted(rows) if y <= TOP]
+    return cut(sorted(rows))
+
+
+def cut(rows: Rows) -> Rows:
+    """The rows up to TOP, and where they cross it: towards a sharp edge 1/p**2 goes to zero with the distance."""
+    found = [(x, y) for x, y in rows if y <= TOP]
+    for (x0, y0), (x1, y1) in pairwise(rows):
+        if min(y0, y1) < TOP < max(y0, y1):
+            share = (y0**-2 - TOP**-2) / (y0**-2 - y1**-2)
+            found.append((x0 + share * (x1 - x0), TOP))
+    return sorted(found)
 
 
 def _grows(towards: list[float]) -> bool:
     """Whether the last of three decades adds to a pressure as much as the one before it: it is infinite."""
     first, second, third = towards[-3:]
     return third - second > max(0.5 * (second - first), 1e-3)
-
-
-TALL = 0.24
-"""Height of a label in units of the vertical axis, in the frame of the pressure."""
-
-
-def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float, float]], tall: float = TALL) -> Curve:
-    """The label sits where it has most room above or below its curve, away from other curves and labels."""
-    own, others = family[index], [rows for i, rows in enumerate(family) if i != index]
-    half = 0.01 + 0.009 * len(label)
-    best = (-9.0, 0.5, 0.0, True)
-    for step in range(3, 48):
-        x = step / 50
-        near = [x + half * shift / 4 for shift in range(-4, 5)]
-        top, bottom = max(_height(own, t) for t in near), min(_height(own, t) for t in near)
-        crowded = any(abs(x - x1) < half + 0.1 and min(abs(top - y1), abs(bottom - y1)) < 2 * tall for x1, y1 in taken)
-        if x - half < 0.01 or x + half > 1.0 or not own[0][0] <= x <= own[-1][0] or top > HIGHEST - 0.3 or crowded:
-            continue
-        spans = [(min(heights), max(heights)) for heights in ([_height(rows, t) for t in near] for rows in others)]
-        apart = min(0.3, *(abs(_height(rows, x) - _height(own, x)) for rows in others))
-        above = min([_clear(span, top, top + tall) for span in spans] + [HIGHEST - top - tall])
-        below = min([_clear(span, bottom - tall, bottom) for span in spans] + [bottom - tall])
-        base = apart - (top - bottom)
-        best = max(best, (min(above, 0.2) + base, x, top, True), (min(below, 0.2) + base - 0.05, x, bottom, False))
-    _, x, y, up = best
-    return Curve(coordinates(own), label, x, round(y, 3), up)
-
-
-def _clear(span: tuple[float, float], low: float, high: float) -> float:
-    """Distance between the heights of a curve beside a label and those of the label; negative where they overlap."""
-    return max(span[0] - high, low - span[1])
-
-
-def _height(rows: Rows, x: float) -> float:
-    """Linear interpolation; beyond the ends the end value."""
-    for (x0, y0), (x1, y1) in zip(rows, rows[1:], strict=False):
-        if x0 <= x <= x1:
-            return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-    return rows[0][1] if x < rows[0][0] else rows[-1][1]
 
 
 # dense towards the edge
@@ -283,7 +241,3 @@ def contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
         middle = (below + above) / 2
         below, above = (middle, above) if numbers.at(a=middle)("d") < goal else (below, middle)
     return low, above
-
-
-def coordinates(rows: Rows) -> str:
-    return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)

@@ -8,6 +8,7 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import F, L, a, d, e, n, r, x
+from .order import bracket
 from .printer import Printer
 
 Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -33,15 +34,15 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     steps = [*pairs, *loose]
     if not steps:
         return ""
-    if len(steps) == 1 and steps[0][1] in (r, x, d, F, n):  # the variable stands on the left
+    if len(steps) == 1 and (steps[0][1] in (r, x, d, F, n) or steps[0][1].has(e)):  # the variable stands on the left
         ((low, high),) = steps
         sign = r"\ge" if steps[0] in own else ">"
-        return f"{printer.small(high)}{sign} {printer.small(low)}"
+        return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
     signs = {pair: r"\le" if pair in own else "<" for pair in steps}
 
-    def text(e: sp.Expr) -> str:
-        return printer.small(e)
+    def text(length: sp.Expr) -> str:
+        return _flat(length, printer)
 
     if ascending is None:
         return ",\\; ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
@@ -49,6 +50,15 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
     return out
+
+
+def _flat(expr: sp.Expr, printer: Printer) -> str:
+    """A length on one line, as it stands in the grey under a label: a/2."""
+    above, below = sp.fraction(sp.together(expr))
+    if below == 1:
+        return printer.small(expr)
+    divisor = printer.small(below)
+    return f"{printer.small(above)}/" + (bracket(divisor) if below.is_Mul else divisor)
 
 
 def _always(entry: Entry) -> Pairs:

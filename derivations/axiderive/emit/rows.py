@@ -10,13 +10,14 @@ import sympy as sp
 
 from ..contact.systems import BODIES
 from ..entry import Entry
-from ..notation import a_c
+from ..notation import a_c, c
 from .naming import LEFT, label_of, left_of, system_of
 from .order import brackets_around
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
 from .shorthand import LINE, Short, shortened, with_kappa
+from .tidied import tidied
 from .width import width
 
 Kind = Literal["formula", "root", "composition", "rule", "definition"]
@@ -161,11 +162,21 @@ def _superposed(entry: Entry, system: str) -> Row:
     if entry.suffix == "Dl" and not graded:
         return _formula(entry)
     spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
-    if spelled and _is_power(entry.cases[0].expr, a_c) and not (graded and entry.suffix not in PULLED_OFF):
+    if (
+        spelled
+        and not _is_long(entry.cases[0].expr)
+        and _is_power(entry.cases[0].expr, a_c)
+        and not (graded and entry.suffix not in PULLED_OFF)
+    ):
         plain = _formula(entry)
         if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
             return replace(plain, regions=(replace(plain.regions[0], condition=""),))
     return _ruled(entry, system, listed=graded)
+
+
+def _is_long(expr: sp.Expr) -> bool:
+    """Whether the state of the stick radius has several terms of its own; the rule says it in two."""
+    return any(len(total.args) > 2 for total in tidied(expr).atoms(sp.Add) if total.has(c))
 
 
 def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
@@ -184,7 +195,7 @@ def names_of(entry: Entry) -> dict[sp.Symbol, str]:
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     chain = chain_of(entry, expr)
     own = names_of(entry)
-    expr = expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp))
+    expr = tidied(expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp)))
     if isinstance(expr, sp.Equality):
         printer = Printer(chain, with_kappa(expr).names | own)
         return Region(condition(entry, pairs, chain, printer), (printer(expr),))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -10,7 +11,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..profiles.loads import Load
-from .plots import Rows, coordinates
+from .labels import Rows, coordinates
 from .values import Numbers, Values
 
 DIGITS = 16
@@ -18,6 +19,8 @@ RADIUS, WIDTH = 1.7, 4.7
 """The loaded circle and half of the frame, in units of the picture."""
 DEPTH, BASE, HEIGHT, HIGHEST = 1.3, 0.14, 0.75, 1.6
 """The deepest point of the surface, where the pressure begins, p_0, and where it is cut, in the same units."""
+LOW = 0.35
+"""p_0 below a pressure that is infinite at the edge."""
 EXPONENT = sp.Integer(2)
 STEPS = 80
 
@@ -46,9 +49,11 @@ def load_sketch(load: Load, entries: Mapping[str, Entry]) -> LoadSketch:
     surface = [(-x, y) for x, y in reversed(half)] + half
 
     def height(x: float) -> float:
-        return float(min(BASE + HEIGHT * (1 - (x / RADIUS) ** 2) ** float(exponent), HIGHEST))
+        scale = LOW if exponent < 0 else HEIGHT
+        gap = max(1 - (x / RADIUS) ** 2, 1e-9)
+        return float(min(BASE + scale * gap ** float(exponent), HIGHEST))
 
-    inside = [RADIUS * (i / 40 - 1) for i in range(1, 80)]
+    inside = [RADIUS * math.sin(math.pi / 2 * (i / 40 - 1)) for i in range(81)]
     outline = [(x, height(x)) for x in inside]
     closed = [(-RADIUS, BASE), *outline, (RADIUS, BASE)]
     arrows = tuple((x, round(height(x), 3)) for x in (-1.36, -1.02, -0.68, -0.34, 0.0, 0.34, 0.68, 1.02, 1.36))

@@ -13,7 +13,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
 from .given import Strip
-from .plots import Rows, coordinates
+from .labels import Rows, coordinates
 from .strips import REACH
 from .values import Values, sketch_values
 

@@ -15,7 +15,7 @@ from .shorthand import LINE
 from .width import width
 
 RATIO = sp.Symbol("x", positive=True)
-"""a/a_c, the contact radius over that of pull-off at fixed force."""
+"""a/a_c, the contact radius over that of pull-off under force control."""
 
 
 def universal_rows(key: str, depth: Entry, graded: bool) -> list[dict[str, Any]]:

@@ -11,7 +11,8 @@ from ... import notation as nt
 from ...entry import Entry
 from ...profiles.profile import Profile
 from ..given import Axes, axes
-from ..plots import HIGHEST, WIDEST, Rows, contact_range
+from ..labels import HIGHEST, Rows
+from ..plots import WIDEST, contact_range, cut
 from ..values import Numbers, sketch_values
 
 Entries = Mapping[str, Entry]
@@ -19,7 +20,7 @@ EXPONENTS = ("-0.5", "0", "0.5")
 DIGITS = 10
 """Working digits; a coordinate is printed with five."""
 PLACES = (0.004, 0.02, *(i / 20 for i in range(1, 18)), 0.88, 0.91, 0.94, 0.965, 0.98, 0.99, 0.996, 0.9995)
-BESIDE = (-0.03, -0.012, -0.003, 0.003, 0.012, 0.03)
+BESIDE = tuple(sign * gap for gap in (2e-4, 1e-3, 3e-3, 7e-3, 0.015, 0.03) for sign in (-1, 1))
 """Places around a break, at which the slope of the pressure is infinite."""
 DEPTHS = ("1", "1.5", "2", "3", "4", "6")
 """Multiples of the depth of the sketch, of which the first is drawn at which every pressure is one."""
@@ -60,7 +61,7 @@ def _pressure(numbers: Numbers) -> Rows:
     breaks = [float(numbers[b.name] / radius) for b in numbers.profile.breaks]
     places = {*PLACES, *(b + gap for b in breaks for gap in BESIDE)}
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in sorted(places) if 0 < x < 1]
-    return [(x, y) for x, y in rows if y < HIGHEST * 1.06]
+    return cut(rows)
 
 
 def _forces(profile: Profile, family: list[Numbers], words: str) -> Axes:

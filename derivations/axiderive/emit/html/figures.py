@@ -45,7 +45,7 @@ def _curve(figure: Figure, scale: Scale, kind: str, coordinates: str) -> None:
 
 def _reference(figure: Figure, scale: Scale, curve: Any) -> None:
     _curve(figure, scale, "reference", curve.coordinates)
-    figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), "note", plain=True)
+    figure.label(curve.label, scale.at(curve.x, curve.y), SIDES[curve.anchor], "note", plain=True)
 
 
 def _family(figure: Figure, scale: Scale, curves: Sequence[Any]) -> None:
@@ -54,11 +54,11 @@ def _family(figure: Figure, scale: Scale, curves: Sequence[Any]) -> None:
         tone = f"curve tone{i if len(curves) > 1 else 3}"
         _curve(figure, scale, tone, curve.coordinates)
         if curve.label:
-            figure.label(curve.label, scale.at(curve.x, curve.y), _side(curve.above), tone.replace("curve", "accent"))
+            figure.label(curve.label, scale.at(curve.x, curve.y), SIDES[curve.anchor], tone.replace("curve", "accent"))
 
 
-def _side(above: bool) -> str:
-    return "above" if above else "below"
+SIDES = {"south": "above", "north": "below", "center": "middle", "east": "right", "west": "left"}
+"""Where a label lies whose side, or center, of that name touches the curve."""
 
 
 def pressure(plots: Any) -> Figure:
@@ -84,19 +84,20 @@ def force(plots: Any) -> Figure:
 
 
 def adhesion(curves: Any) -> Figure:
-    """Force over depth with adhesion: stable, stable at fixed depth only, unstable."""
-    words = (
-        r"$\Delta\ell=0.6\,d_1$ at $a_1$; grey: $\Delta\gamma=0$. Dashed: stable at fixed depth only; dotted: unstable"
-    )
-    figure, scale = _axes(("Adhesion", words), (-0.7, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
-    _ticks(figure, scale, (0, 1), (-1, 0, 1, 2, 3), (-0.7, -1))
-    figure.line("reference", scale.at(-0.7, 0), scale.at(2, 0))
+    """Force over depth with adhesion: stable, stable under depth control only, unstable."""
     found = curves.adhesion
+    words = (
+        rf"$\Delta\gamma$ such that $F_{{\mathrm c}}=-{found.pull}\,F_1$; grey: $\Delta\gamma=0$. "
+        "Dashed: stable under depth control only; dotted: unstable"
+    )
+    figure, scale = _axes(("Adhesion", words), (-0.9, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
+    _ticks(figure, scale, (0, 1), (-1, 0, 1, 2, 3), (-0.9, -1))
+    figure.line("reference", scale.at(-0.9, 0), scale.at(2, 0))
     _curve(figure, scale, "reference", found.without)
     _curve(figure, scale, "load", found.stable)
     _curve(figure, scale, "load dashed", found.grips)
     _curve(figure, scale, "load dotted", found.unstable)
-    points = ((r"F_{\mathrm c}", found.force, "below-left"), (r"d_{\mathrm m}", found.depth, "below-right"))
+    points = ((r"F_{\mathrm c}", found.force, "below-left"), (r"d_{\mathrm m}", found.depth, "right"))
     for name, place, side in points:
         x, y = scale.at(*place)
         figure.add("circle", "dot", cx=x, cy=y, r=2.6)

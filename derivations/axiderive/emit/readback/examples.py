@@ -85,7 +85,7 @@ def _radius(contact: Contact, text: str, load: Any) -> Any:
     """The radius of the normal contact, near the one its example prints."""
     if "a" in contact.given:
         return contact.given["a"]
-    (tex,) = re.findall(r"\\parbox\[t\]\{26mm\}\{\$a\$\\\\\$([^$]+)\$", text)
+    (tex,) = re.findall(r"\\parbox\[t\]\{27mm\}\{\$a\$\\\\\$([^$]+)\$", text)
     return _near(lambda a: contact.load(a=a) / load - 1, tex)
 
 
@@ -133,7 +133,7 @@ def _relaxing(text: str, words: str, shown: dict[str, str], name: str, stored: S
     env = contact.printed.environment(contact.values) | contact.given
     if "dF" in plain and "d" not in plain:
         load = contact.given["F_N"]
-        (tex,) = re.findall(r"\\parbox\[t\]\{26mm\}\{\$d\$\\\\\$([^$]+)\$", text)
+        (tex,) = re.findall(r"\\parbox\[t\]\{27mm\}\{\$d\$\\\\\$([^$]+)\$", text)
         env["d"] = _near(lambda d: contact.load(d=d) / load - 1, tex)
         env["F_N()"] = lambda depth: contact.printed.at("F", {**env, "d": depth})
     else:

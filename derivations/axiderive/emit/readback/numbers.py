@@ -160,7 +160,7 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
 
 
 WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
-SHOWN = re.compile(r"\\parbox\[t\]\{26mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+SHOWN = re.compile(r"\\parbox\[t\]\{27mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 
 

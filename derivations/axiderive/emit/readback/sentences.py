@@ -41,6 +41,7 @@ LISTED = {
         r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
         r"4\,|e|-3\,a", "n>1",
     ),
+    "a symmetry, and the half that is printed": ("f(-x)=f(x)", r"x\ge 0"),
     "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
     "an order of magnitude": (
         r"a \ll  R", r"a \ll  R_1", r"a \ll  R_2", r"a \ll", r"h \ll  s", r"a-b \ll  R", r"a-b \ll  R_2",

@@ -15,7 +15,7 @@ from ...proof.evaluate import case_at
 from ..values import Numbers, Values, evaluated
 from .cases import CARTILAGE, CERAMIC, ELASTOMER, SILICONE, Case
 from .contact import loaded, number
-from .quantities import DIGITS, given_text, quantity_text
+from .quantities import DIGITS, given_text, quantity_text, stated_text
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Shown = list[tuple[str, Any, str, str]]
@@ -50,7 +50,7 @@ def _with_friction(entries: Mapping[str, Entry], case: Case, contact: Numbers) -
     given = [
         rf"$\mu={case.material.friction}$",
         rf"$G^{{*}}={quantity_text(number(case.material.shear), 'Pa')}$",
-        rf"$F_x={quantity_text(number(pulled), 'N')}$",
+        rf"$F_x={stated_text(number(pulled), 'N')}$",
     ]
     shown: Shown = [
         ("c", stick, "m", "tan.c"),
@@ -113,10 +113,10 @@ def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tup
     names = {"E_inf": r"E_\infty", "E_1": "E_1", "relaxation": r"\tau"}
     units = {"relaxation": "s"}
     given = [
-        f"${names[name]}={quantity_text(mp.mpf(getattr(ELASTOMER, name)), units.get(name, 'Pa'))}$" for name in names
+        f"${names[name]}={stated_text(mp.mpf(getattr(ELASTOMER, name)), units.get(name, 'Pa'))}$" for name in names
     ]
-    kept = r"$d$, or $F(0)$, kept" if "load_sls" in entries else r"$d$ kept"
-    return "Standard solid", "; ".join([ELASTOMER.words, *given, kept]), shown
+    held = r"held at the depth $d$, or under the force $F(0)$" if "load_sls" in entries else r"held at the depth $d$"
+    return "Standard solid", "; ".join([ELASTOMER.words, *given, held]), shown
 
 
 def _value(entry: Entry, values: Values) -> Any:

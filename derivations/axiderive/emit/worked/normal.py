@@ -15,7 +15,7 @@ from ..values import Numbers
 from .cases import CASES, Case
 from .contact import loaded, number, parameters, pull_off
 from .further import further
-from .quantities import given_text, quantity_text
+from .quantities import given_text, quantity_text, stated_text
 
 
 def worked(
@@ -49,7 +49,7 @@ def worked(
         for name, text in case.parameters.items()
     ]
     name, unit = ("P", "N/m") if plane else (r"F_{\mathrm N}", "N")
-    load = f"${name}={quantity_text(mp.mpf(case.load), unit)}$"
+    load = f"${name}={stated_text(mp.mpf(case.load), unit)}$"
     modulus = rf"$E^{{*}}={quantity_text(number(case.material.modulus), 'Pa')}$"
     return {
         "words": "; ".join([case.material.words, modulus, *given, load]),
