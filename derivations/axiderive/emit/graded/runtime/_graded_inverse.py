@@ -19,8 +19,8 @@ STEEPEST = 1e8
 """Radius over its root up to which a radius is told from the end of its domain."""
 SHORT = (2.0**-49, 2.0**-35, 2.0**-20, 2.0**-10, 2.0**-5)
 """How far short of the largest radius its load is taken, over it."""
-CLOSE = 1e-4
-"""The t at which the terms of a load beyond a break are read."""
+CLOSE, NEAREST = 1e-4, 1e-12
+"""The t at which the terms of a load beyond a break are read, and one at which a is b."""
 
 
 def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[Array, ...]) -> Array:
@@ -192,6 +192,7 @@ def _beyond(
     second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
     # where the powers are all but equal it does not matter where they meet
     meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
+    meet = np.minimum(np.maximum(meet, NEAREST), 1.0 / NEAREST)
     unit = more * (1.0 - second) * (meet / near) ** least
 
     def place(x: Array) -> tuple[Array, Array]:
