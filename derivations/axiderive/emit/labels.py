@@ -46,7 +46,7 @@ def labelled(family: list[Rows], index: int, label: str, taken: list[tuple[float
         apart = min([0.3] + [abs(_height(rows, x) - _height(own, x)) for rows in others])
         above = min([_clear(span, top, top + tall) for span in spans] + [HIGHEST - top - tall])
         below = min([_clear(span, bottom - tall, bottom) for span in spans] + [bottom - tall])
-        base = 2 * apart - (top - bottom)
+        base = 2 * apart - (top - bottom) - (0.3 if apart < 0.05 else 0.0)  # which curve is meant must show
         middle = _height(own, x)
         on = min([_clear(span, middle - tall / 2, middle + tall / 2) for span in spans] + [middle - tall / 2])
         best = max(
