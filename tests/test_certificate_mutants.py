@@ -115,7 +115,7 @@ def test_no_corrupted_load_is_accepted(load: Profile) -> None:
 
 
 def test_an_antiderivative_of_another_kernel_is_refused() -> None:
-    """The primitives of the homogeneous half space do not prove the depth on the graded one."""
+    """The primitives of the homogeneous half-space do not prove the depth on the graded one."""
     profile = profiles.load("sphere")
     soft, plain = normal.derive(profile, GRADED), normal.derive(profile)
     borrowed = {**soft, "d": replace(soft["d"], primitives=plain["d"].primitives)}

@@ -1,4 +1,4 @@
-"""Emitted modules of the graded half space: functions, arguments, shapes, messages."""
+"""Emitted modules of the graded half-space: functions, arguments, shapes, messages."""
 
 from __future__ import annotations
 

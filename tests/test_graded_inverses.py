@@ -1,4 +1,4 @@
-"""Emitted modules of the graded half space: inverses, pull-off, stick radius, least depth."""
+"""Emitted modules of the graded half-space: inverses, pull-off, stick radius, least depth."""
 
 from __future__ import annotations
 

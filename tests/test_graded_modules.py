@@ -1,4 +1,4 @@
-"""Emitted modules of contact on the graded half space, against the exact entries and the definitions."""
+"""Emitted modules of contact on the graded half-space, against the exact entries and the definitions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Power laws on the graded half space at the ends of their exponents, against the exact entries."""
+"""Power laws on the graded half-space at the ends of their exponents, against the exact entries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Partial slip on the graded half space, where the stick radius is close to the contact radius."""
+"""Partial slip on the graded half-space, where the stick radius is close to the contact radius."""
 
 from __future__ import annotations
 

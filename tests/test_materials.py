@@ -1,4 +1,4 @@
-"""Effective moduli, and h_N of the graded half space against a solution of its equations of equilibrium."""
+"""Effective moduli, and h_N of the graded half-space against a solution of its equations of equilibrium."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_two_bodies() -> None:
     module = emitted("materials")
     assert module.effective_modulus(1.0, 0.5, math.inf, 0.3) == pytest.approx(4 / 3, rel=1e-15)
     assert module.effective_shear_modulus(1.0, 0.5, math.inf, 0.3) == pytest.approx(2 / 2.25, rel=1e-15)
-    # the surface of an incompressible half space is 8/9 times as stiff sideways: (4 G/(2 - nu))/(2 G/(1 - nu))
+    # the surface of an incompressible half-space is 8/9 times as stiff sideways: (4 G/(2 - nu))/(2 G/(1 - nu))
     same = (2.0, 0.3, 2.0, 0.3)
     ratio = module.effective_shear_modulus(*same) / module.effective_modulus(*same)
     assert ratio == pytest.approx(2 * 0.7 / 1.7, rel=1e-15)
@@ -86,7 +86,7 @@ def test_half_space_is_that_of_boussinesq_as_the_grading_vanishes() -> None:
 
 @pytest.mark.parametrize("suffix", ["E_star", "G_star", "H", "h_N"])
 def test_constants_are_those_of_their_definitions(suffix: str) -> None:
-    """h_N, and H with it, by the point force on the half space."""
+    """h_N, and H with it, by the point force on the half-space."""
     evidence = proof.check(materials.derive(), suffix)
     assert evidence.passed
     assert evidence.digits == 40

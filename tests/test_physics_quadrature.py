@@ -145,7 +145,7 @@ def with_a_length_more(expr: sp.Expr) -> sp.Expr:
 
 
 def test_units_of_a_limit_of_integration():
-    """On the graded half space the regularised variable is a power of a length, the same at both limits."""
+    """On the graded half-space the regularised variable is a power of a length, the same at both limits."""
     profile, entries = derived("graded", "truncated_cone")
     entry = entries["p"]
     wrong = replace(

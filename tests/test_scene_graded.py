@@ -1,4 +1,4 @@
-"""Scenes on the graded half space: adhesive and tangential contact against the quadrature of their definitions."""
+"""Scenes on the graded half-space: adhesive and tangential contact against the quadrature of their definitions."""
 
 from __future__ import annotations
 
@@ -89,11 +89,11 @@ def test_a_wrong_rule_does_not_pass(kind, right, wrong, monkeypatch):
         (GRADED.format("r**2/sqrt(r**2 + q**2)", "", "normal"), 'the nearest is kind = "homogeneous"'),
         (
             GRADED.format("cone", "", "viscoelastic").replace("= true", '= { model = "maxwell" }'),
-            'viscoelastic on a graded half space is not derived; the nearest is kind = "homogeneous"',
+            'viscoelastic on a graded half-space is not derived; the nearest is kind = "homogeneous"',
         ),
         (GRADED.format("cone", 'H_x = "3 mm"', "tangential"), "H and H_x are in Pa m^(-k), without a unit"),
         (GRADED.format("cone", "H_x = -1", "tangential"), "H_x = -1 is outside H_x > 0"),
-        ('profile = "cone"\n[medium]\nH_x = 1\n', 'H_x belongs to a graded half space; add kind = "power_law"'),
+        ('profile = "cone"\n[medium]\nH_x = 1\n', 'H_x belongs to a graded half-space; add kind = "power_law"'),
         (
             GRADED.format("cone", "", "tangential").replace("= true", "= { G_star = 1 }"),
             "unknown key 'G_star' of tangential",

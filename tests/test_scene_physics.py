@@ -1,4 +1,4 @@
-"""Scenes of every kind of contact on a homogeneous half space, of profiles of one's own, and worked examples."""
+"""Scenes of every kind of contact on a homogeneous half-space, of profiles of one's own, and worked examples."""
 
 from __future__ import annotations
 

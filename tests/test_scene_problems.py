@@ -27,7 +27,7 @@ scene.toml:10: unknown parameter of cone 'tehta'; did you mean 'theta'?
     10 | tehta = 1
 scene.toml:13: E must be a pressure, but '2 mm' is a length; write '5 MPa'
     13 | E  = "2 mm"
-scene.toml:14: nu = 0.7 is outside -1 < nu <= 0.5; 0.5 is an incompressible half space
+scene.toml:14: nu = 0.7 is outside -1 < nu <= 0.5; 0.5 is an incompressible half-space
     14 | nu = 0.7
 scene.toml:17: dgamma: unit 'mJ' in '50 mJ' is unknown; did you mean 'mJ/m^2'?
     17 | adhesive   = { dgamma = "50 mJ" }
@@ -72,7 +72,7 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ('profile = "cone"\n[medium]\nE_star = 1\n[physics]\nviscoelastic = { model = "maxwell" }', "leave [medium]"),
         (
             'profile = "r**2"\n[medium]\nkind = "power_law"\n[physics]\nviscoelastic = { model = "maxwell" }',
-            "viscoelastic on a graded half space is not derived",
+            "viscoelastic on a graded half-space is not derived",
         ),
         (
             'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',

@@ -70,7 +70,7 @@ GRADED_LIMITS = {"gaussian": ("1.2286", "1.50198", "1.8788"), "wavy_paraboloid":
 
 @pytest.mark.parametrize("name", GRADED_LIMITS)
 def test_the_note_says_how_the_limit_depends_on_the_grading(name):
-    """The largest radius of the bump and the least wavelength**2/(h R), from g' on the graded half space."""
+    """The largest radius of the bump and the least wavelength**2/(h R), from g' on the graded half-space."""
     (case,) = derive(profiles.load(name), GRADED)["d"].cases
     slope = sp.diff(case.expr, a)
     for exponent, printed in zip((-0.5, 0.0, 0.5), GRADED_LIMITS[name], strict=True):
@@ -139,7 +139,7 @@ def test_pressure_at_the_least_depth_touches_zero_on_the_ring_only(exponent):
 
 
 def test_graded_quartic_face_has_its_ring_at_a_fraction_of_the_grading():
-    """r_0**2/a**2 = (1 - k)/4, and k = 0 is the homogeneous half space."""
+    """r_0**2/a**2 = (1 - k)/4, and k = 0 is the homogeneous half-space."""
     graded, plain = (derive(profiles.load("concave_quartic"), *medium) for medium in ((GRADED,), ()))
     assert sp.expand(graded["rz"].cases[0].expr ** 2 - a**2 * (1 - k) / 4) == 0
     for suffix in ("dmin", "Fmin"):

@@ -93,7 +93,7 @@ def _parser() -> argparse.ArgumentParser:
     derive.set_defaults(run=_derive)
     derive.add_argument("expression", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it")
     derive.add_argument("--out", type=Path, metavar="DIR", help="write the module and its test there")
-    derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half space (%(default)s)")
+    derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half-space (%(default)s)")
 
     emit = commands.add_parser("emit", help="a self-contained module for a scene")
     emit.set_defaults(run=_emit)

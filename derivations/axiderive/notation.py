@@ -103,7 +103,7 @@ a = _define("a", "a", LENGTH, "m", "a > 0", "contact radius")
 d = _define("d", "d", LENGTH, "m", "d > 0", "indentation depth of the point r = 0")
 F = _define("F", r"F_{\mathrm N}", FORCE, "N", "F > 0", "normal force")
 p = _define("p", "p", STRESS, "Pa", "", "contact pressure, positive in compression")
-w = _define("w", "w", LENGTH, "m", "", "surface displacement into the half space")
+w = _define("w", "w", LENGTH, "m", "", "surface displacement into the half-space")
 f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from its apex")
 g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
 p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
@@ -123,7 +123,7 @@ k = _define(
     NUMBER,
     "1",
     "-1 < k < 1",
-    "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space",
+    "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
 )
 H = _define(
     "H",
@@ -131,7 +131,7 @@ H = _define(
     Dimension(-2 - k, sp.S.One),
     "Pa m^(-k)",
     "H > 0",
-    "foundation modulus of the graded half space, c_N(x) = H |x|^k",
+    "foundation modulus of the graded half-space, c_N(x) = H |x|^k",
 )
 
 dgamma = _define(
@@ -184,7 +184,7 @@ width = _define("width", r"\ell", LENGTH, "m", "", "width of the contact")
 e = sp.Symbol("e", real=True)
 _RECORDS["e"] = Notation(e, "e", LENGTH, "m", "-a < e < a", "eccentricity: the load acts at x = e")
 
-# viscoelastic half space: time, loading and material laws
+# viscoelastic half-space: time, loading and material laws
 time = _define("time", "t", NUMBER, "s", "t >= 0", "time since first contact")
 v = _define("v", "v", LENGTH, "m/s", "v > 0", "speed of indentation, d = v t")
 E = _define("E", "E", STRESS, "Pa", "E > 0", "effective (plane-strain) modulus of the viscoelastic law")
@@ -199,13 +199,13 @@ t_0 = _define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law
 young_1 = _define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body")
 young_2 = _define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body")
 E_0 = _define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
-c_0 = _define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half space")
+c_0 = _define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half-space")
 nu, nu_1, nu_2 = (sp.Symbol(name, real=True) for name in ("nu", "nu_1", "nu_2"))
 _RECORDS["nu"] = Notation(nu, r"\nu", NUMBER, "1", "-1 < nu <= 1/2", "Poisson ratio")
 _RECORDS["nu_1"] = Notation(nu_1, r"\nu_1", NUMBER, "1", "-1 < nu_1 <= 1/2", "Poisson ratio of the first body")
 _RECORDS["nu_2"] = Notation(nu_2, r"\nu_2", NUMBER, "1", "-1 < nu_2 <= 1/2", "Poisson ratio of the second body")
-beta = _define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half space")
-h_N = _define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half space, 1 for k = 0")
+beta = _define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half-space")
+h_N = _define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half-space, 1 for k = 0")
 
 # prescribed pressure
 p_0 = _define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")

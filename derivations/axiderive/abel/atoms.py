@@ -1,6 +1,6 @@
 """Atoms: the shapes every profile is a sum of, and their four Abel integrals.
 
-With k the exponent of grading (k = 0: homogeneous half space) an atom gives
+With k the exponent of grading (k = 0: homogeneous half-space) an atom gives
 
     depth         g(a)  = a**(1-k) int_0^a f'(r) (a^2 - r^2)**((k-1)/2) dr            (11.61), (11.29)
     force         F^(a) = int_0^a t**k (g(a) - g(t)) dt                               (11.51), (11.20)

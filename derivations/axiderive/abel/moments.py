@@ -1,7 +1,7 @@
 """Moments of the Abel kernels, by recurrences down to the masters.
 
 Every function returns a `Form` in the symbols a (upper limit), r and the given
-break b.  `k` is the exponent of grading; k = 0 is the homogeneous half space.
+break b.  `k` is the exponent of grading; k = 0 is the homogeneous half-space.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Section 11.3: adhesive contact on the homogeneous half space, (11.30) and (11.31)."""
+"""Section 11.3: adhesive contact on the homogeneous half-space, (11.30) and (11.31)."""
 
 from __future__ import annotations
 

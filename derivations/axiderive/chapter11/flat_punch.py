@@ -1,4 +1,4 @@
-"""Section 11.1: the flat punch on the homogeneous half space, (11.1)-(11.15)."""
+"""Section 11.1: the flat punch on the homogeneous half-space, (11.1)-(11.15)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 11.5: normal contact of a profile on the graded half space, (11.48)-(11.61)."""
+"""Section 11.5: normal contact of a profile on the graded half-space, (11.48)-(11.61)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 11.6: adhesive contact on the graded half space, (11.62)-(11.66)."""
+"""Section 11.6: adhesive contact on the graded half-space, (11.62)-(11.66)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The half space of modulus E_0 (z/c_0)**k at random constants."""
+"""The half-space of modulus E_0 (z/c_0)**k at random constants."""
 
 from __future__ import annotations
 

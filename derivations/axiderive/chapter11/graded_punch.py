@@ -1,4 +1,4 @@
-"""Section 11.4: the flat punch on a half space of modulus E_0 (z/c_0)**k, (11.32)-(11.47)."""
+"""Section 11.4: the flat punch on a half-space of modulus E_0 (z/c_0)**k, (11.32)-(11.47)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 11.2: normal contact of a profile on the homogeneous half space, (11.16)-(11.29)."""
+"""Section 11.2: normal contact of a profile on the homogeneous half-space, (11.16)-(11.29)."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ def rings(p: Function, r: Any, a: Any, E_star: Any) -> Any:
 
 
 def graded_rings(p: Function, r: Any, a: Any, H: Any, k: Any) -> Any:
-    """The same at r > a on a half space of exponent k; H = h_N E_0 / ((1 - nu**2) c_0**k)."""
+    """The same at r > a on a half-space of exponent k; H = h_N E_0 / ((1 - nu**2) c_0**k)."""
     e = (1 + k) / 2
 
     def ring(t: Any) -> Any:

@@ -23,7 +23,7 @@ HALF = mp.mpf(1) / 2
 
 
 class Solid(NamedTuple):
-    """One elastic half space under a rigid body: G, nu and the effective moduli."""
+    """One elastic half-space under a rigid body: G, nu and the effective moduli."""
 
     G: Any
     nu: Any

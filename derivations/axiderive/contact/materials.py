@@ -1,4 +1,4 @@
-"""Elastic constants of the contact: two bodies in one modulus, and the graded half space in one modulus H.
+"""Elastic constants of the contact: two bodies in one modulus, and the graded half-space in one modulus H.
 
 c_N(x) = H |x|^k, (11.65), is read off the surface displacement of a point force,
 (11.33).  h_N is the result of that problem; here it is stated, and proof.materials
@@ -18,8 +18,8 @@ QUANTITIES = {
     for q in (
         Quantity("E_star", "effective_modulus", "Effective modulus", E_star, ()),
         Quantity("G_star", "effective_shear_modulus", "Effective shear modulus", G_star, ()),
-        Quantity("H", "graded_modulus", "Foundation modulus of the graded half space", H, ()),
-        Quantity("h_N", "h_N", "Factor of the graded half space", h_N, ()),
+        Quantity("H", "graded_modulus", "Foundation modulus of the graded half-space", H, ()),
+        Quantity("h_N", "h_N", "Factor of the graded half-space", h_N, ()),
     )
 }
 BODIES = (young_1, nu_1, young_2, nu_2)

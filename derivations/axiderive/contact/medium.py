@@ -1,4 +1,4 @@
-"""The elastic half space, and the flat punch on it: the building block of every contact.
+"""The elastic half-space, and the flat punch on it: the building block of every contact.
 
 Homogeneous and power-law graded media differ in a modulus and an exponent only,
 c_N(x) = modulus * |x|^k (11.65), so that every rule is stated once.
@@ -17,12 +17,12 @@ from ..notation import E_star, H, a, k, r
 
 @dataclass(frozen=True)
 class Medium:
-    """A half space; the formulas are those of a flat punch of radius a pressed in by a unit depth."""
+    """A half-space; the formulas are those of a flat punch of radius a pressed in by a unit depth."""
 
     modulus: sp.Symbol
     k: sp.Expr
     group: str
-    """Prefix of the keys: cone.d on the homogeneous, cone.fgm.d on the graded half space."""
+    """Prefix of the keys: cone.d on the homogeneous, cone.fgm.d on the graded half-space."""
 
     @property
     def force_scale(self) -> sp.Expr:

@@ -2,7 +2,7 @@
 
 Prefactors and definitions are those of chapter 11: depth (11.29), force
 (11.20), pressure (11.23), displacement (11.26) with r > a, stiffness (11.18);
-on the power-law graded half space (11.61), (11.51), (11.53), (11.56), (11.46).
+on the power-law graded half-space (11.61), (11.51), (11.53), (11.56), (11.46).
 """
 
 from __future__ import annotations

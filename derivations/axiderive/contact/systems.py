@@ -127,17 +127,17 @@ SYSTEMS = (
         "tangential", "Tangential contact with partial slip", _on(tangential.derive, HOMOGENEOUS),
         group="tan", rests_on=("normal",), refusal=tangential.refusal,
     ),
-    System("graded.normal", "Normal contact, graded half space", _on(normal.derive, GRADED), group="fgm"),
+    System("graded.normal", "Normal contact, graded half-space", _on(normal.derive, GRADED), group="fgm"),
     System(
-        "graded.adhesive", "Adhesive contact, graded half space", _on(_adhesive, GRADED),
+        "graded.adhesive", "Adhesive contact, graded half-space", _on(_adhesive, GRADED),
         group="fgm.adh", rests_on=("graded.normal",), refusal=_graded_adhesive_refusal,
     ),
     System(
-        "graded.tangential", "Tangential contact, graded half space", _on(tangential.derive, GRADED),
+        "graded.tangential", "Tangential contact, graded half-space", _on(tangential.derive, GRADED),
         group="fgm.tan", rests_on=("graded.normal",), refusal=tangential.refusal,
     ),
     System(
-        "viscoelastic", "Growing contact, viscoelastic half space", viscoelastic.derive,
+        "viscoelastic", "Growing contact, viscoelastic half-space", viscoelastic.derive,
         group="vis", rests_on=("normal",),
     ),
     System("plane", "Plane contact", plane.derive, STRIPS),

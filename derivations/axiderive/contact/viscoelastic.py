@@ -1,4 +1,4 @@
-"""Viscoelastic half space with a constant Poisson ratio, while the contact grows (Lee and Radok).
+"""Viscoelastic half-space with a constant Poisson ratio, while the contact grows (Lee and Radok).
 
 The elastic solution with unit modulus is convolved with the relaxation
 function: F(t) = int_0^t E(t - t') d/dt'[F_el(t')/E*] dt'.  A shrinking contact

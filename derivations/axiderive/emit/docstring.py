@@ -18,7 +18,7 @@ SUMMARY = {
     "d": "Indentation depth at contact radius a.",
     "F": "Normal force.",
     "p": "Contact pressure, positive in compression; zero outside the contact.",
-    "w": "Displacement of the surface into the half space, inside and outside the contact.",
+    "w": "Displacement of the surface into the half-space, inside and outside the contact.",
     "k": "Contact stiffness dF/dd.",
     "pm": "Mean pressure F/(pi a^2).",
     "ad": "Contact radius at indentation depth d.",

@@ -1,4 +1,4 @@
-"""Fields on the graded half space in print as the generated code sums them."""
+"""Fields on the graded half-space in print as the generated code sums them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def pressure_rows(key: str, plain: Mapping[str, Entry]) -> Rows:
 
 
 def outside_row(key: str) -> dict[str, Any]:
-    """The displacement beside any contact, from the gap that the half space closes inside it."""
+    """The displacement beside any contact, from the gap that the half-space closes inside it."""
     scale, root = Printer()(GRADED.displacement_scale), r"\sqrt{(r-a) (r+a)}"
     share = r"\frac{g(a)-f(s)}{q^{2}+z^{2}}"
     integral = rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"

@@ -23,7 +23,7 @@ RULED = (
 
 
 def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
-    """The rules that hold for every profile, on the graded half space, by the title of their system.
+    """The rules that hold for every profile, on the graded half-space, by the title of their system.
 
     Behind them stands how they are evaluated.
     """
@@ -38,7 +38,7 @@ def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
 
 
 def rule_evaluations() -> dict[str, Rows]:
-    """How the catalogue evaluates a rule of the graded half space for any profile."""
+    """How the catalogue evaluates a rule of the graded half-space for any profile."""
     return {"graded.normal": [outside_row("fgm")], "graded.tangential": grown_rows("fgm.tan", GRADED)}
 
 

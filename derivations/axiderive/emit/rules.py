@@ -89,7 +89,7 @@ def _tangential(medium: Medium) -> dict[str, Rule]:
 
 
 def _normal(medium: Medium) -> dict[str, Rule]:
-    """The fields as one regular integral each, and the mean pressure; on the graded half space only."""
+    """The fields as one regular integral each, and the mean pressure; on the graded half-space only."""
     if medium.k == 0:
         return {}
     k, printer = medium.k, Printer((r, a))

@@ -88,7 +88,7 @@ def with_kappa(expr: sp.Expr) -> Short:
         replaced = found.xreplace(same).replace(lambda e: e.is_Pow, lambda e: sp.Pow(_cancelled(e.base), e.exp))
         if replaced.has(low):
             replaced = sp.factor_terms(sp.expand(replaced))
-        if replaced.has(low):  # other Gamma functions take part, as on the graded half space
+        if replaced.has(low):  # other Gamma functions take part, as on the graded half-space
             continue
         short.expr = _constants_out(replaced)
         short.definitions[kappa] = sp.sqrt(sp.pi) * above / below

@@ -20,7 +20,7 @@ INSTEAD = {
     nt.sigma: "a steeper edge carries an infinite force, use s > -1",
     nt.v: "a shrinking contact does not obey the rule of Lee and Radok, use v > 0",
     nt.alpha: "use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
-    nt.k: "use a modulus that grows less than linearly with depth, or k = 0 for a homogeneous half space",
+    nt.k: "use a modulus that grows less than linearly with depth, or k = 0 for a homogeneous half-space",
 }
 """What an error message offers in place of a value outside the domain."""
 LOADED = {nt.d: "d >= 0", nt.F: "F >= 0"}

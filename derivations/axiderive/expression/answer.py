@@ -62,10 +62,10 @@ class Answer:
     validity: Validity
     comparisons: tuple[Comparison, ...]
     module: str
-    """Private functions of the normal contact on the homogeneous half space as text, for the linker."""
+    """Private functions of the normal contact on the homogeneous half-space as text, for the linker."""
     values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
-    """Exponent of the graded half space; the entries hold for any."""
+    """Exponent of the graded half-space; the entries hold for any."""
 
     @cached_property
     def certificates(self) -> dict[str, Certificate]:
@@ -113,7 +113,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     values : mapping, optional
         Values of parameters; the others are those of the sketch.
     k : sympy expression
-        Exponent of a graded half space.
+        Exponent of a graded half-space.
     """
     profile = own.profile
     known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | dict(values or {})

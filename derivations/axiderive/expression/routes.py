@@ -47,14 +47,14 @@ def derived(profile: Profile, medium: Medium) -> Derived:
     Raises
     ------
     ExpressionError
-        If the half space is graded and the profile is no sum of atoms.
+        If the half-space is graded and the profile is no sum of atoms.
     """
     try:
         found = _normal_form(profile, medium)
         return Derived(*found, Route.NORMAL_FORM, Beside(certify_profile, *found).result)
     except (NotReducibleError, AssertionError, BasePolynomialError):
         if medium is not HOMOGENEOUS:
-            message = "no closed form is known on a graded half space; use a sum of powers without breaks, or --k 0"
+            message = "no closed form is known on a graded half-space; use a sum of powers without breaks, or --k 0"
             raise ExpressionError(message, profile.subtitle) from None
     try:
         return _by_coefficients(profile)

@@ -92,7 +92,7 @@ def _entry(answer: Answer, suffix: str) -> list[str]:
 
 
 def _tail(answer: Answer) -> list[str]:
-    examined = "" if answer.k == 0 or answer.validity.exact else " (on the homogeneous half space, k = 0)"
+    examined = "" if answer.k == 0 or answer.validity.exact else " (on the homogeneous half-space, k = 0)"
     lines = ["", f"contact   {answer.validity.sentence}{examined}"]
     if answer.comparisons:
         count = len(answer.comparisons)

@@ -20,7 +20,7 @@ PROFILE = Profile(
     sketch=Sketch(((h, 0.7), (s, 1.0)), a=1.0),
     largest=COMPACT_LIMIT * s,
     note=(
-        "the largest radius is 1.50198 s on the homogeneous half space; graded it is where g' = 0,"
+        "the largest radius is 1.50198 s on the homogeneous half-space; graded it is where g' = 0,"
         " at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5"
     ),
 )

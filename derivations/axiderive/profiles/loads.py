@@ -26,7 +26,7 @@ def _load(name: str, title: str, subtitle: str, exponent: sp.Expr) -> Load:
         contact="prescribed",
         parameters=(a, p_0, sigma) if exponent == sigma else (a, p_0),
         pieces=(),
-        validity="prescribed pressure, frictionless half space",
+        validity="prescribed pressure, frictionless half-space",
         sources=("Föppl 1941",),
         sketch=Sketch((), a=1.0),
         exponent=exponent,

@@ -1,4 +1,4 @@
-"""The half space without an indenter: what its elastic constants come to in a contact, as data."""
+"""The half-space without an indenter: what its elastic constants come to in a contact, as data."""
 
 import sympy as sp
 
@@ -8,7 +8,7 @@ from .profile import Profile, Sketch
 PROFILE = Profile(
     name="materials",
     title="Elastic constants",
-    subtitle="Effective moduli of two elastic bodies, and of a half space graded by a power of the depth.",
+    subtitle="Effective moduli of two elastic bodies, and of a half-space graded by a power of the depth.",
     contact="none",
     parameters=(),
     pieces=(),

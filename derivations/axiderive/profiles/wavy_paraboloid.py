@@ -18,7 +18,7 @@ PROFILE = Profile(
     validity="a << R; waves so flat that g' >= 0 for every a",
     sources=("Guduru 2007",),
     note=(
-        "the number 12.3914 of the homogeneous half space is another on a graded one, where g' >= 0 asks for"
+        "the number 12.3914 of the homogeneous half-space is another on a graded one, where g' >= 0 asks for"
         " 15.5992 at k = -0.5 and for 10.1777 at k = 0.5"
     ),
     sketch=Sketch(((R, 1.6), (h, 0.01), (wavelength, 0.5)), a=1.0),

@@ -130,7 +130,7 @@ def _derived(profile: Profile, medium: Medium) -> Prover:
 
 
 def homogeneous_statements(profile: Profile) -> Compact | Complete:
-    """What is stated of the normal contact on the homogeneous half space."""
+    """What is stated of the normal contact on the homogeneous half-space."""
     found: Compact | Complete = _derived(profile, HOMOGENEOUS).built()
     return found
 

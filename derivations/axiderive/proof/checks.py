@@ -65,7 +65,7 @@ def check_problem(
 def _identities(
     problem: Problem, profile: Profile, entries: dict[str, Entry], digits: int, seed: int
 ) -> list[Evidence]:
-    """What ties the entries to each other, to the contact they rest on and to the homogeneous half space."""
+    """What ties the entries to each other, to the contact they rest on and to the homogeneous half-space."""
     kind, graded = problem.system.name.removeprefix("graded."), problem.system.name.startswith("graded.")
     physics = PHYSICS[problem.system.name]
     if kind == "loads":

@@ -1,4 +1,4 @@
-"""The graded half space: its exponent as a bounded symbol, and the limit k -> 0.
+"""The graded half-space: its exponent as a bounded symbol, and the limit k -> 0.
 
 With kappa = 1 + k, 0 < kappa < 2, the exponents that decide end values, like
 1 + k, are visibly positive; k itself, which notation declares positive, may be
@@ -91,7 +91,7 @@ def _counterpart(case: Case, found: list[Case], suffix: str, plain: dict[str, En
         return same[0]
     radius = {name: names[0] for names in CONTROLS.values() for name in names[1:]}.get(suffix)
     if case.chain or len(found) != 1 or radius not in plain or plain[radius].status != "closed":
-        message = f"no case of the graded half space is that of {' < '.join(map(str, case.chain))}"
+        message = f"no case of the graded half-space is that of {' < '.join(map(str, case.chain))}"
         raise NotProvedError(message)
     return found[0].expr.subs(a_c, plain[radius].cases[0].expr)
 

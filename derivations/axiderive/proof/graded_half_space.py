@@ -1,6 +1,6 @@
-"""The graded half space from its equations of equilibrium: h_N without the theory behind its formula.
+"""The graded half-space from its equations of equilibrium: h_N without the theory behind its formula.
 
-A pressure p J0(x) on the surface of a half space with E = z**k moves it by
+A pressure p J0(x) on the surface of a half-space with E = z**k moves it by
 c p J0(x).  The displacements U(z) J1(x), W(z) J0(x) obey two equations of second
 order whose solutions at z = 0 are power series times 1 or z**(1 - k); those
 without shear at the surface that vanish at a large depth give c.  The point

@@ -1,4 +1,4 @@
-"""The quantities of normal contact on the power-law graded half space, by quadrature of f, f' and (r f')'.
+"""The quantities of normal contact on the power-law graded half-space, by quadrature of f, f' and (r f')'.
 
 Nothing of the engine is used here.  With s = t cos(y) the weight (t**2 - s**2)**((k - 1)/2) becomes a power
 of sin(y), whose singular point y = 0 is the edge of the contact:
@@ -52,7 +52,7 @@ BALLS = Arithmetic(ball_rules.ball, _cos_sin, ball_rules.sum_over_balls)
 
 @dataclass(frozen=True)
 class Graded:
-    """The profile on a half space with c_N(x) = H |x|**k; moduli are left to the caller."""
+    """The profile on a half-space with c_N(x) = H |x|**k; moduli are left to the caller."""
 
     shape: Shape
     k: Number

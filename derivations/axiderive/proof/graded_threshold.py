@@ -1,4 +1,4 @@
-"""Ring, least depth and least force of a concave face on the graded half space.
+"""Ring, least depth and least force of a concave face on the graded half-space.
 
 p >= 0 asks for d >= g(a) - W(r), W(r) = (a**2 - r**2)**((1 - k)/2) int_r^a g'(t) (t**2 - r**2)**((k - 1)/2) dt,
 so that the ring is where W has its minimum.

@@ -1,4 +1,4 @@
-"""Contact on the homogeneous or the graded half space as its definitions say: normal, adhesive, tangential.
+"""Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, tangential.
 
 Adhesion is not derived here by the formulas of the engine but as the normal
 contact with the free depth g(a) - Dl, with Dl from the balance of energies
@@ -20,7 +20,7 @@ from .shape import Number, Values, number, shape
 
 @dataclass(frozen=True)
 class HalfSpace:
-    """One profile at one point on a half space with c_N(x) = modulus * |x|**k."""
+    """One profile at one point on a half-space with c_N(x) = modulus * |x|**k."""
 
     profile: Profile
     values: Values

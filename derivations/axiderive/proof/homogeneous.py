@@ -1,4 +1,4 @@
-"""The graded half space at k = 0: the formulas of the homogeneous one, or their values."""
+"""The graded half-space at k = 0: the formulas of the homogeneous one, or their values."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def check_profile(
     digits: int = 50,
     seed: int = 0,
 ) -> list[Evidence]:
-    """Every entry that both half spaces have; `below` states the normal contact on the homogeneous one.
+    """Every entry that both half-spaces have; `below` states the normal contact on the homogeneous one.
 
     A formula at k = 0 and an equation at k = 0 are compared symbol by symbol, an integral by its value there.
     """

@@ -1,4 +1,4 @@
-"""The elastic constants against what defines them, h_N by the point force on the graded half space."""
+"""The elastic constants against what defines them, h_N by the point force on the graded half-space."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def check(entries: Mapping[str, Entry], suffix: str, *, digits: int = 40, points
             values = _point(entry, draw)
             got = evaluate(entry.cases[0].expr, values, digits)
             rows.append((values, residual(got, _wanted(entry, values, digits))))
-    compared = "point force on the graded half space, equations of equilibrium" if _graded(entry) else "its definition"
+    compared = "point force on the graded half-space, equations of equilibrium" if _graded(entry) else "its definition"
     return judge(entry.key, compared, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
 
 

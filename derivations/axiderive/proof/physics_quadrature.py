@@ -25,7 +25,7 @@ from .unevaluated import evaluate_case, evaluate_integral
 
 PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
 NESTED = 46
-"""Digits of a pressure on the graded half space, which is an integral of integrals."""
+"""Digits of a pressure on the graded half-space, which is an integral of integrals."""
 NESTED_LOST = 6
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""

@@ -74,7 +74,7 @@ def _point(
     profile: Profile, chain: tuple[sp.Expr, ...], i: int, index: int, seed: int, fields: tuple[sp.Symbol, ...],
     graded: bool, tame: bool,
 ) -> Point:  # fmt: skip
-    """The i-th point of a case; on the graded half space the exponent comes first, because chains may contain it."""
+    """The i-th point of a case; on the graded half-space the exponent comes first, because chains may contain it."""
     exponents = {nt.k: _exponent(index, profile.name, seed)} if graded else {}
     chain = tuple(length.subs(exponents) for length in chain)
     drawn = [p for p in points(profile, chain, i + 1 + (12 if tame else 0), seed, fields) if not (tame and p.extreme)]

@@ -31,7 +31,7 @@ def traction(profile: Profile, entries: Entries, *, digits: int = 50, seed: int 
 def pressure(
     profile: Profile, force: Entry, entry: Entry, physics: str, *, digits: int = 50, seed: int = 0
 ) -> Evidence:
-    """F = 2 pi int p r dr on the graded half space, in every case of the force.
+    """F = 2 pi int p r dr on the graded half-space, in every case of the force.
 
     Without a free edge, and under adhesion, the pressure grows towards the edge like (a - r)**((k - 1)/2).
     """

@@ -135,7 +135,7 @@ class Units:
     def _integral(self, expr: sp.Integral) -> Dimension:
         variable, lower, upper = expr.limits[0]
         wanted = self.dimension(upper)
-        # u is a power of a length on the graded half space, and its limit says which; elsewhere it is what it is
+        # u is a power of a length on the graded half-space, and its limit says which; elsewhere it is what it is
         if not same(wanted, self.dimension(variable)) and not wanted.length.has(nt.k):
             message = (
                 f"the limit {upper} has {text(wanted)}, but {variable} has {text(self.dimension(variable))}, in {expr}"

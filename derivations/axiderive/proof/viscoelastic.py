@@ -1,4 +1,4 @@
-"""Viscoelastic half space: the laws by exact transforms and antiderivatives, the entries by linearity in the modulus.
+"""Viscoelastic half-space: the laws by exact transforms and antiderivatives, the entries by linearity in the modulus.
 
 A law is a sum of terms c t**p exp(-q t); for each of them the Laplace transform
 and the factor of a ramp are known in closed form.

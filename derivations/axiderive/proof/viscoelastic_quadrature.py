@@ -1,4 +1,4 @@
-"""Growing contact with a viscoelastic half space: the integral of Lee and Radok by quadrature.
+"""Growing contact with a viscoelastic half-space: the integral of Lee and Radok by quadrature.
 
 The elastic force is the defined one, as a function of the contact radius; the
 ramp is an integral over the radii of the earlier contacts, without an inverse:

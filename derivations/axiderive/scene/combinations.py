@@ -32,9 +32,9 @@ def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     if kind in ALONE:
         if own:
             return f"{kind} is emitted for what the catalogue holds"
-        return f"{kind} on a graded half space is not derived" if graded else ""
+        return f"{kind} on a graded half-space is not derived" if graded else ""
     if kind == "viscoelastic":
-        return "viscoelastic on a graded half space is not derived" if graded else ""
+        return "viscoelastic on a graded half-space is not derived" if graded else ""
     if kind == "adhesive" and (found := detachment.refusal(profile, GRADED if graded else HOMOGENEOUS)):
         return found.partition(": use")[0]
     if kind == "tangential" and (found := tangential.refusal(profile)):

@@ -1,4 +1,4 @@
-"""Check values of complete contacts, whose edge is fixed, on either half space: the definitions by quadrature."""
+"""Check values of complete contacts, whose edge is fixed, on either half-space: the definitions by quadrature."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Check values on the graded half space: the definitions by quadrature, adhesion by the balance of energies."""
+"""Check values on the graded half-space: the definitions by quadrature, adhesion by the balance of energies."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ def head(request: Request, profile: Profile, answer: Answer | None, contact: Con
             "plane": "of a strip without adhesion, per length",
             "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
     if physics.startswith("graded"):
-        kind += " on a half space whose modulus grows as a power of depth"
+        kind += " on a half-space whose modulus grows as a power of depth"
     title = _plain(request.title)
     what = f"{profile.title}: {_plain(profile.subtitle)}" if answer is None else _plain(
         profile.subtitle)  # fmt: skip

@@ -74,7 +74,7 @@ def physics(text: SceneText, scene: Scene) -> None:
         scene.physics = f"{kind}.{model or next(iter(interface.LAWS))}"
         moduli = [key for key in text.table("medium") if key != "kind"]
         if model and not graded and moduli:
-            message = "a viscoelastic half space has its moduli in the table of viscoelastic; leave [medium] out"
+            message = "a viscoelastic half-space has its moduli in the table of viscoelastic; leave [medium] out"
             text.problem("medium", moduli[0], message)
     else:
         model = ""

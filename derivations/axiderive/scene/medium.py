@@ -1,4 +1,4 @@
-"""The half space of a scene: an effective modulus, given or out of E and nu; left free if nothing is said."""
+"""The half-space of a scene: an effective modulus, given or out of E and nu; left free if nothing is said."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def medium_values(text: SceneText) -> dict[str, float]:
     for key in ("k", "H", "H_x"):
         if key in table:
             text.problem(
-                "medium", key, f'{key} belongs to a graded half space; add kind = "power_law", or leave it out'
+                "medium", key, f'{key} belongs to a graded half-space; add kind = "power_law", or leave it out'
             )
     values: dict[str, float] = {}
     for key in ("E_star", "E", "nu", "G_star"):
         if key in table:
             _read(text, values, key, table[key])
     if "E_star" in table and ("E" in table or "nu" in table):
-        text.problem("medium", "E_star", "give either E_star, or E and nu of a half space under a rigid indenter")
+        text.problem("medium", "E_star", "give either E_star, or E and nu of a half-space under a rigid indenter")
     elif ("E" in table) != ("nu" in table):
         missing = "nu" if "E" in table else "E"
         text.problem(
@@ -47,11 +47,11 @@ def medium_values(text: SceneText) -> dict[str, float]:
 
 
 def _graded(text: SceneText, table: dict[str, Any]) -> dict[str, float]:
-    """H, k and H_x of a half space with the foundation moduli H |x|^k and H_x |x|^k."""
+    """H, k and H_x of a half-space with the foundation moduli H |x|^k and H_x |x|^k."""
     values: dict[str, float] = {}
     for key in ("E_star", "E", "nu", "G_star"):
         if key in table:
-            text.problem("medium", key, f"{key} belongs to a homogeneous half space; a graded one has H and k")
+            text.problem("medium", key, f"{key} belongs to a homogeneous half-space; a graded one has H and k")
     for key in ("H", "k", "H_x"):
         if key not in table:
             continue
@@ -75,7 +75,7 @@ def _read(text: SceneText, values: dict[str, float], key: str, raw: object) -> N
         text.problem("medium", key, f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
         return
     if key == "nu" and not -1.0 < value <= 0.5:
-        text.problem("medium", key, f"nu = {value:g} is outside -1 < nu <= 0.5; 0.5 is an incompressible half space")
+        text.problem("medium", key, f"nu = {value:g} is outside -1 < nu <= 0.5; 0.5 is an incompressible half-space")
     elif key != "nu" and value <= 0.0:
         text.problem("medium", key, f"{key} = {value:g} is outside {key} > 0; a modulus is positive")
     else:

@@ -172,7 +172,7 @@ def _rules(text: SceneText, scene: Scene) -> None:
 
 
 def _waves(text: SceneText, scene: Scene, profile: Profile) -> None:
-    """On the graded half space the rule of the waves is another one for every k: it is asked of g' itself."""
+    """On the graded half-space the rule of the waves is another one for every k: it is asked of g' itself."""
     names = [*interface.parameters(profile), "k"]
     if not set(names) <= set(scene.values):
         return

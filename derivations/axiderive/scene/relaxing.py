@@ -1,4 +1,4 @@
-"""Check values on a viscoelastic half space: the convolution over the elastic contact by quadrature."""
+"""Check values on a viscoelastic half-space: the convolution over the elastic contact by quadrature."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rules between the parameters of a scene, which on the graded half space depend on its exponent."""
+"""The rules between the parameters of a scene, which on the graded half-space depend on its exponent."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def depend_on_waves(profile: Profile, physics: str) -> bool:
 
 
 def open_between_waves(profile: Profile, values: Mapping[str, float]) -> float | None:
-    """A radius at which g' < 0 on the graded half space, so that the contact is not compact; None if there is none."""
+    """A radius at which g' < 0 on the graded half-space, so that the contact is not compact; None if there is none."""
     known = {symbol: mp.mpf(values[name]) for name, symbol in interface.parameters(profile).items()}
     here = HalfSpace(profile, {**known, nt.H: mp.mpf(1), nt.k: mp.mpf(values["k"])}, DIGITS, graded=True)
     with mp.workdps(DIGITS + 10):

@@ -147,7 +147,7 @@ def _viscoelastic(name: str) -> str:
 
 
 def ramps(profile: Profile | None) -> bool:
-    """Whether the force under a ramp of the depth is known: that on the elastic half space is a power of the depth."""
+    """Whether the force under a ramp of the depth is known: that on the elastic half-space is a power of the depth."""
     if profile is None or profile.name in profiles.NAMES:
         return profile is not None and "def _ramp_force" in _viscoelastic(profile.name)
     power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1]
@@ -155,19 +155,19 @@ def ramps(profile: Profile | None) -> bool:
 
 
 def graded_refusal(profile: Profile) -> str:
-    """Why no module of a profile is emitted for a graded half space; empty if one is."""
+    """Why no module of a profile is emitted for a graded half-space; empty if one is."""
     try:
         family(profile)
     except (NotReducibleError, AssertionError, ValueError):
         return (
-            "on the graded half space there are rules for sums of powers of r, with at most one break of "
+            "on the graded half-space there are rules for sums of powers of r, with at most one break of "
             "straight or parabolic pieces, and not for these pieces"
         )
     return ""
 
 
 def _graded(profile: Profile, wanted: str) -> dict[str, str]:
-    """The modules of a contact on the graded half space, those of the catalogue where they are stored."""
+    """The modules of a contact on the graded half-space, those of the catalogue where they are stored."""
     kind = wanted.partition(".")[2]
     keys = [f"graded.{group}.{profile.name}" for group in ("normal", kind) if group]
     found = {key: text for key in keys if (text := stored(f"{key.replace('.', '/')}.py"))}

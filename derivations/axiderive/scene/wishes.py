@@ -88,7 +88,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         return
     profile = scene.profile
     if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile is None or profile.contact != "compact":
-        message = "a worked example is given for a compact contact on a homogeneous half space; leave at out"
+        message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
         text.problem("want", "at", message)
         return
     needs = [*(p.name for p in profile.parameters), *interface.MATERIAL[scene.physics]]

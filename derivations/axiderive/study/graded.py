@@ -1,4 +1,4 @@
-"""The other ways on the graded half space, from (11.61), (11.51), (11.53) and (11.56) for a profile without break.
+"""The other ways on the graded half-space, from (11.61), (11.51), (11.53) and (11.56) for a profile without break.
 
 With the weights of the grading: |t**2 - r**2|**((k - 1)/2) in the pressure, x**k in the displacement.
 """

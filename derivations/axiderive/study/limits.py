@@ -142,7 +142,7 @@ def _amplitude(n: float, decade: int) -> float:
 
 
 def grading(quick: bool) -> Iterator[Case]:
-    """The exponent of the graded half space next to -1, 0 and 1."""
+    """The exponent of the graded half-space next to -1, 0 and 1."""
     problem = "power_law.fgm"
     known = entries(problem)
     material = [s for s in known["F"].parameters if s not in known["d"].parameters]

@@ -26,7 +26,7 @@ def _on_grids(subject: Subject, suffix: str) -> dict[str, str]:
     if subject.graded:
         closed = {"generated rule": "the printed formulas are closed: no rule is generated"}
         return closed | dict.fromkeys(
-            ("trapezoid MDR", "FFT MDR"), "their weights are those of the homogeneous half space"
+            ("trapezoid MDR", "FFT MDR"), "their weights are those of the homogeneous half-space"
         )
     if suffix == "ad":
         return {"FFT MDR": "a convolution gives fields, not a(d)"}
@@ -38,7 +38,7 @@ def _on_grids(subject: Subject, suffix: str) -> dict[str, str]:
 
 def _boundary_elements(subject: Subject, suffix: str) -> dict[str, str]:
     if subject.graded:
-        return {"BEM": "its half space is homogeneous"}
+        return {"BEM": "its half-space is homogeneous"}
     if suffix != "p":
         return {"BEM": "its pressures are compared"}
     return {"BEM": bem.missing()} if bem.missing() else {}

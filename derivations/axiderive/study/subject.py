@@ -30,7 +30,7 @@ NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "pow
 QUANTITIES = ("p", "Fd", "w")
 GRADED, ADHESIVE = "power_law.fgm", ("paraboloid.adh", "cone.adh")
 OTHERS = {GRADED: QUANTITIES, **dict.fromkeys(ADHESIVE, ("ad",))}
-"""On a graded half space, and with adhesion: the quantities of their own."""
+"""On a graded half-space, and with adhesion: the quantities of their own."""
 RULED = {
     **dict.fromkeys(("power_law", "polynomial", "hyperboloid", "truncated_cone", "truncated_paraboloid"), ("p", "w")),
     **dict.fromkeys(("rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch"), ("p", "w")),
@@ -85,7 +85,7 @@ def emitted(entry: Entry, problem: str) -> Function:
 
 @dataclass(frozen=True)
 class Subject:
-    """One profile at RADIUS and its parameters, on the homogeneous half space where its name says nothing else."""
+    """One profile at RADIUS and its parameters, on the homogeneous half-space where its name says nothing else."""
 
     name: str
 

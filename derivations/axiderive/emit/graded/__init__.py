@@ -1,4 +1,4 @@
-"""Packages of contact on the power-law graded half space: axicontact.graded.normal, .adhesive, .tangential."""
+"""Packages of contact on the power-law graded half-space: axicontact.graded.normal, .adhesive, .tangential."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from .module import RUNTIME
 Derived = Mapping[str, Mapping[str, Mapping[str, Entry]]]
 """Entries by system (graded.normal, graded.adhesive, graded.tangential), profile and suffix."""
 TITLES = {
-    "normal": "Normal contact of a rigid indenter with a power-law graded half space",
-    "adhesive": "Adhesive contact of a rigid indenter with a power-law graded half space",
-    "tangential": "Tangential contact with friction on a power-law graded half space",
+    "normal": "Normal contact of a rigid indenter with a power-law graded half-space",
+    "adhesive": "Adhesive contact of a rigid indenter with a power-law graded half-space",
+    "tangential": "Tangential contact with friction on a power-law graded half-space",
 }
 
 
@@ -28,7 +28,7 @@ def module_sources(names: Iterable[str], derived: Derived) -> dict[str, str]:
         modules = {name: text for name in names if (text := _module(group, name, derived))}
         files |= {f"{PACKAGE}/graded/{group}/{name}.py": text for name, text in modules.items()}
         files[f"{PACKAGE}/graded/{group}/__init__.py"] = package_source(title, sorted(modules))
-    title = "Contact on a half space whose modulus grows as a power of the depth"
+    title = "Contact on a half-space whose modulus grows as a power of the depth"
     return files | {f"{PACKAGE}/graded/__init__.py": package_source(title, sorted(TITLES))}
 
 

@@ -61,7 +61,7 @@ class _Adhesive:
             self.power_law(self.power.lengths[0])
         else:
             self.general()
-        return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half space")
+        return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
         entry, writer = self.entries[suffix], self.writer

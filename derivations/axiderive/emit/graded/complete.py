@@ -54,7 +54,7 @@ class _Complete:
             self.flat_rules()
         else:
             self.capped_rules()
-        return self.writer.source(f"{self.profile.title} on a power-law graded half space")
+        return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
         entry, writer = self.entries[suffix], self.writer

@@ -47,7 +47,7 @@ def module_source(entries: Mapping[str, Entry]) -> str:
     )  # fmt: skip
     for name, line in _rules(writer, keywords).items():
         writer.rule(name, [], keywords, [line])
-    return writer.source(f"{profile.title} with adhesion on a power-law graded half space")
+    return writer.source(f"{profile.title} with adhesion on a power-law graded half-space")
 
 
 def _rules(writer: Writer, keywords: list[str]) -> dict[str, str]:

@@ -24,7 +24,7 @@ DIGITS = 15
 
 
 class Example(examples.Example):
-    """The doctests of one module, on a half space with k = 1/4; `elastic` are the entries of its normal contact."""
+    """The doctests of one module, on a half-space with k = 1/4; `elastic` are the entries of its normal contact."""
 
     def __init__(
         self, profile: Profile, entries: Mapping[str, Entry], group: str, elastic: Mapping[str, Entry]
@@ -34,7 +34,7 @@ class Example(examples.Example):
 
     @cached_property
     def known(self) -> Values:
-        """Parameters and the middle of the contact, as for the homogeneous half space."""
+        """Parameters and the middle of the contact, as for the homogeneous half-space."""
         drawn = examples.Example(self.profile, self.entries, self.group).known
         return drawn | MATERIAL | {nt.d: self.loads[nt.d]}
 

@@ -95,7 +95,7 @@ class Writer:
         self.public.append(Function("profile", ["r"], self.geometry, docstring.SUMMARY["f"], doc, body))
 
     def shape_of(self, place: str) -> str:
-        """The call of f(r) in the module of the homogeneous half space."""
+        """The call of f(r) in the module of the homogeneous half-space."""
         used: set[str] = set()
         for piece in self.profile.pieces:
             for expr in (piece.expr, piece.upper or sp.S.Zero):

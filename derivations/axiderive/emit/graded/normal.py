@@ -48,7 +48,7 @@ class _Normal:
         self.inverses()
         if self.profile.rules:
             self.check()
-        return self.writer.source(f"{self.profile.title} on a power-law graded half space")
+        return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
         entry, writer, profile = self.entries[suffix], self.writer, self.profile

@@ -33,7 +33,7 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
             notes += " The stick zone is never smaller than the flat face: NaN for c < b."
         writer.add(entry, summary, notes, body)
     _rules(writer)
-    return writer.source(f"{profile.title} under a tangential load on a power-law graded half space")
+    return writer.source(f"{profile.title} under a tangential load on a power-law graded half-space")
 
 
 def _rules(writer: Writer) -> None:

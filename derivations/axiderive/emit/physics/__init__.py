@@ -13,9 +13,9 @@ from .text import PACKAGE, NormalModule
 
 RUNTIME = Path(__file__).with_name("runtime")
 TITLES = {
-    "adhesive": "Adhesive contact of a rigid indenter with an elastic half space",
+    "adhesive": "Adhesive contact of a rigid indenter with an elastic half-space",
     "tangential": "Tangential contact with friction, with a zone of stick",
-    "viscoelastic": "Contact with a viscoelastic half space, while it grows",
+    "viscoelastic": "Contact with a viscoelastic half-space, while it grows",
     "loads": "Displacement under a prescribed pressure",
 }
 WRITERS = {

@@ -33,7 +33,7 @@ SUMMARY = {
     "d": "Indentation depth at contact radius a; negative where adhesion pulls the surface up.",
     "F": "Normal force at contact radius a, negative in tension.",
     "p": "Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.",
-    "w": "Displacement of the surface into the half space, inside and outside the contact.",
+    "w": "Displacement of the surface into the half-space, inside and outside the contact.",
     "ad": "Contact radius at indentation depth d, on the branch that is stable under a given depth.",
     "aF": "Contact radius under the normal force F, on the branch that is stable under a given force.",
 }

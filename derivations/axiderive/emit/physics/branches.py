@@ -53,7 +53,7 @@ def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str]) 
 def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str:
     """The unknowns below and beyond a break, and a break inside the domain, as the last arguments of a call.
 
-    On a graded half space the depth of a `steep` profile leaves the break as a power of its root.
+    On a graded half-space the depth of a `steep` profile leaves the break as a power of its root.
     """
     inner = "radius_itself()"
     if profile.largest is not None:

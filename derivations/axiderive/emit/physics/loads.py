@@ -16,7 +16,7 @@ IMPORTS = (
     ".._elementwise: Array, Result, elementwise",
     ".._integrals: difference_root",
 )
-SUMMARY = {"w": "Displacement of the surface into the half space."}
+SUMMARY = {"w": "Displacement of the surface into the half-space."}
 FORMULAS = {
     sp.S.Zero: ["return p_0 / E_star * uniform(r, a)"],
     -sp.S.Half: [
@@ -31,7 +31,7 @@ def module_source(load: Load, entry: Entry) -> str:
     """The module of one load."""
     keywords = [text.name_of(symbol) for symbol in entry.parameters]
     body = [text.required(entry.parameters), f"return {evaluate('_displacement', ['r'], keywords, False)}"]
-    document = text.document(entry, ["r"], keywords, "Frictionless half space. Negative or NaN radii give NaN.")
+    document = text.document(entry, ["r"], keywords, "Frictionless half-space. Negative or NaN radii give NaN.")
     example = Example(load, {"w": entry}, "loads").lines("w")
     public = Function("displacement", ["r"], keywords, SUMMARY["w"], document, body, example=example)
     lines = FORMULAS.get(load.exponent, ["return p_0 / E_star * power(r, a, s)"])

@@ -20,11 +20,11 @@ IMPORTS = (
 SUMMARY = {
     "E_star": "Effective modulus E_star of two bodies; the modulus of a rigid one is infinite.",
     "G_star": "Effective shear modulus G_star of two bodies; the modulus of a rigid one is infinite.",
-    "H": "Foundation modulus H of a half space of modulus E_0 (z/c_0)**k under a rigid indenter.",
-    "h_N": "Factor h_N of a graded half space, 1 for k = 0.",
+    "H": "Foundation modulus H of a half-space of modulus E_0 (z/c_0)**k under a rigid indenter.",
+    "h_N": "Factor h_N of a graded half-space, 1 for k = 0.",
 }
 NOTES = {
-    "h_N": "Compared with a numerical solution of the equations of equilibrium of the graded half space.",
+    "h_N": "Compared with a numerical solution of the equations of equilibrium of the graded half-space.",
 }
 BODIES = "_require_bodies(E_1, nu_1, E_2, nu_2)"
 FORMULAS = {

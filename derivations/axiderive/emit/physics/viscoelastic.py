@@ -35,7 +35,7 @@ def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
     example = Example(module.profile, entries, "viscoelastic", module.entries)
     public = [_public(module, entry, example) for entry in entries.values()]
     formulas = [_formula(module, entry.quantity) for entry in entries.values()]
-    title = f"{module.profile.title} on a viscoelastic half space"
+    title = f"{module.profile.title} on a viscoelastic half-space"
     source = text.module(title, module.profile.subtitle, IMPORTS, public, formulas)
     return source.replace(text.NORMAL, module.profile.name)
 

@@ -30,7 +30,7 @@ MEANING = {
     nt.d: "depth of the middle of the contact relative to the surface at the distance L",
     nt.f: "height of the profile above its lowest point in the middle",
     nt.x: "place across the contact, zero in the middle; of either sign",
-    nt.slope: "slope of the surface, negative where the displacement into the half space falls with x",
+    nt.slope: "slope of the surface, negative where the displacement into the half-space falls with x",
 }
 OF_PUNCH = {nt.a: "half-width of the punch", nt.h: "depth of the concave face", nt.f: "height of the face"}
 NAMES = {"slope = ": "dw/dx = ", "tilt = ": "phi = ", "width = ": "l = ", "Abs(": "abs(", "Max(": "max("}

@@ -61,7 +61,7 @@ def _lengths(case: Case) -> tuple[sp.Expr, ...]:
 
 
 def _grading(case: Case) -> sp.Rational:
-    """The exponent of the half space; below zero the integrals across a break converge too slowly to be read back."""
+    """The exponent of the half-space; below zero the integrals across a break converge too slowly to be read back."""
     return EXPONENT_OF_GRADING[len(case.chain) % 2 if not case.expr.has(sp.Integral) else 0]
 
 

@@ -1,4 +1,4 @@
-"""Stable branches of an adhesive contact on the graded half space, on the grids of the homogeneous one."""
+"""Stable branches of an adhesive contact on the graded half-space, on the grids of the homogeneous one."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def graded_branches(
 ) -> Branches:
     """The branches on which the load grows with a: a**((1 + k)/2) g'(a) over a level.
 
-    With g' weighted by a**(k/2), it is the condition of the homogeneous half space.
+    With g' weighted by a**(k/2), it is the condition of the homogeneous half-space.
     """
 
     def weighted(a: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Contact radius of a depth or a force on the graded half space, in a variable in which the load is nearly linear."""
+"""Contact radius of a depth or a force on the graded half-space, in a variable in which the load is nearly linear."""
 
 from __future__ import annotations
 
