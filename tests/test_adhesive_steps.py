@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_inverse_steps import EPS, NORMAL, STEPS, Draw
+from test_inverse_steps import EPS, GRADED, STEPS, Draw
 
 from axicontact import _inverse, _stable
 
@@ -79,7 +79,7 @@ def check(module: ModuleType, group: str, name: str, quantity: str, calls: list[
 
 
 @pytest.mark.parametrize("quantity", ["depth", "force"])
-@pytest.mark.parametrize("name", NORMAL)
+@pytest.mark.parametrize("name", GRADED)
 def test_adhesive_contact(name: str, quantity: str, monkeypatch: pytest.MonkeyPatch) -> None:
     if name in SLOW and quantity == "force":
         pytest.skip("as its depth, and each load is an integral")
@@ -87,7 +87,7 @@ def test_adhesive_contact(name: str, quantity: str, monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.parametrize("quantity", ["depth", "force"])
-@pytest.mark.parametrize("name", [name for name in NORMAL if name not in SLOW])
+@pytest.mark.parametrize("name", [name for name in GRADED if name not in SLOW])
 def test_graded_adhesive_contact(name: str, quantity: str, monkeypatch: pytest.MonkeyPatch) -> None:
     module = import_module(f"axicontact.graded.adhesive.{name}")
     check(module, "graded.adhesive", name, quantity, evaluations(monkeypatch))

@@ -2,7 +2,7 @@
 
 As a function of r an integral has one singular radius c; in ln abs(r**2 - c**2) it is
 analytic in a strip of half-width pi, apart from a root that vanishes at the edge.
-On a panel of length ln 2 polynomials through 13 points are as good as the rule.
+On a panel of length ln 2 polynomials through 12 points are as good as the rule.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 from ._elementwise import Array
 
-LEAST, POINTS, DEPTH = 1024, 13, 20
+LEAST, POINTS, DEPTH = 1024, 12, 20
 """Radii for which panels pay; points of a panel; panels on either side.
 
 DEPTH panels next to the singular radius it is represented too coarsely by r.
@@ -178,9 +178,9 @@ def _points() -> tuple[Array, Array, Array, Array]:
 
 
 def _polynomials(table: Array, rows: Array, x: Array) -> Array:
-    total, term = table[-1].take(rows), np.empty_like(x)
+    # rows that are too large would only be checked in a buffer
+    term, total = np.empty_like(x), table[-1].take(rows, mode="clip")
     for coefficients in table[-2::-1]:
         np.multiply(total, x, out=total)
-        # rows that are too large would only be checked in a buffer
         np.add(total, coefficients.take(rows, out=term, mode="clip"), out=total)
     return total

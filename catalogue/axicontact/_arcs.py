@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._integrals import difference_root, pressure_integral_tanh
+from ._integrals import difference_root
 from ._kernels import LEGENDRE_CHI
+from ._rules import pressure_integral_tanh
 
 END = 0.7
 """Up to here Legendre's chi function has a kernel; beyond, the integral has its rule."""

@@ -24,15 +24,16 @@ def prepare({numbers}):
     return ({results})
 """
 BLOCK = """
-def block(out, {arguments}):
+def block(out, {arguments}, largest):
     size = out.size
 {lines}
 """
 
 
 class Program(NamedTuple):
-    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled)` fills a block with.
+    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled, largest)` needs.
 
+    `largest` are the largest values of the arrays, which only a program for `positive` ones asks for.
     A FloatingPointError says that the block needs the body itself; so does a number or, in an array, a value
     that is not positive and finite, where the program is for `positive` ones.
     """
@@ -61,7 +62,8 @@ def program(
         result = trace(function, fields, keywords)
         names = [*fields, *keywords]
         given = [name for name, is_array in zip(names, arrays, strict=True) if is_array]
-        _programs[key] = None if result is None else _Writer(result, names, given).program()
+        summed = result is None or any(node.name == "integral" for node in needed(result))
+        _programs[key] = None if result is None or summed else _Writer(result, names, given).program()
     return _programs[key]
 
 
@@ -171,8 +173,18 @@ class _Writer:
             place = place or (self._new_mask() if node.logical else self._new())
             # a third argument by position is deprecated for these two alone
             out = f"out={place}" if node.name in EXTREMES else place
-            self._line(depth, f"{_ufunc(node, operands)}, {out})")
+            inside = self._inside(node) if operands[0] == place else ""
+            if inside:
+                self._line(depth, inside)
+            self._line(depth + bool(inside), f"{_ufunc(node, operands)}, {out})")
         self.where[node] = place
+
+    def _inside(self, node: Node) -> str:
+        """What decides for a whole block whether `maximum(a - r, 0)` differs from a - r in it."""
+        if not self.positive or node.name != "maximum" or node.operands[0].name != "subtract":
+            return ""
+        a, r = node.operands[0].operands
+        return f"if largest[{self.given.index(str(r.value))}] > {self.of(a)}:" if r.value in self.given else ""
 
     def _choice(self, node: Node, place: str, depth: int) -> None:
         path, (condition, x, y) = self.paths[node], node.operands

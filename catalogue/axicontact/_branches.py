@@ -12,12 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._adhesion import XI, hess_retraction
+from ._adhesion import XI
 from ._elementwise import Array
-from ._inverse import inverse
 
 Load = Callable[[Array], Array]
-EPS = np.finfo(float).eps
 
 
 class Branches(NamedTuple):
@@ -72,81 +70,10 @@ def lowest(found: Branches, load: Load) -> Array:
     """Radius at which the load is lowest: pull-off; NaN without a stable contact."""
     if not len(found.first):
         return np.full(found.first.shape[1:], np.nan)
-    values = load(found.first)
+    # branch by branch: the parameters of a load have the shape of one radius
+    values = np.stack([load(first) for first in found.first])
     best = np.argmin(np.where(np.isnan(values), np.inf, values), axis=0)
     return np.take_along_axis(found.first, best[None], axis=0)[0]
-
-
-def stable_radius(
-    value: Array,
-    found: Branches,
-    load: Load,
-    rate: Load,
-    xi: float,
-    E_star: Array,
-    dgamma: Array,
-    corner: Array | None = None,
-) -> Array:
-    """The largest radius of a stable contact under this load; NaN below pull-off.
-
-    The load in excess of the least of a branch is nearly a power of t at both ends, with
-    t = (a - first)/first times last/(last - a) where the branch has an end.  A `corner` of the load divides a branch.
-    """
-    value = np.atleast_1d(value)
-    low, high, least = (np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan) for _ in range(3))
-    slack = 4.0 * EPS
-    for first, last in zip(found.first, found.last, strict=True):
-        start = load(first)
-        top = np.where(np.isfinite(last), load(last), np.inf)
-        fits = (value >= start - slack * np.abs(start)) & (value <= np.where(np.isnan(top), np.inf, top))
-        low, high, least = (np.where(fits, new, old) for new, old in ((first, low), (last, high), (start, least)))
-    if corner is not None:
-        inside, bend = (low < corner) & ~(high <= corner), load(corner + np.zeros_like(low))
-        beyond = inside & (value > bend)
-        high = np.where(inside & ~beyond, corner, high)
-        low, least = np.where(beyond, corner, low), np.where(beyond, bend, least)
-    ends = np.isfinite(high)
-    share_of_last = np.where(ends, low / high, 0.0)
-    # the load is a difference, known to the rounding of its parts
-    parts = np.abs(value) + np.abs(least) + _scale(low, xi, E_star) * hess_retraction(low, E_star, dgamma)
-
-    def place(t: Array) -> Array:
-        return low * ((1.0 + t) / (1.0 + share_of_last * t))
-
-    def share(t: Array) -> Array:
-        return (place(t) - low) / place(t)
-
-    def excess(t: Array) -> tuple[Array, Array]:
-        a = place(t)
-        own = load(a) - least
-        lost = own <= EPS * parts
-        more = np.where(lost, EPS * parts, own)
-        step = low * t * (1.0 - share_of_last) / (1.0 + share_of_last * t) ** 2
-        slope = step * growth(rate, a, xi, E_star, dgamma) / more
-        # from a flat stretch, the step to a load far above would leave the range of doubles
-        slope = np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
-        return more, np.where(lost, 0.3, slope)
-
-    wanted = np.where(value < np.inf, np.maximum(value - least, 0.0), 0.0)
-    one = np.ones_like(low)
-    # next to a least that is no corner the excess is a square
-    scale = excess(one)[0]
-    start = np.minimum(one, np.sqrt(wanted / scale))
-    # without adhesion the least radius says nothing of the others
-    start = np.where(ends & (scale <= EPS * parts), 1.0 / share_of_last, start)
-    t = inverse(excess, wanted, start, (0.0, np.inf), share=share, smooth=True, noise=4.0 * EPS * parts)
-    return np.where((value == np.inf) & (high == np.inf), np.inf, place(t))
-
-
-def growth(rate: Load, a: Array, xi: float, E_star: Array, dgamma: Array) -> Array:
-    """Derivative of the load: that of the depth, or 2 E_star a times it with the retraction weighed by xi."""
-    slope = rate(a) - xi * hess_retraction(a, E_star, dgamma) / (2.0 * a)
-    return slope * _scale(a, xi, E_star)
-
-
-def _scale(a: Array, xi: float, E_star: Array) -> Array:
-    """The load of a contact moved by a unit length: a depth, or the force of the flat punch."""
-    return np.where(xi == 1.0, 1.0, 2.0 * E_star * a)
 
 
 def decades() -> Array:

@@ -19,7 +19,7 @@ Result: TypeAlias = Any
 
 SMALL, LARGE = 1e-30, 1e30
 """Plain numbers between these take the short way."""
-BLOCK = 16384
+BLOCK = 32768
 """Some arrays of this many numbers stay in the cache of a core."""
 INFINITE = np.array(np.inf).view(np.uint64)[()]
 _formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
@@ -81,14 +81,14 @@ def _evaluated(
         out.fill(np.nan)
         return out
     with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
-        # without scratch a step costs less than its call
-        size = BLOCK if found is None or found.scratch else 4 * BLOCK
+        # without scratch a step costs less than its call, and a rule at many radii is one polynomial for all of them
+        size = BLOCK if found is not None and found.scratch else 2 * BLOCK
         compiled = None if found is None else _compiled(found, numbers, min(out.size, size))
         fields = sum(several[:count])
         checked = len(arrays) if found is not None and found.positive else fields
         for part, *blocks in _blocks(out, arrays, size):
-            ordinary = all([_ordinary(block) for block in blocks[:checked]])
-            if compiled is not None and ordinary and compiled(part, *blocks):
+            largest = [_largest(block) for block in blocks[:checked]]
+            if compiled is not None and np.inf not in largest and compiled(part, *blocks, largest):
                 continue
             rest, more = iter(numbers), iter(blocks)
             _by_body(function, count, keywords, [next(more if is_array else rest) for is_array in several], part)
@@ -97,9 +97,10 @@ def _evaluated(
     return out
 
 
-def _ordinary(block: Array) -> bool:
-    """Whether all values are finite and no sign is set: as whole numbers the bits of doubles have their order."""
-    return bool(np.maximum.reduce(block.view(np.uint64)) < INFINITE)
+def _largest(block: Array) -> float:
+    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
+    bits = np.maximum.reduce(block.view(np.uint64))
+    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
 
 
 def _number(value: Array) -> float:
@@ -140,10 +141,11 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
     work += [np.full(size, value) for value in found.filled]
 
-    def fill(out: Array, *arrays: Array) -> bool:
+    def fill(out: Array, *given: Any) -> bool:
+        *arrays, largest = given
         places = work if out.size == size else [place[: out.size] for place in work]
         try:
-            found.block(out, *arrays, *prepared, *places)
+            found.block(out, *arrays, *prepared, *places, largest)
         except FloatingPointError:
             return False
         return True

@@ -107,9 +107,19 @@ def from_start(v: Array, top: Sequence[float], bottom: Sequence[float], start: f
 
 def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], float]) -> Array:
     """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r; see `_kernels`."""
-    # the tangent of half the angle whose sine is a/r
-    tangent = a / (r + np.sqrt((r - a) * (r + a)))
+    tangent = _half_tangent(r, a)
     return a / r * from_start(tangent * tangent, *kernel)
+
+
+def beside_cone(r: Array, a: Array) -> Array:
+    """The same where the depth is proportional to the radius: psi - tan(psi/2), sin(psi) = a/r."""
+    tangent = _half_tangent(r, a)
+    return 2.0 * np.arctan(tangent) - tangent
+
+
+def _half_tangent(r: Array, a: Array) -> Array:
+    """The tangent of half the angle whose sine is a/r."""
+    return a / (r + np.sqrt((r - a) * (r + a)))
 
 
 def gamma_ratio(x: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Stable branches of an adhesive contact on the graded half space, on the grids of the homogeneous one."""
+"""Stable branches of an adhesive contact on the graded half-space, on the grids of the homogeneous one."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def graded_branches(
 ) -> Branches:
     """The branches on which the load grows with a: a**((1 + k)/2) g'(a) over a level.
 
-    With g' weighted by a**(k/2), it is the condition of the homogeneous half space.
+    With g' weighted by a**(k/2), it is the condition of the homogeneous half-space.
     """
 
     def weighted(a: Array) -> Array:
@@ -54,3 +54,13 @@ def growth_of(
         return slope * punch_stiffness(a, H, k) if control == "force" else slope
 
     return growth
+
+
+def pull_of(H: Array, k: Array, dgamma: Array, control: str) -> Callable[[Array], Array]:
+    """The part of the depth or the force by adhesion."""
+
+    def pulled(a: Array) -> Array:
+        moved = graded_retraction(a, H, k, dgamma)
+        return moved * punch_stiffness(a, H, k) if control == "force" else moved
+
+    return pulled

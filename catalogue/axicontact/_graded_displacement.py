@@ -1,4 +1,4 @@
-"""Displacement outside a contact on the graded half space, from the displacement inside it.
+"""Displacement outside a contact on the graded half-space, from the displacement inside it.
 
 With z = sqrt(a**2 - s**2) and q = sqrt(r**2 - a**2) the surface outside is
 2/pi cos(pi k/2) q**(1 - k) times the integral of z**k (d - f(s))/(q**2 + z**2) over 0 < z < a:

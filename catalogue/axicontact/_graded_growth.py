@@ -1,4 +1,4 @@
-"""How a contact on the graded half space grows: depth, force and rate g'(t) of the shapes that profiles are made of.
+"""How a contact on the graded half-space grows: depth, force and rate g'(t) of the shapes that profiles are made of.
 
 With s = t cos(y) the depth is g(t) = t times the integral of f'(s) sin(y)**k over a
 quarter turn, and the force 2 H/(1 + k) t**k times that of f'(s) s**2 sin(y)**k.

@@ -1,4 +1,4 @@
-"""Contact radius of a depth or a force on the graded half space, in a variable in which the load is nearly linear."""
+"""Contact radius of a depth or a force on the graded half-space, in a variable in which the load is nearly linear."""
 
 from __future__ import annotations
 
@@ -9,13 +9,18 @@ import numpy as np
 from ._elementwise import Array
 from ._graded_growth import gaussian_rate
 from ._integrals import difference_root
-from ._inverse import ROUNDING, Curve, inverse, inverse_across, inverse_below
+from ._inverse import ROUNDING, Beyond, Curve, inverse, inverse_across
+from ._unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
 
 Load = Callable[..., Array]
-SLACK = 0.1
-"""Least exponent assumed of a load that is no power: it only widens the bracket."""
-LEAST, STEEPEST = 1e-150, 1e8
-"""Roots over radii between which a radius is told from the end of its domain."""
+SLACK = 1e-6
+"""So that the bracket of a root spans all doubles but where the load is met to a thousandth: no exponent is assumed."""
+STEEPEST = 1e8
+"""Radius over its root up to which a radius is told from the end of its domain."""
+SHORT = (2.0**-49, 2.0**-35, 2.0**-20, 2.0**-10, 2.0**-5)
+"""How far short of the largest radius its load is taken, over it."""
+CLOSE, NEAREST = 1e-4, 1e-12
+"""The t at which the terms of a load beyond a break are read, and one at which a is b."""
 
 
 def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[Array, ...]) -> Array:
@@ -25,12 +30,39 @@ def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[A
     return inverse(_curve(load, rate, needs), value, start, (SLACK, np.inf), smooth=True)
 
 
-def radius_up_to(load: Load, rate: Load, value: Array, largest: Array, needs: tuple[Array, ...]) -> Array:
-    """The same where the load ends at `largest` with slope zero; NaN beyond."""
+def radius_up_to(
+    load: Load, rate: Load, value: Array, largest: Array, needs: tuple[Array, ...], unknown: Unknown
+) -> Array:
+    """The same where the load ends at `largest` with slope zero; NaN beyond.
+
+    Solved for the load over what it is short of its largest, which is the first or the second power of
+    t = x/(1 - x/x(largest)) at either end, even where the grading makes the end an asymptote.
+    """
     value = value + np.zeros(1)
-    # the rate there must not round to less than zero
-    largest = largest * (1.0 - 2.0**-49) + np.zeros_like(value)
-    return inverse_below(_curve(load, rate, needs), value, largest, (1.0, 4.0))
+    end, top = largest, np.full_like(value, np.nan)
+    for part in SHORT:
+        # where the rate rounds to less than zero there is no load
+        end = np.where(np.isnan(top), largest * (1.0 - part), end)
+        top = load(end, *needs)
+        if not np.any(np.isnan(top)):
+            break
+    reach = unknown.of(end)
+    least_short = 6.0 * ROUNDING * top
+
+    def place(t: Array) -> tuple[Array, Array]:
+        a, step = unknown.back(t / (1.0 + t / reach))
+        return a, step / (1.0 + t / reach) ** 2
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, step = place(t)
+        own = load(a, *needs)
+        short = np.maximum(top - own, least_short)
+        return own / short, t * step * rate(a, *needs) * (1.0 / own + 1.0 / short)
+
+    wanted = value / np.maximum(top - value, least_short)
+    noise = 2.0 * ROUNDING * wanted * (1.0 + wanted)
+    t = inverse(curve, wanted, reach * np.sqrt(wanted), (SLACK, np.inf), smooth=True, noise=noise)
+    return np.where(value <= top * (1.0 + 2.0**-48), place(t)[0], np.nan)
 
 
 def _curve(load: Load, rate: Load, needs: tuple[Array, ...]) -> Curve:
@@ -46,34 +78,22 @@ def radius_beyond(
 ) -> Array:
     """The same for a flat face of radius b; both functions take a and its root b t = sqrt(a**2 - b**2).
 
-    The load grows as t**e for small and for large t, with the two `exponents`; the unknown is
-    t**e (1 + t**2)**((f - e)/2), which does the same: with e = 1 + k near 0 it does not run away.
+    The load grows as a power of t for small and for large t, with the two `exponents`; so does the unknown, which
+    does not run away where the first is 1 + k near 0.
     """
     first, last = exponents
     value = value + np.zeros(1)
-    # its power stays a normal number: below the range of doubles everything would be done in longer numbers
-    least = LEAST ** (1.0 / np.maximum(first, 1.0))
-
-    def like(t: Array) -> tuple[Array, Array]:
-        square = t * t
-        share = square / (1.0 + square)
-        return t**first * (1.0 + square) ** ((last - first) / 2.0), first + (last - first) * share
-
-    def place(x: Array) -> Array:
-        x = np.maximum(x, like(least)[0])
-        start = np.where(x < 1.0, np.maximum(x ** (1.0 / first), least), x ** (1.0 / last))
-        ends, noise = (np.minimum(first, last), np.maximum(first, last)), 4.0 * ROUNDING * x
-        return inverse(like, x, start, ends, smooth=True, noise=noise)
+    unknown = beyond_edge(b, first, last)
 
     def curve(x: Array) -> tuple[Array, Array]:
-        t = place(x)
+        t, slope = root_of(x, first, last)
         a, root = np.hypot(b, b * t), b * t
         own = load(a, root, *needs)
-        return own, root * (root / a) * rate(a, root, *needs) / own / like(t)[1]
+        return own, root * (root / a) * rate(a, root, *needs) / own / slope
 
-    unit = like(np.ones_like(value))[0]
+    unit = unknown.of(b * np.sqrt(2.0)) * np.ones_like(value)
     x = inverse(curve, value, unit * (value / curve(unit)[0]), (SLACK, np.inf), smooth=True)
-    return np.hypot(b, b * place(x))
+    return unknown.back(x)[0]
 
 
 def radius_across(
@@ -83,10 +103,30 @@ def radius_across(
     b: Array,
     needs: tuple[Array, ...],
     tip: Array,
-    least: Array | float = 1.0,
+    least: Array | None = None,
     end: Array | None = None,
 ) -> Array:
-    """The same for a profile with a break at b, the power `tip` of a below and at least t**least in excess beyond."""
+    """The same for a profile with a break at b: the power `tip` of a below, in excess from t**least on beyond."""
+    value = value + np.zeros(1)
+    if end is None and least is None:
+        return inverse_across(*_sides(load, rate, b, needs), value, b, tip)
+    base = load(b + np.zeros_like(value), np.zeros_like(value), *needs)
+    above = value > base
+    below = radius_itself() if end is None else up_to(end, needs[-1])
+    radius = b + np.zeros_like(value)
+    if not np.all(above):
+        radius = _below(load, rate, np.where(above, base, value), base, b, needs, below, tip)
+    if not np.any(above):
+        return radius
+    return np.where(
+        above,
+        _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip),
+        radius,
+    )
+
+
+def _sides(load: Load, rate: Load, b: Array, needs: tuple[Array, ...]) -> tuple[Curve, Beyond]:
+    """Value and logarithmic slope over the radius; value and derivative by ln t beyond b."""
 
     def curve(a: Array) -> tuple[Array, Array]:
         root = difference_root(a, b)
@@ -96,7 +136,87 @@ def radius_across(
     def beyond(a: Array, root: Array) -> tuple[Array, Array]:
         return load(a, root, *needs), root * (root / a) * rate(a, root, *needs)
 
-    return inverse_across(curve, beyond, value + np.zeros(1), b, tip, end, least)
+    return curve, beyond
+
+
+def _below(
+    load: Load,
+    rate: Load,
+    value: Array,
+    base: Array,
+    b: Array,
+    needs: tuple[Array, ...],
+    unknown: Unknown,
+    tip: Array,
+) -> Array:
+    """The radius up to b."""
+    largest = unknown.of(b + np.zeros_like(value))
+
+    def share(x: Array) -> Array:
+        a, step = unknown.back(x)
+        return x * step / a
+
+    def curve(x: Array) -> tuple[Array, Array]:
+        a, step = unknown.back(x)
+        own = load(a, difference_root(a, b), *needs)
+        return own, x * step * rate(a, difference_root(a, b), *needs) / own
+
+    start = largest * (value / base) ** (1.0 / tip)
+    x = inverse(curve, value, start, (SLACK, np.inf), largest, share=share, smooth=True)
+    return np.minimum(unknown.back(x)[0], b)
+
+
+def _beyond(
+    load: Load,
+    rate: Load,
+    excess: Array,
+    base: Array,
+    b: Array,
+    needs: tuple[Array, ...],
+    least: Array | float,
+    tip: Array,
+) -> Array:
+    """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
+
+    Both terms are read from the load close to b, and with them the t at which one gives way to the other.
+    """
+    beyond = _sides(load, rate, b, needs)[1]
+
+    def more_and_rate(t: Array) -> tuple[Array, Array]:
+        y, slope = beyond(b * np.sqrt(1.0 + t * t), b * t)
+        more = np.maximum(y - base, ROUNDING * base)
+        return more, np.maximum(slope, np.minimum(least, 1.0) * more)
+
+    near = CLOSE * np.ones_like(excess)
+    more, slope = more_and_rate(near)
+    second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
+    # where the powers are all but equal it does not matter where they meet
+    meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
+    meet = np.minimum(np.maximum(meet, NEAREST), 1.0 / NEAREST)
+    unit = more * (1.0 - second) * (meet / near) ** least
+
+    def place(x: Array) -> tuple[Array, Array]:
+        t, power = root_of(x, least, 2.0)
+        return meet * t, power
+
+    def curve(x: Array) -> tuple[Array, Array]:
+        t, power = place(x)
+        own, slope = more_and_rate(t)
+        return own, slope / own / power
+
+    def share(x: Array) -> Array:
+        t, power = place(x)
+        return t * t / (1.0 + t * t) / power
+
+    # both the value and that at the break are rounded, some of them sums
+    noise = 8.0 * ROUNDING * (base + excess)
+    first = place(np.where(excess > 0.0, excess / unit, 1.0))[0]
+    # far away the break is forgotten
+    start = power_of(np.where(first > 1.0, first ** (2.0 / tip), first) / meet, least, 2.0)
+    wanted = np.where(excess > 0.0, excess, unit)
+    x = inverse(curve, wanted, start, (SLACK, np.inf), share=share, smooth=True, noise=noise)
+    t = place(x)[0]
+    return np.where(excess > 0.0, b * np.sqrt(1.0 + t * t), b)
 
 
 def radius_below(

@@ -1,7 +1,7 @@
-"""Pressure on the graded half space: integral of g'(t) (t**2 - r**2)**((k - 1)/2) over the growth from r to a.
+"""Pressure on the graded half-space: integral of g'(t) (t**2 - r**2)**((k - 1)/2) over the growth from r to a.
 
 `slope` gives g'(t).  In u = sqrt(t**2 - r**2) the weight is u**k; each further substitution keeps
-the singularities of g' away from the path, as in the rules of the homogeneous half space.
+the singularities of g' away from the path, as in the rules of the homogeneous half-space.
 The pressure is H/pi times this integral.
 """
 

@@ -1,4 +1,4 @@
-"""The flat punch on the graded half space, and adhesion as its retraction."""
+"""The flat punch on the graded half-space, and adhesion as its retraction."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Integrals with an algebraic weight x**power at their lower end, for any power above -1.
 
-On the graded half space every integral over the growing contact carries such a
+On the graded half-space every integral over the growing contact carries such a
 weight, with the exponent of grading in it.  The smooth factor is expanded in
 Legendre polynomials at the nodes of Gauss; the moments of the weight are products
 of rationals, so that the weights of the rule hold for any power and for arrays of them.
@@ -50,15 +50,15 @@ def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
 def product_weights(power: Array, count: int) -> Array:
     """Weights of the rule for x**power on (0, 1), along a first axis."""
     power = np.asarray(power, dtype=np.float64)
-    return _product_weights(power, count) if power.ndim else _weights_of_number(float(power), count)
+    return _weights_of_powers(power, count) if power.ndim else _weights_of_number(float(power), count)
 
 
 @cache
 def _weights_of_number(power: float, count: int) -> Array:
-    return _product_weights(np.asarray(power), count)
+    return _weights_of_powers(np.asarray(power), count)
 
 
-def _product_weights(power: Array, count: int) -> Array:
+def _weights_of_powers(power: Array, count: int) -> Array:
     moment = 1.0 / (1.0 + power)
     moments = [moment]
     for j in range(1, count):

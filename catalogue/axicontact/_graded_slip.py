@@ -1,4 +1,4 @@
-"""What a contact on the graded half space gains while it grows from c to a.
+"""What a contact on the graded half-space gains while it grows from c to a.
 
 `quantity` names the integral of g'(t) times its weight: 1 for the depth, t**(1 + k)
 for the force over 2 H/(1 + k), and (t**2 - r**2)**((k - 1)/2) for the pressure over H/pi.

@@ -7,12 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from ._elementwise import Array
+from ._functions import nth_root
+from ._starts import joining, leaving_power
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
 Beyond = Callable[[Array, Array], tuple[Array, Array]]
-ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING = 120, 8, 4, 1e-9, 2.0**-53
-"""No curve of the catalogue needs more than six evaluations; the others are for those of other profiles."""
+ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
+"""Normal contacts need at most five evaluations and two at single points, mostly three; the rest is for others."""
 
 
 def inverse(
@@ -30,6 +32,7 @@ def inverse(
     `curve` returns its value and its logarithmic slope d ln curve/d ln t.  That slope lies between
     the two `exponents`, so the error of `start` bounds the root from both sides:
     ln t - ln start lies between ln(value/curve(start)) divided by either exponent.
+    With exponents that do not hold the root may be outside, and what is found is an end of that interval.
     A step in ln t is taken unless it leaves the bracket; where it does not settle, the bracket is halved.
     A point that is settled stays: where the curve is met within a rounding or within `noise`, or where a step no
     longer changes what t stands for, a quantity whose logarithm moves with `share` of that of t.  What is left then
@@ -66,7 +69,7 @@ def inverse(
         step = _step(step, before, slope_before, error, slope)
     for _ in range(1 if smooth else POLISHING):
         change = t * ((value - y) / y) / slope
-        change = np.where(np.abs(change) < 1e-6 * t, change, 0.0)
+        change = np.where(np.abs(change) < 1e-3 * t, change, 0.0)
         t = t + change
         if smooth or not np.any(np.abs(change) > 1e-14 * t):
             break
@@ -102,37 +105,47 @@ def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: 
     return newton + np.where(np.abs(more) < 0.5 * np.abs(newton), more, 0.0)
 
 
-def between(x: Array, small: tuple[float, float], large: tuple[float, float], blend: float) -> Array:
-    """The t of a curve known at its ends: ln t where x is the logarithm of the curve over its value at t = 1.
-
-    There t is (exp(x)/c)**(1/e), with c and e for `small` t and for `large`; `blend` is the power of either that
-    is summed.
-    """
-    first, last = (blend / e * (x - np.log(c)) for c, e in (small, large))
-    return np.exp((np.maximum(first, last) + np.log1p(np.exp(-np.abs(first - last)))) / blend)
-
-
-def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponents) -> Array:
+def inverse_below(
+    curve: Curve,
+    value: Array,
+    largest: Array,
+    exponents: Exponents,
+    like: Callable[[Array], Array] = np.sqrt,
+) -> Array:
     """The t with curve(t) = value, for 0 < t <= largest where the curve ends with slope zero; not a number beyond.
 
     What the value is short of the largest, over the value, is nearly a power of the shortfall s of t over t at both
-    ends; `exponents` are bounds of that power.
+    ends; `exponents` are bounds of that power, `like` is about s of it.
     """
     top = curve(largest)[0]
 
     def shortfall(s: Array) -> tuple[Array, Array]:
         t = largest / (1.0 + s)
         y, slope = curve(t)
-        # next to the end the difference is all rounding, of either sign
-        short = np.maximum((top - y) / y, ROUNDING)
-        return short, np.maximum(s / (1.0 + s) * slope * (1.0 + short) / short, exponents[0])
+        short = (top - y) / y
+        return _above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
 
     # the largest value and the argument are both rounded
     short = np.maximum((top - value) / value, 0.0)
     noise = 4.0 * ROUNDING * (1.0 + short)
-    s = inverse(shortfall, short, np.sqrt(short), exponents, smooth=True, noise=noise)
+    s = inverse(shortfall, short, like(short), exponents, smooth=True, noise=noise)
     t = largest / (1.0 + s)
     return np.where(value <= top * (1.0 + 2.0**-48), t, np.nan)
+
+
+def _above_noise(
+    difference: Array, rate: Array, size: Array, power: float | None, least: Array | float
+) -> tuple[Array, Array]:
+    """A difference of numbers of one `size` and its logarithmic slope; near zero it is all rounding, its rate is not.
+
+    There it is that rate over its first `power`, if that is known.
+    """
+    tiny = ROUNDING * size
+    if power is None:
+        known = np.maximum(difference, tiny)
+    else:
+        known = np.where(difference > LOST * tiny, difference, np.maximum(rate / power, ROUNDING * tiny))
+    return known, np.maximum(rate / known, least)
 
 
 def inverse_across(
@@ -143,33 +156,48 @@ def inverse_across(
     tip: Array | float,
     end: Array | None = None,
     least: Array | float = 1.0,
+    base: Array | None = None,
+    powers: tuple[float, float] | None = None,
+    leaving: tuple[float, float] | None = None,
 ) -> Array:
     """The radius with curve(radius) = value, for a curve whose slope jumps or bends sharply at b.
 
     It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the
     curve below would be infinitely steep at `end`.
-    Above, the excess over curve(b) grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a higher one,
-    even where the curve leaves b with an infinite slope.
+    Above, the excess over `base`, the curve at b, grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a
+    higher one, even where the curve leaves b with an infinite slope.  Those for small and for large t are the
+    `powers`; or, where the tip is a power of the radius, `leaving` are those of what comes to its continuation.
     There `beyond` gives the value and its derivative by ln t, from the radius and b t.
     """
-    base = curve(b * np.ones_like(value))[0]
+    like = np.ones_like(value)
+    if base is None:
+        base = curve(b * like)[0]
     above = value > base
-    radius = b * np.ones_like(value)
+    radius = b * like
     if not np.all(above):
-        radius = _below(curve, np.where(above, base, value), base, b, tip, end)
+        lower = np.where(above, base, value)
+        # of a power nothing is left to iterate
+        power = end is None and (powers or leaving)
+        radius = b * nth_root(lower / base, tip) if power else _below(curve, lower, base, b, tip, end)
     if not np.any(above):
         return radius
     high = np.where(above, value, 2.0 * base)
 
     def excess(t: Array) -> tuple[Array, Array]:
         y, rate = beyond(b * np.sqrt(1.0 + t * t), b * t)
-        more = np.maximum(y - base, ROUNDING * base)
-        # next to b the difference is all rounding
-        return more, np.maximum(rate / more, least)
+        return _above_noise(y - base, rate, base, small, least)
 
+    start, small = like, None if powers is leaving else (powers or (2.0,))[0]
+    if powers is not None or leaving is not None:
+        one, slope = excess(1.0)
+        more = (high - base) / one
+        if powers is not None:
+            start = joining(more, slope, *powers)
+        else:
+            start = leaving_power(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
     # both the value and that at the break are rounded, some of them sums
-    noise = 8.0 * ROUNDING * high
-    t = inverse(excess, high - base, np.ones_like(value), (least, np.inf), smooth=True, noise=noise)
+    noise = 5.0 * ROUNDING * high
+    t = inverse(excess, high - base, start, (least, np.inf), smooth=True, noise=noise)
     return np.where(above, b * np.sqrt(1.0 + t * t), radius)
 
 
@@ -179,7 +207,6 @@ def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float
         # a parabolic tip is met at once
         return inverse(curve, value, b * (value / base) ** (1.0 / tip), (tip, np.inf), b, smooth=True)
     reach = np.arctanh(np.minimum(b / end, 1.0 - ROUNDING))
-    like = value / base * np.where(reach > 1.0, reach, reach**tip)
 
     def share(t: Array) -> Array:
         return t / (np.sinh(t) * np.cosh(t))
@@ -188,5 +215,8 @@ def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float
         y, slope = curve(end * np.tanh(t))
         return y, slope * share(t)
 
-    start = np.where(like > 1.0, like, like ** (1.0 / tip))
-    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), np.inf, share, smooth=True)))
+    last, slope = bent(reach)
+    # the curve beyond b may begin a few roundings later
+    value = np.minimum(value, last)
+    start = reach * joining(value / last, slope, tip, 1.0)
+    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), reach, share, smooth=True)))

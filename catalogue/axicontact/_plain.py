@@ -13,8 +13,9 @@ from typing import Any
 
 from ._bounds import Bound, bounds
 from ._elementwise import LARGE, SMALL
+from ._loops import is_sum, loops, rule
 from ._scalar import scalar
-from ._trace import Node, Path, needed, of_a_module, places, trace
+from ._trace import Lengths, Node, Path, needed, of_a_module, places, trace
 
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
@@ -65,7 +66,8 @@ def lines(function: FunctionType, ranges: Mapping[str, tuple[float, float]]) -> 
     names = function.__code__.co_varnames[: function.__code__.co_argcount]
     result = trace(function, names, ())
     if result is not None:
-        return _Lines(result, ranges).text(), space
+        written = _Lines(result, ranges)
+        return written.text(), space | {name: rule(lengths) for lengths, name in written.rules.items()}
     twin = scalar(function)
     if twin is None:
         return None
@@ -81,48 +83,75 @@ class _Lines:
 
     def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]]) -> None:
         self.nodes = needed(result)
-        self.paths = places(self.nodes)
+        self.loops = loops(self.nodes)
+        self.paths = {node: self._outside(node, path) for node, path in places(self.nodes).items()}
+        self.rules: dict[Lengths, str] = {}
         self.named = self._named()
         self.split = {choice for node in self.named for choice, _ in self.paths[node]}
         self.written: set[Node] = set()
         self.proved = _proved(self.nodes, bounds(self.nodes, ranges))
+
+    def _outside(self, node: Node, path: Path) -> Path:
+        """The choices that are made before the loop, for what does not change in it."""
+        inner = [i for i, (choice, _) in enumerate(path) if choice in self.loops and node not in self.loops]
+        return path[: inner[0]] if inner else path
 
     def _named(self) -> set[Node]:
         """What is written on a line of its own: all that occurs twice, and a branch with such lines."""
         uses, depth, found = dict.fromkeys(self.nodes, 0), dict.fromkeys(self.nodes, 0), set()
         for user in self.nodes:
             for x in user.operands:
-                uses[x] += 2 if user.name in TWICE or _is_square(user) else 1
+                loop = self.loops.get(user) is not self.loops.get(x)
+                uses[x] += 2 if loop or user.name in (*TWICE, "integral") or _is_square(user) else 1
         for node in self.nodes:
             if not node.operands:
                 continue
             depth[node] = 1 + max(depth[x] for x in node.operands)
-            if uses[node] > 1 or node in found or depth[node] > DEEPEST:
+            if uses[node] > 1 or node in found or depth[node] > DEEPEST or node.name == "integral":
                 found |= {node, *(choice for choice, _ in self.paths[node])}
                 depth[node] = 0
-        return found
+        return {node for node in found if not self._is_first(node)}
 
     def text(self) -> list[str]:
         return self._returned(self.nodes[-1], (), certain=True)
 
-    def _assigned(self, path: Path, last: Node) -> list[str]:
-        """The lines for what is needed under these choices, but for the last one."""
+    def _assigned(self, path: Path, last: Node, loop: Node | None = None) -> list[str]:
+        """The lines for what is needed under these choices in this loop, but for the last one."""
         text = []
         for node in self.nodes:
-            if node in self.named and self.paths[node] == path and node is not last and node not in self.written:
+            here = self.paths[node] == path and self.loops.get(node) is loop
+            if here and node in self.named and node not in self.written and (node is not last or is_sum(node)):
                 self.written.add(node)
                 text += self._assignment(node, path)
         return text
 
     def _assignment(self, node: Node, path: Path) -> list[str]:
+        if is_sum(node):
+            return self._loop(node, path)
         if node not in self.split:
             return [f"_{node.order} = {self.expression(node)}"]
         condition, *branches = node.operands
         text = [f"if {self.of(condition)}:"]
         for branch, holds in zip(branches, (True, False), strict=True):
-            inner = [*self._assigned((*path, (node, holds)), node), f"_{node.order} = {self.of(branch)}"]
+            inner = self._assigned((*path, (node, holds)), node, self.loops.get(node))
+            inner.append(f"_{node.order} = {self.of(branch)}")
             text += [*(["else:"] if not holds else []), *(f"    {line}" for line in inner)]
         return text
+
+    def _loop(self, node: Node, path: Path) -> list[str]:
+        stop, width, variable, summand = node.operands
+        name = self.rules.setdefault(node.value, f"rule{len(self.rules)}")
+        inner = [
+            f"_{variable.order} = node * {self.of(stop)}",
+            *self._assigned(path, node, node),
+            f"_{node.order} += weight * {self.of(summand)}",
+        ]
+        return [
+            f"_{node.order} = 0.0",
+            f"for node, weight in {name}({self.of(stop)} / {self.of(width)}):",
+            *(f"    {line}" for line in inner),
+            f"_{node.order} *= {self.of(stop)}",
+        ]
 
     def _returned(self, node: Node, path: Path, certain: bool) -> list[str]:
         if node.name == "unless":
@@ -136,17 +165,26 @@ class _Lines:
             text.append(f"if {self.of(condition)}:")
             text += [f"    {line}" for line in self._returned(x, (*path, (node, True)), certain)]
             return text + self._returned(y, (*path, (node, False)), certain)
-        value = self.expression(node) if self.paths[node] == path else self.of(node)
+        value = self.expression(node) if self.paths[node] == path and not is_sum(node) else self.of(node)
         if certain and (node in self.proved or node.name == "number"):
             return [*text, f"return {value}"]
         return [*text, f"value = {value}", CHECK, "return value"]
 
+    def _is_first(self, node: Node) -> bool:
+        """Whether this is minimum(x, y) where x < y has been decided."""
+        chosen = [choice.operands[0] for choice, holds in self.paths[node] if holds]
+        return node.name == "minimum" and any(x.name == "less" and x.operands == node.operands for x in chosen)
+
     def of(self, node: Node) -> str:
+        if self._is_first(node):
+            return self.of(node.operands[0])
         return f"_{node.order}" if node in self.named else self.expression(node)
 
     def expression(self, node: Node) -> str:
         if node.name == "argument":
             return str(node.value)
+        if node.name == "variable":
+            return f"_{node.order}"
         if node.name == "number":
             return f"({node.value!r})"
         operands = [self.of(x) for x in node.operands]

@@ -1,8 +1,9 @@
 """A formula as a graph: the body of a private function, run once with objects that record what is done to them.
 
 NumPy's functions find the objects by its protocols `__array_ufunc__` and `__array_function__`.  A body that
-decides by its data, asks for shapes or uses a rule with nodes along an axis has no such graph; where it asks
-once whether a rare branch is needed at all, the graph is that without this branch, and says when it holds.
+decides by its data or asks for shapes has no such graph; where it asks once whether a rare branch is needed at
+all, the graph is that without this branch, and says when it holds.  A rule is one operation, `integral`, on the
+length of the interval, its unit, a variable and what is summed over that.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ FUNCTIONS = frozenset(
     (
         "add", "subtract", "multiply", "divide", "negative", "absolute", "power", "square", "minimum", "maximum",
         "sqrt", "cbrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "arctan", "arctan2", "hypot",
-        "sinh", "cosh", "tanh", "arcsinh",
+        "sinh", "cosh", "tanh", "arcsinh", "nextafter",
     )
 )  # fmt: skip
 LONGEST = 2000
@@ -42,6 +43,8 @@ class Node:
         return self.name in RELATIONS or self.name in CONNECTIVES
 
 
+Lengths: TypeAlias = tuple[tuple[float, int], ...]
+"""Lengths of an interval and how many nodes a rule has up to there."""
 Path: TypeAlias = tuple[tuple[Node, bool], ...]
 """The choices under which something is needed, from the outside: (a node `where`, which of its branches)."""
 
@@ -56,6 +59,7 @@ class Graph:
     def __init__(self) -> None:
         self._known: dict[Any, Node] = {}
         self.refused: Node | None = None
+        self.summing = False
 
     def argument(self, name: str) -> Node:
         return self._node("argument", (), name)
@@ -76,6 +80,8 @@ class Graph:
             return self.number(value.item())
         if name in ("multiply", "divide") and operands[1].value == 1.0:
             return operands[0]
+        if name == "multiply" and operands[0].value == 1.0:
+            return operands[1]
         return self._node(name, operands)
 
     def choice(self, condition: Node, x: Node, y: Node) -> Node:
@@ -87,10 +93,20 @@ class Graph:
 
     def ask(self, condition: Node) -> bool:
         """Whether a condition holds anywhere: supposed not to, once; a body that asks on iterates."""
-        if not condition.logical or self.refused not in (None, condition):
+        if not condition.logical or self.summing or self.refused not in (None, condition):
             raise UntraceableError
         self.refused = condition
         return False
+
+    def integral(self, stop: Node, width: Node, summand: Callable[[Node], Node], lengths: Lengths) -> Node:
+        """The integral of a function of a variable from 0 to `stop`, by the nodes that `stop/width` asks for."""
+        if self.summing:
+            raise UntraceableError
+        variable = self._node("variable", (), len(self._known))
+        self.summing = True
+        operands = (stop, width, variable, summand(variable))
+        self.summing = False
+        return self._node("integral", operands, lengths)
 
     def unless(self, condition: Node, result: Node) -> Node:
         """The result, which is another one where the condition holds anywhere."""
@@ -136,6 +152,14 @@ class Traced(NDArrayOperatorsMixin):
 
     def __bool__(self) -> bool:
         raise UntraceableError
+
+    def integral(self, integrand: Callable[[Any], Any], width: Any, lengths: Lengths) -> Traced:
+        """What the rules call in the place of their loop over nodes."""
+        graph = self.graph
+        node = graph.integral(
+            self.node, self.of(width), lambda variable: self.of(integrand(Traced(graph, variable))), lengths
+        )
+        return Traced(graph, node)
 
     def of(self, x: Any) -> Node:
         if isinstance(x, Traced):

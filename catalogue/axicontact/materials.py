@@ -1,6 +1,6 @@
 """Elastic constants.
 
-Effective moduli of two elastic bodies, and of a half space graded by a power of the depth.
+Effective moduli of two elastic bodies, and of a half-space graded by a power of the depth.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ def effective_shear_modulus(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_
 
 
 def graded_modulus(E_0: ArrayLike, c_0: ArrayLike, k: ArrayLike, nu: ArrayLike) -> Result:
-    """Foundation modulus H of a half space of modulus E_0 (z/c_0)**k under a rigid indenter.
+    """Foundation modulus H of a half-space of modulus E_0 (z/c_0)**k under a rigid indenter.
 
     H = E_0*h_N/(c_0**k*(1 - nu**2))
 
@@ -113,9 +113,9 @@ def graded_modulus(E_0: ArrayLike, c_0: ArrayLike, k: ArrayLike, nu: ArrayLike) 
     E_0 : array_like
         Young's modulus at the depth of reference [Pa], E_0 > 0.
     c_0 : array_like
-        Depth of reference of the graded half space [m], c_0 > 0.
+        Depth of reference of the graded half-space [m], c_0 > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     nu : array_like
         Poisson ratio [1], -1 < nu <= 1/2.
@@ -123,7 +123,7 @@ def graded_modulus(E_0: ArrayLike, c_0: ArrayLike, k: ArrayLike, nu: ArrayLike) 
     Returns
     -------
     float or ndarray
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)].
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)].
 
     Raises
     ------
@@ -150,7 +150,7 @@ def graded_modulus(E_0: ArrayLike, c_0: ArrayLike, k: ArrayLike, nu: ArrayLike) 
 
 
 def h_N(k: ArrayLike, nu: ArrayLike) -> Result:
-    """Factor h_N of a graded half space, 1 for k = 0.
+    """Factor h_N of a graded half-space, 1 for k = 0.
 
     h_N = (k + 1)**2*cos(pi*k/2)*gamma(k/2 + 1)**2/(beta*sin(pi*beta/2)*gamma(-beta/2 + k/2 +
     3/2)*gamma(beta/2 + k/2 + 3/2)) with beta = sqrt(k + 1)*sqrt(-k*nu/(1 - nu) + 1)
@@ -158,7 +158,7 @@ def h_N(k: ArrayLike, nu: ArrayLike) -> Result:
     Parameters
     ----------
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     nu : array_like
         Poisson ratio [1], -1 < nu <= 1/2.
@@ -166,7 +166,7 @@ def h_N(k: ArrayLike, nu: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Factor of the graded half space, 1 for k = 0 [1].
+        Factor of the graded half-space, 1 for k = 0 [1].
 
     Raises
     ------
@@ -175,7 +175,7 @@ def h_N(k: ArrayLike, nu: ArrayLike) -> Result:
 
     Notes
     -----
-    Compared with a numerical solution of the equations of equilibrium of the graded half space. Handbook:
+    Compared with a numerical solution of the equations of equilibrium of the graded half-space. Handbook:
     materials.h_N.
 
     References

@@ -1,4 +1,4 @@
-"""Adhesive contact of a rigid indenter with an elastic half space."""
+"""Adhesive contact of a rigid indenter with an elastic half-space."""
 
 from __future__ import annotations
 

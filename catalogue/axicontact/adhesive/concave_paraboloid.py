@@ -117,4 +117,4 @@ def _pull_off_depth(a: Array, h: Array, E_star: Array, dgamma: Array) -> Array:
 
 
 def _pull_off_force(a: Array, h: Array, E_star: Array, dgamma: Array) -> Array:
-    return -2 * a * np.sqrt(2 * np.pi * E_star * a * dgamma) - 8 * E_star * h * a / 3
+    return -2 * a * np.sqrt(2 * np.pi * E_star * dgamma * a) - 8 * E_star * h / 3 * a

@@ -126,4 +126,4 @@ def _pull_off_depth(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) 
 
 def _pull_off_force(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return -2 * a * np.sqrt(2 * np.pi * E_star * a * dgamma) - 2 * np.sqrt(np.pi) * E_star * n * h * a * kappa / (n + 1)
+    return -2 * a * np.sqrt(2 * np.pi * E_star * dgamma * a) - 2 * np.sqrt(np.pi) * E_star * n * h / (n + 1) * a * kappa

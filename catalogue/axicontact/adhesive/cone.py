@@ -201,7 +201,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike,
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*asin(a/r) - r + sqrt(-a**2 + r**2))*tan(theta) -
     2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
@@ -222,7 +222,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayL
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_below, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_below
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import up_to
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -211,7 +213,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
 def displacement(
     r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b + sqrt(b**2 -
     r**2)*atan(a*sqrt(b**2 - r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi -
@@ -238,7 +240,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -473,7 +475,12 @@ def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
     d = np.ldexp(d, -unit)
     found = _branches(h, b, E_star, dgamma, control="depth")
     radius = stable_radius(
-        d, found, lambda a: _depth(a, h, b, E_star, dgamma), lambda a: _rate(a, h, b), XI["depth"], E_star, dgamma
+        d,
+        found,
+        lambda a: _depth(a, h, b, E_star, dgamma),
+        lambda a: growth(_rate(a, h, b), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        up_to(b),
     )
     return np.ldexp(radius, unit)
 
@@ -488,6 +495,11 @@ def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(h, b, E_star, dgamma, control="force")
     radius = stable_radius(
-        F, found, lambda a: _force(a, h, b, E_star, dgamma), lambda a: _rate(a, h, b), XI["force"], E_star, dgamma
+        F,
+        found,
+        lambda a: _force(a, h, b, E_star, dgamma),
+        lambda a: growth(_rate(a, h, b), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        up_to(b),
     )
     return np.ldexp(radius, unit)

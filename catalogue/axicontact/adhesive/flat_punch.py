@@ -115,4 +115,4 @@ def _pull_off_depth(a: Array, E_star: Array, dgamma: Array) -> Array:
 
 
 def _pull_off_force(a: Array, E_star: Array, dgamma: Array) -> Array:
-    return -2 * a * np.sqrt(2 * np.pi * E_star * a * dgamma)
+    return -2 * a * np.sqrt(2 * np.pi * E_star * dgamma * a)

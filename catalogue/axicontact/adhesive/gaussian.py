@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_to, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_to
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import on_the_bump
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -212,7 +214,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
 def displacement(
     r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*Integral(psi*r*(2*h*r*(-2*r*sin(psi)*Dawson(r*sin(psi)/s)/s + 1)*sin(psi)/s**2 +
     2*h*Dawson(r*sin(psi)/s)/s)*cos(psi), (psi, 0, asin(a/r)))/pi -
@@ -236,7 +238,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -478,7 +480,12 @@ def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Arra
     d = np.ldexp(d, -unit)
     found = _branches(h, s, E_star, dgamma, control="depth")
     radius = stable_radius(
-        d, found, lambda a: _depth(a, h, s, E_star, dgamma), lambda a: _rate(a, h, s), XI["depth"], E_star, dgamma
+        d,
+        found,
+        lambda a: _depth(a, h, s, E_star, dgamma),
+        lambda a: growth(_rate(a, h, s), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        on_the_bump(s),
     )
     return np.ldexp(radius, unit)
 
@@ -493,6 +500,11 @@ def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array, dgamma: Arra
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(h, s, E_star, dgamma, control="force")
     radius = stable_radius(
-        F, found, lambda a: _force(a, h, s, E_star, dgamma), lambda a: _rate(a, h, s), XI["force"], E_star, dgamma
+        F,
+        found,
+        lambda a: _force(a, h, s, E_star, dgamma),
+        lambda a: growth(_rate(a, h, s), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        on_the_bump(s),
     )
     return np.ldexp(radius, unit)

@@ -201,7 +201,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dga
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R) -
     2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
@@ -222,7 +222,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike,
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------

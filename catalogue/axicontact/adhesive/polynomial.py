@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, decades, lowest, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, decades, lowest
 from .._domain import numbers, require, require_coefficients
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import radius_itself
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -208,7 +210,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dga
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, (j + 1)/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma((j +
     1)/2), (j, 1, N))/sqrt(pi) - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
@@ -229,7 +231,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike,
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -449,12 +451,22 @@ def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, control: str) -> Ar
 def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
     found = _branches(A, E_star, dgamma, control="depth")
     return stable_radius(
-        d, found, lambda a: _depth(a, A, E_star, dgamma), lambda a: _rate(a, A), XI["depth"], E_star, dgamma
+        d,
+        found,
+        lambda a: _depth(a, A, E_star, dgamma),
+        lambda a: growth(_rate(a, A), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        radius_itself(),
     )
 
 
 def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
     found = _branches(A, E_star, dgamma, control="force")
     return stable_radius(
-        F, found, lambda a: _force(a, A, E_star, dgamma), lambda a: _rate(a, A), XI["force"], E_star, dgamma
+        F,
+        found,
+        lambda a: _force(a, A, E_star, dgamma),
+        lambda a: growth(_rate(a, A), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        radius_itself(),
     )

@@ -211,7 +211,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 def displacement(
     r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
     1)/(sqrt(pi)*gamma((n + 1)/2)) - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
@@ -234,7 +234,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------

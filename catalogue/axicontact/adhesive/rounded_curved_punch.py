@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_around, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_around
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import beyond_edge, radius_itself
 from ..normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
@@ -229,7 +231,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1) -
     2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))   for a < b
@@ -258,7 +260,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -513,10 +515,10 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, 
         d,
         found,
         lambda a: _depth(a, R1, R2, b, E_star, dgamma),
-        lambda a: _rate(a, R1, R2, b),
-        XI["depth"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R1, R2, b), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
         corner=b,
     )
     return np.ldexp(radius, unit)
@@ -536,10 +538,10 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, 
         F,
         found,
         lambda a: _force(a, R1, R2, b, E_star, dgamma),
-        lambda a: _rate(a, R1, R2, b),
-        XI["force"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R1, R2, b), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
         corner=b,
     )
     return np.ldexp(radius, unit)

@@ -202,7 +202,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dga
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*A*(a*sqrt(-a**2 + r**2)*(8*a**4 + 10*a**2*r**2 + 15*r**4) - 3*(-16*a**6 + 5*r**6)*asin(a/r))/(15*pi)
     - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
@@ -223,7 +223,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike,
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_below, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_below
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import up_to
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -207,7 +209,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dga
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(-R*asin(a/r) + a*asin(a/r)*atanh(a/R) + sqrt(R**2 - r**2)*atan(a*sqrt(R**2 - r**2)/(R*sqrt(-a**2 +
     r**2))) + sqrt(-a**2 + r**2)*atanh(a/R))/pi -
@@ -232,7 +234,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike,
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -460,7 +462,12 @@ def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Arra
     d = np.ldexp(d, -unit)
     found = _branches(R, E_star, dgamma, control="depth")
     radius = stable_radius(
-        d, found, lambda a: _depth(a, R, E_star, dgamma), lambda a: _rate(a, R), XI["depth"], E_star, dgamma
+        d,
+        found,
+        lambda a: _depth(a, R, E_star, dgamma),
+        lambda a: growth(_rate(a, R), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        up_to(R),
     )
     return np.ldexp(radius, unit)
 
@@ -474,6 +481,11 @@ def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Arra
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, E_star, dgamma, control="force")
     radius = stable_radius(
-        F, found, lambda a: _force(a, R, E_star, dgamma), lambda a: _rate(a, R), XI["force"], E_star, dgamma
+        F,
+        found,
+        lambda a: _force(a, R, E_star, dgamma),
+        lambda a: growth(_rate(a, R), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        up_to(R),
     )
     return np.ldexp(radius, unit)

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_around, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_around
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import beyond_edge, up_to
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -221,7 +223,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = -2*retraction*asin(a/r)/pi + 2*Integral(asin(t/r)*Derivative(g(t), t), (t, 0, a))/pi
 
@@ -243,7 +245,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -488,10 +490,10 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, E_star: Array, dgamma: 
         d,
         found,
         lambda a: _depth(a, R, theta, E_star, dgamma),
-        lambda a: _rate(a, R, theta),
-        XI["depth"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R, theta), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        up_to(R),
+        beyond_edge(R * np.sin(theta)),
         corner=R * np.sin(theta),
     )
     return np.ldexp(radius, unit)
@@ -509,10 +511,10 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array, dgamma: 
         F,
         found,
         lambda a: _force(a, R, theta, E_star, dgamma),
-        lambda a: _rate(a, R, theta),
-        XI["force"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R, theta), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        up_to(R),
+        beyond_edge(R * np.sin(theta)),
         corner=R * np.sin(theta),
     )
     return np.ldexp(radius, unit)

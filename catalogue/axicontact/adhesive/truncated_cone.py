@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_beyond, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_beyond
 from .._domain import numbers, require, require_reach
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import beyond_edge, radius_itself
 from ..normal import truncated_cone as normal
 
 if TYPE_CHECKING:
@@ -219,7 +221,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(a*acos(b/a)*asin(a/r) + b*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))) - r*acos(b*sqrt(-a**2 +
     r**2)/(a*sqrt(-b**2 + r**2))) + sqrt(-a**2 + r**2)*acos(b/a))*tan(theta)/pi -
@@ -243,7 +245,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -483,10 +485,10 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: 
         d,
         found,
         lambda a: _depth(a, theta, b, E_star, dgamma),
-        lambda a: _rate(a, theta, b),
-        XI["depth"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, theta, b), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
     )
     return np.ldexp(radius, unit)
 
@@ -503,9 +505,9 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: 
         F,
         found,
         lambda a: _force(a, theta, b, E_star, dgamma),
-        lambda a: _rate(a, theta, b),
-        XI["force"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, theta, b), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
     )
     return np.ldexp(radius, unit)

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_beyond, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_beyond
 from .._domain import numbers, require, require_reach
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import beyond_edge, radius_itself
 from ..normal import truncated_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -218,7 +220,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
 def displacement(
     r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (2*a*sqrt(a**2 - b**2)*asin(a/r) + sqrt(-a**2 + r**2)*sqrt(a**2 - b**2) - (-b + r)*(b +
     r)*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))))/(pi*R) -
@@ -242,7 +244,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -479,7 +481,13 @@ def _radius_from_depth(d: Array, R: Array, b: Array, E_star: Array, dgamma: Arra
     d = np.ldexp(d, -unit)
     found = _branches(R, b, E_star, dgamma, control="depth")
     radius = stable_radius(
-        d, found, lambda a: _depth(a, R, b, E_star, dgamma), lambda a: _rate(a, R, b), XI["depth"], E_star, dgamma
+        d,
+        found,
+        lambda a: _depth(a, R, b, E_star, dgamma),
+        lambda a: growth(_rate(a, R, b), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
     )
     return np.ldexp(radius, unit)
 
@@ -494,6 +502,12 @@ def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array, dgamma: Arra
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, b, E_star, dgamma, control="force")
     radius = stable_radius(
-        F, found, lambda a: _force(a, R, b, E_star, dgamma), lambda a: _rate(a, R, b), XI["force"], E_star, dgamma
+        F,
+        found,
+        lambda a: _force(a, R, b, E_star, dgamma),
+        lambda a: growth(_rate(a, R, b), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        radius_itself(),
+        beyond_edge(b),
     )
     return np.ldexp(radius, unit)

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_of_waves, stable_radius
+from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
+from .._branches import Branches, branches, exponent_of, lowest, radii_of_waves
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._stable import growth, stable_radius
+from .._unknowns import radius_itself
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -244,7 +246,7 @@ def displacement(
     E_star: ArrayLike,
     dgamma: ArrayLike,
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*Integral(psi*r*(pi**2*h*StruveH(0, 2*pi*r*sin(psi)/wavelength)/wavelength +
     r*(2*pi**3*h*(-StruveH(1, 2*pi*r*sin(psi)/wavelength) + 2/pi)/wavelength**2 + 1/R)*sin(psi) +
@@ -271,7 +273,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -538,10 +540,9 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: 
         d,
         found,
         lambda a: _depth(a, R, h, wavelength, E_star, dgamma),
-        lambda a: _rate(a, R, h, wavelength),
-        XI["depth"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R, h, wavelength), a, "depth", E_star, dgamma),
+        lambda a: hess_retraction(a, E_star, dgamma),
+        radius_itself(),
     )
     return np.ldexp(radius, unit)
 
@@ -560,9 +561,8 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: 
         F,
         found,
         lambda a: _force(a, R, h, wavelength, E_star, dgamma),
-        lambda a: _rate(a, R, h, wavelength),
-        XI["force"],
-        E_star,
-        dgamma,
+        lambda a: growth(_rate(a, R, h, wavelength), a, "force", E_star, dgamma),
+        lambda a: pull(a, E_star, dgamma),
+        radius_itself(),
     )
     return np.ldexp(radius, unit)

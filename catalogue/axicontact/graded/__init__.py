@@ -1,4 +1,4 @@
-"""Contact on a half space whose modulus grows as a power of the depth."""
+"""Contact on a half-space whose modulus grows as a power of the depth."""
 
 from __future__ import annotations
 

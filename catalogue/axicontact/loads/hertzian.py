@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLike) -> Result:
-    """Displacement of the surface into the half space.
+    """Displacement of the surface into the half-space.
 
     w = pi*a*p_0*(1 - r**2/(2*a**2))/(2*E_star)   for r < a
     w = a*p_0*(asin(a/r) - (-a*sqrt(-a**2 + r**2) + r**2*asin(a/r))/(2*a**2))/E_star   for a < r
@@ -35,7 +35,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
     Notes
     -----
-    Frictionless half space. Negative or NaN radii give NaN. Handbook: loads.hertzian.w.
+    Frictionless half-space. Negative or NaN radii give NaN. Handbook: loads.hertzian.w.
 
     References
     ----------

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
-    """Displacement of the surface into the half space.
+    """Displacement of the surface into the half-space.
 
     w = sqrt(pi)*a*p_0*2F1(-s - 1/2, 1/2, 1, r**2/a**2)*gamma(s + 2)/(E_star*(s +
     1)*gamma(s + 3/2))   for r < a
@@ -38,7 +38,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, s: ArrayLike, E_
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, s: ArrayLike, E_
 
     Notes
     -----
-    Frictionless half space. Negative or NaN radii give NaN. Handbook: loads.power.w.
+    Frictionless half-space. Negative or NaN radii give NaN. Handbook: loads.power.w.
 
     References
     ----------

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLike) -> Result:
-    """Displacement of the surface into the half space.
+    """Displacement of the surface into the half-space.
 
     w = pi*a*p_0/E_star   for r < a
     w = 2*a*p_0*asin(a/r)/E_star   for a < r
@@ -37,7 +37,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
     Notes
     -----
-    Frictionless half space. Negative or NaN radii give NaN. Handbook: loads.punch.w.
+    Frictionless half-space. Negative or NaN radii give NaN. Handbook: loads.punch.w.
 
     References
     ----------

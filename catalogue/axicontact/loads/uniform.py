@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLike) -> Result:
-    """Displacement of the surface into the half space.
+    """Displacement of the surface into the half-space.
 
     w = 4*a*p_0*elliptic_e(r**2/a**2)/(pi*E_star)   for r < a
     w = 4*p_0*r*(-(-a**2/r**2 + 1)*elliptic_k(a**2/r**2) + elliptic_e(a**2/r**2))/(pi*E_star)   for a < r
@@ -35,7 +35,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
     Notes
     -----
-    Frictionless half space. Negative or NaN radii give NaN. Handbook: loads.uniform.w.
+    Frictionless half-space. Negative or NaN radii give NaN. Handbook: loads.uniform.w.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Normal contact without adhesion of a rigid indenter on an elastic half space."""
+"""Normal contact without adhesion of a rigid indenter on an elastic half-space."""
 
 from __future__ import annotations
 

@@ -163,7 +163,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (sqrt(R)*sqrt(d)*sqrt(-R*d + r**2) - (-2*R*d + r**2)*asin(sqrt(R)*sqrt(d)/r))/(pi*R)   for
     sqrt(R)*sqrt(d) < a
@@ -183,7 +183,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -314,12 +314,12 @@ def _slope(t: Array, R: Array) -> Array:
 
 def _force(d: Array, a: Array, R: Array, E_star: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
-    rho = np.minimum(np.sqrt(d * R), a)
-    return 4 * E_star * rho**3 / (3 * R) + 2 * E_star * a * np.maximum(excess, 0.0)
+    rho = np.minimum(np.sqrt(R * d), a)
+    return 4 * E_star / (3 * R) * rho**3 + 2 * E_star * a * np.maximum(excess, 0.0)
 
 
 def _stiffness(d: Array, a: Array, R: Array, E_star: Array) -> Array:
-    rho = np.minimum(np.sqrt(d * R), a)
+    rho = np.minimum(np.sqrt(R * d), a)
     return 2 * E_star * rho
 
 
@@ -334,7 +334,7 @@ def _pressure(r: Array, d: Array, a: Array, R: Array, E_star: Array) -> Array:
 
 def _displacement(r: Array, d: Array, a: Array, R: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
-    rho = np.minimum(np.sqrt(d * R), a)
+    rho = np.minimum(np.sqrt(R * d), a)
     face = rho**2 / R * beside(r, rho, OUTSIDE_2)
     angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
     edge = np.where(excess > 0.0, np.maximum(excess, 0.0) * angle, 0.0)
@@ -342,7 +342,7 @@ def _displacement(r: Array, d: Array, a: Array, R: Array) -> Array:
 
 
 def _depth_from_force(F: Array, a: Array, R: Array, E_star: Array) -> Array:
-    edge = 4 * E_star * a**3 / (3 * R)
+    edge = 4 * E_star / (3 * R) * a**3
     below = np.cbrt(9 * F**2 / (16 * E_star**2 * R))
     above = F / (2 * E_star * a) + a**2 / (3 * R)
     return np.where(edge > F, below, above)

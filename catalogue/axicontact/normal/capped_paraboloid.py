@@ -12,9 +12,9 @@ import numpy as np
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -221,7 +221,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1)   for a < b
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r) + 2*a*(R1 - R2)*sqrt(a**2 - b**2)*asin(a/r)/R2 +
@@ -244,7 +244,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -582,35 +582,35 @@ def _slope(t: Array, R1: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * t / R1 + 2 * (R1 - R2) * root / (R1 * R2) + b**2 * (R1 - R2) / (R1 * R2 * root)
+    return 2 * t / R1 + 2 * (R1 - R2) / (R1 * R2) * root + b**2 * (R1 - R2) / (R1 * R2 * root)
 
 
 def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
-    return a * (a + (R1 - R2) * root / R2) / R1
+    return a * (a + (R1 - R2) / R2 * root) / R1
 
 
 def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
     tip = a**2 / R1
     root = np.sqrt((a - b) * (a + b))
-    beyond = a * (a + (R1 - R2) * root / R2) / R1
+    beyond = a * (a + (R1 - R2) / R2 * root) / R1
     return np.where(a < b, tip, beyond)
 
 
 def _force_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return 2 * E_star * (2 * a**3 + (2 * a**2 + b**2) * (R1 - R2) * root / R2) / (3 * R1)
+    return 2 * E_star / (3 * R1) * (2 * a**3 + (R1 - R2) / R2 * (2 * a**2 + b**2) * root)
 
 
 def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a**3 / (3 * R1)
+    tip = 4 * E_star / (3 * R1) * a**3
     root = np.sqrt((a - b) * (a + b))
-    beyond = 2 * E_star * (2 * a**3 + (2 * a**2 + b**2) * (R1 - R2) * root / R2) / (3 * R1)
+    beyond = 2 * E_star / (3 * R1) * (2 * a**3 + (R1 - R2) / R2 * (2 * a**2 + b**2) * root)
     return np.where(a < b, tip, beyond)
 
 
 def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
-    tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
+    tip = np.where(r < inner, 2 * E_star / (np.pi * R1) * root, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     pressed = np.where((r == b) & (a > b) & (R1 > R2), np.inf, tip + E_star / np.pi * growth)
     return np.where(r < a, pressed, 0.0)
@@ -618,9 +618,8 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array)
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = inner**2 / R1 * beside(r, inner, OUTSIDE_2)
     beyond = displacement_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
-    outside = 2 / np.pi * (tip + beyond)
+    outside = 2 * inner**2 / (np.pi * R1) * beside(r, inner, OUTSIDE_2) + 2 / np.pi * beyond
     inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
     return np.where(r > a, outside, inside)
 
@@ -630,9 +629,9 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a / (3 * np.pi * R1)
+    tip = 4 * E_star / (3 * np.pi * R1) * a
     root = np.sqrt((a - b) * (a + b))
-    beyond = 2 * E_star * (2 * a + (2 * a**2 + b**2) * (R1 - R2) * root / (a**2 * R2)) / (3 * np.pi * R1)
+    beyond = 2 * E_star / (3 * np.pi * R1) * (2 * a + (R1 - R2) * (2 * a**2 + b**2) * root / (a**2 * R2))
     return np.where(a < b, tip, beyond)
 
 
@@ -651,7 +650,8 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
         value = _depth_beyond(a, root, R1, R2, b)
         return value, root * root / a * _slope_beyond(a, root, R1, R2, b)
 
-    return inverse_across(curve, beyond, d, b, 2.0)
+    base = _depth_beyond(b, 0.0 * b, R1, R2, b)
+    return inverse_across(curve, beyond, d, b, 2.0, base=base, leaving=(1.0, 2.0))
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -663,7 +663,8 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
         value = _force_beyond(a, root, R1, R2, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R1, R2, b)
 
-    return inverse_across(curve, beyond, F, b, 3.0)
+    base = _force_beyond(b, 0.0 * b, R1, R2, b, E_star)
+    return inverse_across(curve, beyond, F, b, 3.0, base=base, leaving=(1.0, 3.0))
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

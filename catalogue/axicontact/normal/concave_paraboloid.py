@@ -161,7 +161,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(d*asin(a/r) - h*sqrt(-a**2 + r**2)/a + h*r**2*asin(a/r)/a**2)/pi
 
@@ -179,7 +179,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -442,7 +442,7 @@ def _minimum_depth(h: Array) -> Array:
 
 
 def _minimum_force(a: Array, h: Array, E_star: Array) -> Array:
-    return 16 * E_star * h * a / 3
+    return 16 * E_star * h / 3 * a
 
 
 def _force(d: Array, a: Array, h: Array, E_star: Array) -> Array:

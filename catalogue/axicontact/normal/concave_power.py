@@ -167,7 +167,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
 
 
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*d*asin(a/r)/pi + h*r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2)*gamma(n/2 +
     1)/(sqrt(pi)*a**n*gamma((n + 1)/2))
@@ -188,7 +188,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -476,20 +476,20 @@ def _minimum_force(a: Array, h: Array, n: Array, E_star: Array) -> Array:
     zeta = outside_zero_pressure(n)
     kappa = gamma_ratio(n / 2 + 1 / 2)
     drop = (n + 1) * (n * zeta - 1)
-    return 2 * np.sqrt(np.pi) * E_star * n * h * a * (zeta + 1) * kappa / drop
+    return 2 * np.sqrt(np.pi) * E_star * n * h * (zeta + 1) * a * kappa / drop
 
 
 def _force(d: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
-    result = 2 * E_star * a * (d + np.sqrt(np.pi) * h * kappa / (n + 1))
+    result = 2 * E_star * a * (d + np.sqrt(np.pi) * h / (n + 1) * kappa)
     return np.where(complete, result, np.nan)
 
 
 def _depth_from_force(F: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     complete = _minimum_force(a, h, n, E_star) * (1.0 - 1e-15) <= F
-    result = F / (2 * E_star * a) - np.sqrt(np.pi) * h * kappa / (n + 1)
+    result = F / (2 * E_star * a) - np.sqrt(np.pi) * h / (n + 1) * kappa
     return np.where(complete, result, np.nan)
 
 
@@ -511,7 +511,7 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     root = np.sqrt((r - a) * (a + r))
     angle = np.arctan2(a, root)
-    outside = 2 * d * angle / np.pi + 2 * h * power_punches(r, a, n) * kappa / np.sqrt(np.pi)
+    outside = 2 * d * angle / np.pi + 2 * h / np.sqrt(np.pi) * power_punches(r, a, n) * kappa
     inside = d - _profile(r, a, h, n)
     complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
     result = np.where(r > a, outside, inside)

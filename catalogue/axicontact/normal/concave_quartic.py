@@ -162,7 +162,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(d*asin(a/r) - h*sqrt(-a**2 + r**2)*(2*a**2 + 3*r**2)/(3*a**3) + h*r**4*asin(a/r)/a**4)/pi
 
@@ -180,7 +180,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -443,7 +443,7 @@ def _minimum_depth(h: Array) -> Array:
 
 
 def _minimum_force(a: Array, h: Array, E_star: Array) -> Array:
-    return 56 * E_star * h * a / 15
+    return 56 * E_star * h / 15 * a
 
 
 def _force(d: Array, a: Array, h: Array, E_star: Array) -> Array:

@@ -11,8 +11,7 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import beside
-from .._kernels import OUTSIDE_1
+from .._functions import beside_cone
 from .._numbers import with_math
 
 if TYPE_CHECKING:
@@ -199,7 +198,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike)
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*asin(a/r) - r + sqrt(-a**2 + r**2))*tan(theta)
 
@@ -215,7 +214,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -509,7 +508,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Re
 
 
 def _profile(r: Array, theta: Array) -> Array:
-    return r * np.tan(theta)
+    return np.tan(theta) * r
 
 
 def _slope(t: Array, theta: Array) -> Array:
@@ -518,11 +517,11 @@ def _slope(t: Array, theta: Array) -> Array:
 
 
 def _depth(a: Array, theta: Array) -> Array:
-    return np.pi * a * np.tan(theta) / 2
+    return np.pi * np.tan(theta) * a / 2
 
 
 def _force(a: Array, theta: Array, E_star: Array) -> Array:
-    return np.pi * E_star * a**2 * np.tan(theta) / 2
+    return np.pi * E_star * np.tan(theta) * a**2 / 2
 
 
 def _pressure(r: Array, a: Array, theta: Array, E_star: Array) -> Array:
@@ -531,8 +530,7 @@ def _pressure(r: Array, a: Array, theta: Array, E_star: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, theta: Array) -> Array:
-    tip = np.pi * a * np.tan(theta) / 2 * beside(r, a, OUTSIDE_1)
-    outside = 2 / np.pi * tip
+    outside = np.tan(theta) * a * beside_cone(r, a)
     inside = _depth(a, theta) - _profile(r, theta)
     return np.where(r > a, outside, inside)
 
@@ -554,8 +552,8 @@ def _radius_from_force(F: Array, theta: Array, E_star: Array) -> Array:
 
 
 def _force_from_depth(d: Array, theta: Array, E_star: Array) -> Array:
-    return 2 * E_star * d**2 / (np.pi * np.tan(theta))
+    return 2 * E_star / (np.pi * np.tan(theta)) * d**2
 
 
 def _depth_from_force(F: Array, theta: Array, E_star: Array) -> Array:
-    return np.sqrt(np.pi * F * np.tan(theta) / (2 * E_star))
+    return np.sqrt(np.pi * np.tan(theta) / (2 * E_star) * F)

@@ -13,9 +13,10 @@ from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
-from .._integrals import displacement_integral_tanh
-from .._inverse import between, inverse
+from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_tanh
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -207,7 +208,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*h*(a*asin(a/r)*atanh(a/b)/b - asin(a/r) + sqrt(-a**2 + r**2)*atanh(a/b)/b + sqrt(b**2 -
     r**2)*atan(a*sqrt(b**2 - r**2)/(b*sqrt(-a**2 + r**2)))/b)/pi   for r < b
@@ -228,7 +229,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -541,12 +542,12 @@ def _profile(r: Array, h: Array, b: Array) -> Array:
 def _slope(t: Array, root: Array, h: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return h * angle / b + h * t / root**2
+    return h / b * angle + h * t / root**2
 
 
 def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
     angle = np.arcsinh(a / root)
-    return h * a * angle / b
+    return h / b * a * angle
 
 
 def _depth(a: Array, h: Array, b: Array) -> Array:
@@ -568,7 +569,7 @@ def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
     root_br = np.sqrt((b - r) * (r + b))
     root = np.sqrt((a - r) * (a + r))
     root_ba = np.sqrt((b - a) * (a + b))
-    pressed = E_star * h * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b) / np.pi
+    pressed = E_star * h / np.pi * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b)
     inside = np.where(r < a, pressed, 0.0)
     return np.where(a <= b, inside, np.nan)
 
@@ -596,7 +597,8 @@ def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, h, b)
         return value, t * root * root / b * _slope(a, root, h, b) / value
 
-    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75)
+    rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
+    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return b * np.tanh(t), b / np.cosh(t)
 
@@ -613,7 +615,8 @@ def _contact_from_force(F: Array, h: Array, b: Array, E_star: Array) -> tuple[Ar
         value = _force_at(a, root, h, b, E_star)
         return value, 2 * E_star * a * t * root * root / b * _slope(a, root, h, b) / value
 
-    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75)
+    rest = (0.998775, 0.1558039, -2.915358, 22.20415, -66.84601, 91.96521, -58.34092, 13.75711)
+    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
     return b * np.tanh(t), b / np.cosh(t)
 

@@ -154,7 +154,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> 
 
 @with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*d*asin(a/r)/pi
 
@@ -170,7 +170,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -305,7 +305,7 @@ def _pressure(r: Array, d: Array, a: Array, E_star: Array) -> Array:
 
 def _displacement(r: Array, d: Array, a: Array) -> Array:
     root = np.sqrt((r - a) * (a + r))
-    angle = np.arctan2(a, root)
+    angle = np.arctan(a / root)
     outside = 2 * d * angle / np.pi
     inside = d - _profile(r, a)
     return np.where(r > a, outside, inside)

@@ -12,9 +12,10 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import dawson
-from .._integrals import displacement_integral, force_integral, pressure_integral
 from .._inverse import inverse_below
 from .._numbers import with_math
+from .._rules import displacement_integral, force_integral, pressure_integral
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -93,7 +94,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     Notes
     -----
     Valid for h << s. Negative or NaN field values give NaN. The largest radius is 1.50198 s on the
-    homogeneous half space; graded it is where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5.
+    homogeneous half-space; graded it is where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5.
     Handbook: gaussian.d.
 
     References
@@ -141,7 +142,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     Notes
     -----
     Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half space; graded it is
+    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half-space; graded it is
     where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5. Handbook: gaussian.F.
 
     References
@@ -192,7 +193,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     Notes
     -----
     Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half space; graded it is
+    by a Gauss-Legendre rule. The largest radius is 1.50198 s on the homogeneous half-space; graded it is
     where g' = 0, at 1.2286 s for k = -0.5 and at 1.8788 s for k = 0.5. Handbook: gaussian.p.
 
     References
@@ -212,7 +213,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*Integral(psi*r*(2*h*r*(-2*r*sin(psi)*Dawson(r*sin(psi)/s)/s + 1)*sin(psi)/s**2 +
     2*h*Dawson(r*sin(psi)/s)/s)*cos(psi), (psi, 0, asin(a/r)))/pi
@@ -231,7 +232,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -544,12 +545,12 @@ def _profile(r: Array, h: Array, s: Array) -> Array:
 def _slope(t: Array, h: Array, s: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     z = t / s
-    return 2 * h * dawson(z) / s + 2 * h * t / s**2 - 4 * h * t**2 * dawson(z) / s**3
+    return 2 * h / s * dawson(z) + 2 * h / s**2 * t - 4 * h / s**3 * t**2 * dawson(z)
 
 
 def _depth(a: Array, h: Array, s: Array) -> Array:
     z = a / s
-    return np.where(a <= 1.5019752682686114 * s, 2 * h * a * dawson(z) / s, np.nan)
+    return np.where(a <= 1.5019752682686114 * s, 2 * h / s * a * dawson(z), np.nan)
 
 
 def _force(a: Array, h: Array, s: Array, E_star: Array) -> Array:
@@ -583,8 +584,12 @@ def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
         value = _depth(a, h, s)
         return value, a * _slope(a, h, s) / value
 
+    def like(short: Array) -> Array:
+        rest = (1.003776, 0.2435676, 0.7000671, -0.6766533, 4.031949, -6.599278, 3.971419, -0.793611)
+        return between(np.log(short / 0.6348098), (1.575, 2.0), (0.4486, 2.0), -6.0, rest)
+
     largest = 1.5019752682686114 * s * np.ones_like(d)
-    return inverse_below(curve, d, largest, (1.0, 2.0))
+    return inverse_below(curve, d, largest, (1.0, 2.0), like)
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
@@ -592,8 +597,12 @@ def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
         value = _force(a, h, s, E_star)
         return value, 2 * E_star * a * a * _slope(a, h, s) / value
 
+    def like(short: Array) -> Array:
+        rest = (0.9994039, 0.6765872, -1.514105, 16.18697, -61.13223, 108.1267, -95.20743, 32.86326)
+        return between(np.log(short / 1.360193), (1.659, 2.0), (0.1392, 3.0), -6.0, rest)
+
     largest = 1.5019752682686114 * s * np.ones_like(F)
-    return inverse_below(curve, F, largest, (1.0, 3.0))
+    return inverse_below(curve, F, largest, (1.0, 3.0), like)
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, E_star: Array) -> Array:

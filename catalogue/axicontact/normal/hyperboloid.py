@@ -12,9 +12,9 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap
-from .._integrals import displacement_integral_sinh, pressure_integral_sinh
 from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_sinh, pressure_integral_sinh
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -208,7 +208,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(a*asin(a/r)*atan(a/b) + b*asin(a/r) + sqrt(-a**2 + r**2)*atan(a/b) - sqrt(b**2 +
     r**2)*atan(a*sqrt(b**2 + r**2)/(b*sqrt(-a**2 + r**2))))*tan(theta)/pi
@@ -227,7 +227,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -534,18 +534,18 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
 
 def _profile(r: Array, theta: Array, b: Array) -> Array:
     root = np.sqrt(r**2 + b**2)
-    return r**2 * np.tan(theta) / (root + b)
+    return np.tan(theta) * r**2 / (root + b)
 
 
 def _slope(t: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arctan2(t, b)
-    return np.tan(theta) * angle + t * b * np.tan(theta) / (t**2 + b**2)
+    return np.tan(theta) * angle + b * np.tan(theta) * t / (t**2 + b**2)
 
 
 def _depth(a: Array, theta: Array, b: Array) -> Array:
-    angle = np.arctan2(a, b)
-    return a * np.tan(theta) * angle
+    angle = np.arctan(a / b)
+    return np.tan(theta) * a * angle
 
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:

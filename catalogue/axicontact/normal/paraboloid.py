@@ -196,7 +196,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R)
 
@@ -212,7 +212,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -514,17 +514,16 @@ def _depth(a: Array, R: Array) -> Array:
 
 
 def _force(a: Array, R: Array, E_star: Array) -> Array:
-    return 4 * E_star * a**3 / (3 * R)
+    return 4 * E_star / (3 * R) * a**3
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
-    return np.where(r < a, 2 * E_star * root / (np.pi * R), 0.0)
+    return np.where(r < a, 2 * E_star / (np.pi * R) * root, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array) -> Array:
-    tip = a**2 / R * beside(r, a, OUTSIDE_2)
-    outside = 2 / np.pi * tip
+    outside = 2 * a**2 / (np.pi * R) * beside(r, a, OUTSIDE_2)
     inside = _depth(a, R) - _profile(r, R)
     return np.where(r > a, outside, inside)
 
@@ -534,19 +533,19 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
-    return 4 * E_star * a / (3 * np.pi * R)
+    return 4 * E_star / (3 * np.pi * R) * a
 
 
 def _radius_from_depth(d: Array, R: Array) -> Array:
-    return np.sqrt(d * R)
+    return np.sqrt(R * d)
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
-    return np.cbrt(3 * F * R / (4 * E_star))
+    return np.cbrt(3 * R / (4 * E_star) * F)
 
 
 def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
-    return 4 * E_star * d * np.sqrt(d * R) / 3
+    return 4 * E_star / 3 * d * np.sqrt(R * d)
 
 
 def _depth_from_force(F: Array, R: Array, E_star: Array) -> Array:

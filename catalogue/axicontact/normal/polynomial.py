@@ -196,7 +196,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, (j + 1)/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma((j +
     1)/2), (j, 1, N))/sqrt(pi)
@@ -213,7 +213,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -506,30 +506,30 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
 
 
 def _profile(r: Array, A: tuple[float, ...]) -> Array:
-    return sum(r**j * A_j for j, A_j in enumerate(A, 1))
+    return sum(A_j * r**j for j, A_j in enumerate(A, 1))
 
 
 def _slope(a: Array, A: tuple[float, ...]) -> Array:
     """Rate g'(a) of the indentation depth."""
-    return sum(a ** (j - 1) * A_j * j * depth_over_height(j) for j, A_j in enumerate(A, 1))
+    return sum(A_j * j * depth_over_height(j) * a ** (j - 1) for j, A_j in enumerate(A, 1))
 
 
 def _depth(a: Array, A: tuple[float, ...]) -> Array:
-    return sum(a**j * A_j * depth_over_height(j) for j, A_j in enumerate(A, 1))
+    return sum(A_j * depth_over_height(j) * a**j for j, A_j in enumerate(A, 1))
 
 
 def _force(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (a ** (j + 1) * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
+    terms = (A_j * j * depth_over_height(j) / (j + 1) * a ** (j + 1) for j, A_j in enumerate(A, 1))
     return 2 * E_star * sum(terms)
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (a ** (j - 1) * A_j * j * depth_over_height(j) * power_pressure(r, a, j) for j, A_j in enumerate(A, 1))
-    return np.where(r < a, E_star * sum(terms) / np.pi, 0.0)
+    terms = (A_j * j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) for j, A_j in enumerate(A, 1))
+    return np.where(r < a, E_star / np.pi * sum(terms), 0.0)
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...]) -> Array:
-    terms = (a**j * A_j * depth_over_height(j) * power_displacement(r, a, j) for j, A_j in enumerate(A, 1))
+    terms = (A_j * depth_over_height(j) * a**j * power_displacement(r, a, j) for j, A_j in enumerate(A, 1))
     outside = 2 * sum(terms) / np.pi
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
@@ -540,8 +540,8 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (a ** (j - 1) * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
-    return 2 * E_star * sum(terms) / np.pi
+    terms = (A_j * j * depth_over_height(j) / (j + 1) * a ** (j - 1) for j, A_j in enumerate(A, 1))
+    return 2 * E_star / np.pi * sum(terms)
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
@@ -549,7 +549,8 @@ def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
         value = _depth(a, A)
         return value, a * _slope(a, A) / value
 
-    terms = (np.log(d / _depth(1.0, (0.0,) * (j - 1) + (A_j,))) / j for j, A_j in enumerate(A, 1))
+    alone = (A_j * depth_over_height(j) for j, A_j in enumerate(A, 1))
+    terms = (np.log(d / term) / j for j, term in enumerate(alone, 1))
     start = np.exp(reduce(np.minimum, terms))
     return inverse(curve, d, start, (1.0, len(A)), smooth=True)
 
@@ -559,7 +560,8 @@ def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
         value = _force(a, A, E_star)
         return value, 2 * E_star * a * a * _slope(a, A) / value
 
-    terms = (np.log(F / _force(1.0, (0.0,) * (j - 1) + (A_j,), E_star)) / (j + 1) for j, A_j in enumerate(A, 1))
+    alone = (2 * E_star * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
+    terms = (np.log(F / term) / (j + 1) for j, term in enumerate(alone, 1))
     start = np.exp(reduce(np.minimum, terms))
     return inverse(curve, F, start, (2.0, len(A) + 1.0), smooth=True)
 

@@ -209,7 +209,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
     1)/(sqrt(pi)*gamma((n + 1)/2))
@@ -228,7 +228,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -537,7 +537,7 @@ def _profile(r: Array, A: Array, n: Array) -> Array:
 
 def _slope(t: Array, A: Array, n: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    return np.sqrt(np.pi) * n * A * t**n * gamma_ratio(n / 2 + 1 / 2) / t
+    return np.sqrt(np.pi) * n * A * gamma_ratio(n / 2 + 1 / 2) * t**n / t
 
 
 def _depth(a: Array, A: Array, n: Array) -> Array:
@@ -547,18 +547,18 @@ def _depth(a: Array, A: Array, n: Array) -> Array:
 
 def _force(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * np.sqrt(np.pi) * E_star * n * A * a * a**n * kappa / (n + 1)
+    return 2 * np.sqrt(np.pi) * E_star * n * A / (n + 1) * a * a**n * kappa
 
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    pressed = E_star * n * A * lower_power(a, n) * power_pressure(r, a, n) * kappa / np.sqrt(np.pi)
+    pressed = E_star * n * A / np.sqrt(np.pi) * lower_power(a, n) * power_pressure(r, a, n) * kappa
     return np.where(r < a, pressed, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    outside = 2 * A * a**n * power_displacement(r, a, n) * kappa / np.sqrt(np.pi)
+    outside = 2 * A / np.sqrt(np.pi) * a**n * power_displacement(r, a, n) * kappa
     inside = _depth(a, A, n) - _profile(r, A, n)
     return np.where(r > a, outside, inside)
 
@@ -569,7 +569,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * E_star * n * A * lower_power(a, n) * kappa / (np.sqrt(np.pi) * (n + 1))
+    return 2 * E_star * n * A / (np.sqrt(np.pi) * (n + 1)) * lower_power(a, n) * kappa
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
@@ -580,17 +580,17 @@ def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:
 
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
+    ratio = (n + 1) * F / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
     return nth_root(ratio, n, 1)
 
 
 def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     ratio = d / (np.sqrt(np.pi) * A * kappa)
-    return 2 * np.sqrt(np.pi) * E_star * n * A * kappa * ratio * nth_root(ratio, n) / (n + 1)
+    return 2 * np.sqrt(np.pi) * E_star * n * A / (n + 1) * kappa * ratio * nth_root(ratio, n)
 
 
 def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    ratio = F * (n + 1) / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
+    ratio = (n + 1) * F / (2 * np.sqrt(np.pi) * E_star * n * A * kappa)
     return np.sqrt(np.pi) * A * kappa * without_root(ratio, n, 1)

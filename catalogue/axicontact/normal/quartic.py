@@ -196,7 +196,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*A*(a*sqrt(-a**2 + r**2)*(2*a**2 + 3*r**2) - (-8*a**4 + 3*r**4)*asin(a/r))/(3*pi)
 
@@ -212,7 +212,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -506,25 +506,24 @@ def _profile(r: Array, A: Array) -> Array:
 
 def _slope(t: Array, A: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    return 32 * A * t**3 / 3
+    return 32 * A / 3 * t**3
 
 
 def _depth(a: Array, A: Array) -> Array:
-    return 8 * A * a**4 / 3
+    return 8 * A / 3 * a**4
 
 
 def _force(a: Array, A: Array, E_star: Array) -> Array:
-    return 64 * E_star * A * a**5 / 15
+    return 64 * E_star * A / 15 * a**5
 
 
 def _pressure(r: Array, a: Array, A: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
-    return np.where(r < a, 32 * E_star * A * (a**2 + 2 * r**2) * root / (9 * np.pi), 0.0)
+    return np.where(r < a, 32 * E_star * A / (9 * np.pi) * (a**2 + 2 * r**2) * root, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array) -> Array:
-    tip = 8 * A * a**4 / 3 * beside(r, a, OUTSIDE_4)
-    outside = 2 / np.pi * tip
+    outside = 16 * A / (3 * np.pi) * a**4 * beside(r, a, OUTSIDE_4)
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
 
@@ -534,7 +533,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, A: Array, E_star: Array) -> Array:
-    return 64 * E_star * A * a**3 / (15 * np.pi)
+    return 64 * E_star * A / (15 * np.pi) * a**3
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:
@@ -546,7 +545,7 @@ def _radius_from_force(F: Array, A: Array, E_star: Array) -> Array:
 
 
 def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
-    return 4 * E_star * d * np.sqrt(np.sqrt(6 * d / A)) / 5
+    return 4 * E_star / 5 * d * np.sqrt(np.sqrt(6 * d / A))
 
 
 def _depth_from_force(F: Array, A: Array, E_star: Array) -> Array:

@@ -12,10 +12,10 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 from .._numbers import with_math
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -216,7 +216,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))*tan(theta)/(pi*b)   for a < b
     w = (2*a*acos(b/a)*asin(a/r) + a*sqrt(-a**2 + r**2)/b - 2*a*sqrt(a**2 - b**2)*asin(a/r)/b -
@@ -238,7 +238,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -549,12 +549,12 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
 
 
 def _profile(r: Array, theta: Array, b: Array) -> Array:
-    return np.where(r < b, r**2 * np.tan(theta) / (2 * b), np.tan(theta) * (r - b / 2))
+    return np.where(r < b, np.tan(theta) / (2 * b) * r**2, np.tan(theta) * (r - b / 2))
 
 
 def _slope(t: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    return 2 * t * np.tan(theta) / b
+    return 2 * np.tan(theta) / b * t
 
 
 def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
@@ -564,44 +564,43 @@ def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
 
 
 def _depth_beyond(a: Array, root: Array, theta: Array, b: Array) -> Array:
-    angle = np.arctan2(root, b)
-    return a * np.tan(theta) * (angle + b / (root + a))
+    angle = np.arctan(root / b)
+    return np.tan(theta) * a * (angle + b / (root + a))
 
 
 def _depth(a: Array, theta: Array, b: Array) -> Array:
-    tip = a**2 * np.tan(theta) / b
+    tip = np.tan(theta) / b * a**2
     root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan2(root, b)
-    beyond = a * np.tan(theta) * (angle + b / (root + a))
+    angle = np.arctan(root / b)
+    beyond = np.tan(theta) * a * (angle + b / (root + a))
     return np.where(a < b, tip, beyond)
 
 
 def _force_beyond(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
     angle = np.arctan2(root, b)
-    return E_star * np.tan(theta) * (a**2 * angle + 4 * a**2 * b / (3 * (root + a)) + b * root / 3)
+    return E_star * np.tan(theta) * (a**2 * angle + 4 * b * a**2 / (3 * (root + a)) + b / 3 * root)
 
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a**3 * np.tan(theta) / (3 * b)
+    tip = 4 * E_star * np.tan(theta) / (3 * b) * a**3
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan2(root, b)
-    beyond = E_star * np.tan(theta) * (a**2 * angle + 4 * a**2 * b / (3 * (root + a)) + b * root / 3)
+    beyond = E_star * np.tan(theta) * (a**2 * angle + 4 * b * a**2 / (3 * (root + a)) + b / 3 * root)
     return np.where(a < b, tip, beyond)
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
-    tip = np.where(r < inner, 2 * E_star * np.tan(theta) * root / (np.pi * b), 0.0)
+    tip = np.where(r < inner, 2 * E_star * np.tan(theta) / (np.pi * b) * root, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (theta, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = inner**2 * np.tan(theta) / b * beside(r, inner, OUTSIDE_2)
     beyond = displacement_integral_beyond(_slope_beyond, (theta, b), r, a, b)
-    outside = 2 / np.pi * (tip + beyond)
+    outside = 2 * np.tan(theta) / (np.pi * b) * inner**2 * beside(r, inner, OUTSIDE_2) + 2 / np.pi * beyond
     inside = _depth(a, theta, b) - _profile(r, theta, b)
     return np.where(r > a, outside, inside)
 
@@ -611,10 +610,10 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a * np.tan(theta) / (3 * np.pi * b)
+    tip = 4 * E_star * np.tan(theta) / (3 * np.pi * b) * a
     root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan2(root, b)
-    beyond = E_star * np.tan(theta) * (angle + 4 * b / (3 * (root + a)) + b * root / (3 * a**2)) / np.pi
+    angle = np.arctan(root / b)
+    beyond = E_star * np.tan(theta) / np.pi * (angle + 4 * b / (3 * (root + a)) + b * root / (3 * a**2))
     return np.where(a < b, tip, beyond)
 
 
@@ -633,7 +632,8 @@ def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
         value = _depth_beyond(a, root, theta, b)
         return value, root * root / a * _slope_beyond(a, root, theta, b)
 
-    return inverse_across(curve, beyond, d, b, 2.0)
+    base = _depth_beyond(b, 0.0 * b, theta, b)
+    return inverse_across(curve, beyond, d, b, 2.0, base=base, powers=(2.0, 1.0))
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -645,7 +645,8 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
         value = _force_beyond(a, root, theta, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b)
 
-    return inverse_across(curve, beyond, F, b, 3.0)
+    base = _force_beyond(b, 0.0 * b, theta, b, E_star)
+    return inverse_across(curve, beyond, F, b, 3.0, base=base, powers=(2.0, 2.0))
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:

@@ -12,10 +12,10 @@ import numpy as np
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap, beside, root_gap
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
 from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 from .._numbers import with_math
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -222,7 +222,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*sqrt(-a**2 + r**2) - (-2*a**2 + r**2)*asin(a/r))/(pi*R1)   for a < b
     w = (-2*a*b*acos(b/a)*asin(a/r)/R2 + 2*a*sqrt(a**2 - b**2)*asin(a/r)/R2 + 2*b*r*acos(b*sqrt(-a**2 +
@@ -246,7 +246,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -575,27 +575,27 @@ def _slope(t: Array, R1: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * t / R1 + root / R2 + b * arctan_gap(root / b) / R2
+    return 2 * t / R1 + root / R2 + b / R2 * arctan_gap(root / b)
 
 
 def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
-    return a * (a / R1 + b * arctan_gap(root / b) / R2)
+    return a * (a / R1 + b / R2 * arctan_gap(root / b))
 
 
 def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
     tip = a**2 / R1
-    beyond = a * (a / R1 + b * root_gap(a, b) / R2)
+    beyond = a * (a / R1 + b / R2 * root_gap(a, b))
     return np.where(a < b, tip, beyond)
 
 
 def _force_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return E_star * (4 * a**3 / (3 * R1) + root**3 / (3 * R2) + a**2 * b * arctan_gap(root / b) / R2)
+    return E_star * (4 * a**3 / (3 * R1) + root**3 / (3 * R2) + b / R2 * a**2 * arctan_gap(root / b))
 
 
 def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a**3 / (3 * R1)
+    tip = 4 * E_star / (3 * R1) * a**3
     root = np.sqrt((a - b) * (a + b))
-    plus = 4 * a**3 / (3 * R1) + a**2 * b * root_gap(a, b) / R2 + (a - b) * (a + b) * root / (3 * R2)
+    plus = 4 * a**3 / (3 * R1) + b / R2 * a**2 * root_gap(a, b) + (a - b) * (a + b) * root / (3 * R2)
     beyond = E_star * plus
     return np.where(a < b, tip, beyond)
 
@@ -603,16 +603,15 @@ def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
 def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((inner - r) * (inner + r))
-    tip = np.where(r < inner, 2 * E_star * root / (np.pi * R1), 0.0)
+    tip = np.where(r < inner, 2 * E_star / (np.pi * R1) * root, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
-    tip = inner**2 / R1 * beside(r, inner, OUTSIDE_2)
     beyond = displacement_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
-    outside = 2 / np.pi * (tip + beyond)
+    outside = 2 * inner**2 / (np.pi * R1) * beside(r, inner, OUTSIDE_2) + 2 / np.pi * beyond
     inside = _depth(a, R1, R2, b) - _profile(r, R1, R2, b)
     return np.where(r > a, outside, inside)
 
@@ -622,10 +621,10 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star * a / (3 * np.pi * R1)
+    tip = 4 * E_star / (3 * np.pi * R1) * a
     root = np.sqrt((a - b) * (a + b))
-    plus = 4 * a / (3 * R1) + b * root_gap(a, b) / R2 + (a - b) * (a + b) * root / (3 * a**2 * R2)
-    beyond = E_star * plus / np.pi
+    plus = 4 * a / (3 * R1) + b / R2 * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2 * R2)
+    beyond = E_star / np.pi * plus
     return np.where(a < b, tip, beyond)
 
 
@@ -644,7 +643,8 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
         value = _depth_beyond(a, root, R1, R2, b)
         return value, root * root / a * _slope_beyond(a, root, R1, R2, b)
 
-    return inverse_across(curve, beyond, d, b, 2.0)
+    base = _depth_beyond(b, 0.0 * b, R1, R2, b)
+    return inverse_across(curve, beyond, d, b, 2.0, base=base, leaving=(3.0, 2.0))
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
@@ -656,7 +656,8 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) 
         value = _force_beyond(a, root, R1, R2, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R1, R2, b)
 
-    return inverse_across(curve, beyond, F, b, 3.0)
+    base = _force_beyond(b, 0.0 * b, R1, R2, b, E_star)
+    return inverse_across(curve, beyond, F, b, 3.0, base=base, leaving=(3.0, 3.0))
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

@@ -12,9 +12,10 @@ import numpy as np
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap, root_gap
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import between, inverse
+from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -217,7 +218,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (-2*a*b*acos(b/a)*asin(a/r) + 2*a*sqrt(a**2 - b**2)*asin(a/r) + 2*b*r*acos(b*sqrt(-a**2 +
     r**2)/(a*sqrt(-b**2 + r**2))) - 2*b*sqrt(-a**2 + r**2)*acos(b/a) + sqrt(-a**2 + r**2)*sqrt(a**2 - b**2) -
@@ -237,7 +238,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -558,20 +559,20 @@ def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
 
 
 def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
-    return a * b * arctan_gap(root / b) / R
+    return b / R * a * arctan_gap(root / b)
 
 
 def _depth(a: Array, R: Array, b: Array) -> Array:
-    return a * b * root_gap(a, b) / R
+    return b / R * a * root_gap(a, b)
 
 
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
-    return E_star * (root**3 / 3 + a**2 * b * arctan_gap(root / b)) / R
+    return E_star / R * (root**3 / 3 + b * a**2 * arctan_gap(root / b))
 
 
 def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return E_star * (a**2 * b * root_gap(a, b) + (a - b) * (a + b) * root / 3) / R
+    return E_star / R * (b * a**2 * root_gap(a, b) + (a - b) * (a + b) * root / 3)
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -593,7 +594,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return E_star * (b * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2)) / (np.pi * R)
+    return E_star / (np.pi * R) * (b * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2))
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
@@ -604,7 +605,8 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R, b)
         return value, root * root / a * _slope_beyond(a, root, R, b) / value
 
-    start = between(np.log(d / curve(1.0)[0]), (1.098, 3.0), (3.295, 2.0), 3.5)
+    rest = (0.9999152, -0.002147146, -0.02265958, -0.0720644, 0.3108858, -0.6900221, 1.077435, -0.6001833)
+    start = between(np.log(d / curve(1.0)[0]), (1.098, 3.0), (3.295, 2.0), 3.5, rest)
     t = inverse(curve, d, start, (2.0, 3.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
@@ -621,7 +623,8 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
         value = _force_at(a, root, R, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
 
-    start = between(np.log(F / curve(1.0)[0]), (0.8743, 3.0), (1.749, 3.0), 6.0)
+    rest = (0.9634905, 0.003191853, -0.1218583, 0.3231377, -1.571447, 2.059576, -1.105184, 0.2138332)
+    start = between(np.log(F / curve(1.0)[0]), (0.8743, 3.0), (1.749, 3.0), 6.0, rest)
     t = inverse(curve, F, start, (3.0, 4.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 

@@ -196,7 +196,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*A*(a*sqrt(-a**2 + r**2)*(8*a**4 + 10*a**2*r**2 + 15*r**4) - 3*(-16*a**6 + 5*r**6)*asin(a/r))/(15*pi)
 
@@ -212,7 +212,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -506,25 +506,24 @@ def _profile(r: Array, A: Array) -> Array:
 
 def _slope(t: Array, A: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    return 96 * A * t**5 / 5
+    return 96 * A / 5 * t**5
 
 
 def _depth(a: Array, A: Array) -> Array:
-    return 16 * A * a**6 / 5
+    return 16 * A / 5 * a**6
 
 
 def _force(a: Array, A: Array, E_star: Array) -> Array:
-    return 192 * E_star * A * a**7 / 35
+    return 192 * E_star * A / 35 * a**7
 
 
 def _pressure(r: Array, a: Array, A: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
-    return np.where(r < a, 32 * E_star * A * (3 * a**4 + 4 * a**2 * r**2 + 8 * r**4) * root / (25 * np.pi), 0.0)
+    return np.where(r < a, 32 * E_star * A / (25 * np.pi) * (3 * a**4 + 4 * a**2 * r**2 + 8 * r**4) * root, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array) -> Array:
-    tip = 16 * A * a**6 / 5 * beside(r, a, OUTSIDE_6)
-    outside = 2 / np.pi * tip
+    outside = 32 * A / (5 * np.pi) * a**6 * beside(r, a, OUTSIDE_6)
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
 
@@ -534,7 +533,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, A: Array, E_star: Array) -> Array:
-    return 192 * E_star * A * a**5 / (35 * np.pi)
+    return 192 * E_star * A / (35 * np.pi) * a**5
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:
@@ -546,7 +545,7 @@ def _radius_from_force(F: Array, A: Array, E_star: Array) -> Array:
 
 
 def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
-    return 6 * E_star * d * nth_root(20 * d / A, 6) / 7
+    return 6 * E_star / 7 * d * nth_root(20 * d / A, 6)
 
 
 def _depth_from_force(F: Array, A: Array, E_star: Array) -> Array:

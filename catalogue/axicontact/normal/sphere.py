@@ -13,9 +13,10 @@ from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import tanh_gap
-from .._integrals import displacement_integral_tanh
-from .._inverse import between, inverse
+from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_tanh
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -202,7 +203,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(-R*asin(a/r) + a*asin(a/r)*atanh(a/R) + sqrt(R**2 - r**2)*atan(a*sqrt(R**2 - r**2)/(R*sqrt(-a**2 +
     r**2))) + sqrt(-a**2 + r**2)*atanh(a/R))/pi   for r < R
@@ -221,7 +222,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -524,7 +525,7 @@ def _profile(r: Array, R: Array) -> Array:
 def _slope(t: Array, root: Array, R: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return angle + t * R / root**2
+    return angle + R * t / root**2
 
 
 def _depth_at(a: Array, root: Array, R: Array) -> Array:
@@ -551,7 +552,7 @@ def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
     root_Rr = np.sqrt((R - r) * (r + R))
     root = np.sqrt((R - a) * (a + R))
     root_ar = np.sqrt((a - r) * (a + r))
-    pressed = E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R)) / np.pi
+    pressed = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R))
     inside = np.where(r < a, pressed, 0.0)
     return np.where(a <= R, inside, np.nan)
 
@@ -579,7 +580,8 @@ def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R)
         return value, t * root * root / R * _slope(a, root, R) / value
 
-    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75)
+    rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
+    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return R * np.tanh(t), R / np.cosh(t)
 
@@ -596,7 +598,8 @@ def _contact_from_force(F: Array, R: Array, E_star: Array) -> tuple[Array, Array
         value = _force_at(a, root, R, E_star)
         return value, 2 * E_star * a * t * root * root / R * _slope(a, root, R) / value
 
-    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75)
+    rest = (0.998775, 0.1558039, -2.915358, 22.20415, -66.84601, 91.96521, -58.34092, 13.75711)
+    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
     return R * np.tanh(t), R / np.cosh(t)
 

@@ -13,14 +13,14 @@ from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import sine_root, tanh_gap
-from .._integrals import (
+from .._inverse import inverse_across
+from .._numbers import with_math
+from .._rules import (
     displacement_integral_beyond,
     displacement_integral_tanh,
     force_integral_beyond,
     pressure_integral_beyond,
 )
-from .._inverse import inverse_across
-from .._numbers import with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -218,7 +218,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_st
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*Integral(asin(t/r)*Derivative(g(t), t), (t, 0, a))/pi
 
@@ -236,7 +236,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -343,8 +343,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Array
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
-    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.pm.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.pm.
 
     Examples
     --------
@@ -486,9 +485,8 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
-    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
-    sphere_tipped_cone.Fd.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: sphere_tipped_cone.Fd.
 
     References
     ----------
@@ -534,9 +532,8 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
-    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
-    sphere_tipped_cone.dF.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
+    iteration. Handbook: sphere_tipped_cone.dF.
 
     References
     ----------
@@ -563,7 +560,7 @@ def _profile(r: Array, R: Array, theta: Array) -> Array:
 def _slope(t: Array, root: Array, R: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return angle + t * R / root**2
+    return angle + R * t / root**2
 
 
 def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
@@ -596,15 +593,18 @@ def _depth(a: Array, R: Array, theta: Array) -> Array:
     return np.where(a < b, tip, beyond)
 
 
-def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+def _force_beyond(a: Array, reach: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
     root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
     angle = np.arcsinh(inner / root)
     tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
-    reach = sine_root(a, R, theta)
     beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
+
+
+def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    return _force_beyond(a, sine_root(a, R, theta), R, theta, E_star)
 
 
 def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
@@ -613,7 +613,7 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Arra
     root_Rr = np.sqrt((R - r) * (r + R))
     root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
     root_ar = np.sqrt((inner - r) * (inner + r))
-    within = E_star * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R)) / np.pi
+    within = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R))
     tip = np.where(r < inner, within, 0.0)
     growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
     return np.where(r < a, tip + E_star / np.pi * growth, 0.0)
@@ -655,7 +655,8 @@ def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
         value = _depth_beyond(a, root, R, theta)
         return value, root * root / a * _slope_beyond(a, root, R, theta)
 
-    return inverse_across(curve, beyond, d, b, 2.0, R)
+    base = _depth_beyond(b, 0.0 * b, R, theta)
+    return inverse_across(curve, beyond, d, b, 2.0, R, base=base, powers=(2.0, 1.0))
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
@@ -666,10 +667,11 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array
         return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
 
     def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _force(a, R, theta, E_star)
+        value = _force_beyond(a, root, R, theta, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, theta)
 
-    return inverse_across(curve, beyond, F, b, 3.0, R)
+    base = _force_beyond(b, 0.0 * b, R, theta, E_star)
+    return inverse_across(curve, beyond, F, b, 3.0, R, base=base, powers=(2.0, 2.0))
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:

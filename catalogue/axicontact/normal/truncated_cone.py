@@ -11,9 +11,10 @@ import numpy as np
 
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import between, inverse
+from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -215,7 +216,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*(a*acos(b/a)*asin(a/r) + b*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))) - r*acos(b*sqrt(-a**2 +
     r**2)/(a*sqrt(-b**2 + r**2))) + sqrt(-a**2 + r**2)*acos(b/a))*tan(theta)/pi
@@ -234,7 +235,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -555,8 +556,8 @@ def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
 
 
 def _depth_at(a: Array, root: Array, theta: Array, b: Array) -> Array:
-    angle = np.arctan2(root, b)
-    return a * np.tan(theta) * angle
+    angle = np.arctan(root / b)
+    return np.tan(theta) * a * angle
 
 
 def _depth(a: Array, theta: Array, b: Array) -> Array:
@@ -565,7 +566,7 @@ def _depth(a: Array, theta: Array, b: Array) -> Array:
 
 
 def _force_at(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     return E_star * np.tan(theta) * (a**2 * angle + b * root)
 
 
@@ -594,8 +595,8 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan2(root, b)
-    return E_star * np.tan(theta) * (angle + b * root / a**2) / np.pi
+    angle = np.arctan(root / b)
+    return E_star * np.tan(theta) / np.pi * (angle + b * root / a**2)
 
 
 def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]:
@@ -606,7 +607,8 @@ def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]
         value = _depth_at(a, root, theta, b)
         return value, root * root / a * _slope_beyond(a, root, theta, b) / value
 
-    start = between(np.log(d / curve(1.0)[0]), (0.9003, 1.0), (1.414, 1.0), -6.0)
+    rest = (1.587574, -0.008072401, -0.4352508, -3.570796, 8.66489, -8.150206, 3.403791, -0.4812051)
+    start = between(np.log(d / curve(1.0)[0]), (0.9003, 1.0), (1.414, 1.0), -6.0, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
@@ -623,7 +625,8 @@ def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tupl
         value = _force_at(a, root, theta, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b) / value
 
-    start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75)
+    rest = (0.9995205, 0.100541, -0.3986471, 4.536442, -19.76727, 34.2219, -25.89697, 7.204481)
+    start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75, rest)
     t = inverse(curve, F, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 

@@ -11,9 +11,10 @@ import numpy as np
 
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
-from .._integrals import displacement_integral_beyond, pressure_integral_beyond
-from .._inverse import between, inverse
+from .._inverse import inverse
 from .._numbers import with_math
+from .._rules import displacement_integral_beyond, pressure_integral_beyond
+from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -216,7 +217,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
 
 @with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (2*a*sqrt(a**2 - b**2)*asin(a/r) + sqrt(-a**2 + r**2)*sqrt(a**2 - b**2) - (-b + r)*(b +
     r)*asin(sqrt((a**2 - b**2)/(-b**2 + r**2))))/(pi*R)
@@ -235,7 +236,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -565,7 +566,7 @@ def _depth(a: Array, R: Array, b: Array) -> Array:
 
 
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
-    return 2 * E_star * (2 * a**2 + b**2) * root / (3 * R)
+    return 2 * E_star / (3 * R) * (2 * a**2 + b**2) * root
 
 
 def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -597,7 +598,7 @@ def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:
-    root = np.sqrt(b**4 + 4 * d**2 * R**2)
+    root = np.sqrt(b**4 + 4 * R**2 * d**2)
     root_1 = np.sqrt(root / R + b**2 / R)
     return root_1 * np.sqrt(2 * R) / 2
 
@@ -610,7 +611,8 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
         value = _force_at(a, root, R, b, E_star)
         return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
 
-    start = between(np.log(F / curve(1.0)[0]), (0.6, 1.0), (0.4, 3.0), -1.75)
+    rest = (0.9990587, 0.3089073, -0.7678073, 7.512052, -39.30687, 76.63965, -63.48232, 19.09787)
+    start = between(np.log(F / curve(1.0)[0]), (0.6, 1.0), (0.4, 3.0), -1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
@@ -627,7 +629,8 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
         value = _depth_at(a, root, R, b)
         return value, root * root / a * _slope_beyond(a, root, R, b) / value
 
-    start = between(np.log(d / curve(1.0)[0]), (0.7071, 1.0), (0.7071, 2.0), -3.0)
+    rest = (0.9996917, 0.05914493, 0.009062067, 1.353675, -12.15272, 28.05264, -25.52146, 8.200478)
+    start = between(np.log(d / curve(1.0)[0]), (0.7071, 1.0), (0.7071, 2.0), -3.0, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 

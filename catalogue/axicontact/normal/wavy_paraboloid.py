@@ -12,8 +12,8 @@ import numpy as np
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import struve_h0, struve_h1
-from .._integrals import displacement_integral_waves, pressure_integral_waves
-from .._inverse import inverse
+from .._rules import displacement_integral_waves, pressure_integral_waves
+from .._waves import inverse_over_waves
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -94,7 +94,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) ->
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. The
-    number 12.3914 of the homogeneous half space is another on a graded one, where g' >= 0 asks for 15.5992 at
+    number 12.3914 of the homogeneous half-space is another on a graded one, where g' >= 0 asks for 15.5992 at
     k = -0.5 and for 10.1777 at k = 0.5. Handbook: wavy_paraboloid.d.
 
     References
@@ -144,7 +144,7 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. The
-    number 12.3914 of the homogeneous half space is another on a graded one, where g' >= 0 asks for 15.5992 at
+    number 12.3914 of the homogeneous half-space is another on a graded one, where g' >= 0 asks for 15.5992 at
     k = -0.5 and for 10.1777 at k = 0.5. Handbook: wavy_paraboloid.F.
 
     References
@@ -200,7 +200,7 @@ def pressure(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
     as an integral over the growing contact by a Gauss-Legendre rule. The number 12.3914 of the homogeneous
-    half space is another on a graded one, where g' >= 0 asks for 15.5992 at k = -0.5 and for 10.1777 at k =
+    half-space is another on a graded one, where g' >= 0 asks for 15.5992 at k = -0.5 and for 10.1777 at k =
     0.5. Handbook: wavy_paraboloid.p.
 
     References
@@ -219,7 +219,7 @@ def pressure(
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*Integral(psi*r*(pi**2*h*StruveH(0, 2*pi*r*sin(psi)/wavelength)/wavelength +
     r*(2*pi**3*h*(-StruveH(1, 2*pi*r*sin(psi)/wavelength) + 2/pi)/wavelength**2 + 1/R)*sin(psi) +
@@ -241,7 +241,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wave
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -570,25 +570,25 @@ def _check(R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, **material: ArrayL
 
 
 def _profile(r: Array, R: Array, h: Array, wavelength: Array) -> Array:
-    return 2 * h * np.sin(np.pi * r / wavelength) ** 2 + r**2 / (2 * R)
+    return 2 * h * np.sin(np.pi / wavelength * r) ** 2 + r**2 / (2 * R)
 
 
 def _slope(t: Array, R: Array, h: Array, wavelength: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    z = 2 * np.pi * t / wavelength
-    plus = 4 * np.pi**2 * h * t / wavelength**2 + np.pi**2 * h * struve_h0(z) / wavelength + 2 * t / R
-    minus = 2 * np.pi**3 * h * t * struve_h1(z) / wavelength**2
+    z = 2 * np.pi / wavelength * t
+    plus = 4 * np.pi**2 * h / wavelength**2 * t + np.pi**2 * h / wavelength * struve_h0(z) + 2 * t / R
+    minus = 2 * np.pi**3 * h / wavelength**2 * t * struve_h1(z)
     return plus - minus
 
 
 def _depth(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
-    z = 2 * np.pi * a / wavelength
-    return a * (np.pi**2 * h * struve_h0(z) / wavelength + a / R)
+    z = 2 * np.pi / wavelength * a
+    return a * (np.pi**2 * h / wavelength * struve_h0(z) + a / R)
 
 
 def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
-    z = 2 * np.pi * a / wavelength
-    plus = 2 * np.pi**2 * h * a * struve_h0(z) / wavelength + 4 * a**2 / (3 * R)
+    z = 2 * np.pi / wavelength * a
+    plus = 2 * np.pi**2 * h / wavelength * a * struve_h0(z) + 4 * a**2 / (3 * R)
     minus = np.pi * h * struve_h1(z)
     return E_star * a * (plus - minus)
 
@@ -614,19 +614,15 @@ def _mean_pressure(a: Array, R: Array, h: Array, wavelength: Array, E_star: Arra
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _depth(a, R, h, wavelength)
-        return value, a * _slope(a, R, h, wavelength) / value
-
-    return inverse(curve, d, np.full_like(d, wavelength / 1000), (0.0, 7.0), smooth=True)
+    unit = wavelength / (2 * np.pi)
+    waves = 2 * np.pi**3 * h * R / wavelength**2
+    return unit * inverse_over_waves(d / unit * (R / unit), waves, 1)
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _force(a, R, h, wavelength, E_star)
-        return value, 2 * E_star * a * a * _slope(a, R, h, wavelength) / value
-
-    return inverse(curve, F, np.full_like(F, wavelength / 1000), (0.0, 8.0), smooth=True)
+    unit = wavelength / (2 * np.pi)
+    waves = 2 * np.pi**3 * h * R / wavelength**2
+    return unit * inverse_over_waves(F / unit * (R / unit) / (2 * E_star * unit), waves, 2)
 
 
 def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:

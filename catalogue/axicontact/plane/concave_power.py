@@ -143,7 +143,7 @@ def slope(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -345,7 +345,7 @@ def _zero_distance(a: Array, n: Array) -> Array:
 def _minimum_load(a: Array, h: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     x_zero = _zero_distance(a, n)
-    drop = a**2 * (n - 1) - n * x_zero**2
+    drop = (n - 1) * a**2 - n * x_zero**2
     return np.sqrt(np.pi) * E_star * n * h * a**2 / (2 * kappa) / drop
 
 

@@ -174,7 +174,7 @@ def _pressure(x: Array, P: Array, a: Array, e: Array) -> Array:
 def _tilt(P: Array, a: Array, e: Array, E_star: Array) -> Array:
     short = a - np.abs(e)
     side = np.sign(e)
-    return np.where(np.abs(e) < a / 2, 4 * P * e / (np.pi * E_star * a**2), P * side / (np.pi * E_star * short))
+    return np.where(np.abs(e) < a / 2, 4 * e * P / (np.pi * E_star * a**2), side / (np.pi * E_star * short) * P)
 
 
 def _contact_width(a: Array, e: Array) -> Array:

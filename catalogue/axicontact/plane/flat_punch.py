@@ -123,7 +123,7 @@ def slope(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Res
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises

@@ -167,7 +167,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -293,12 +293,12 @@ def _profile_slope(x: Array, R: Array) -> Array:
 
 
 def _load(a: Array, R: Array, E_star: Array) -> Array:
-    return np.pi * E_star * a**2 / (4 * R)
+    return np.pi * E_star / (4 * R) * a**2
 
 
 def _pressure(x: Array, a: Array, R: Array, E_star: Array) -> Array:
     root = np.sqrt((a - x) * (a + x))
-    value = E_star * root / (2 * R)
+    value = E_star / (2 * R) * root
     return np.where(x < a, value, 0.0)
 
 
@@ -317,4 +317,4 @@ def _depth(L: Array, a: Array, R: Array) -> Array:
 
 
 def _half_width_from_load(P: Array, R: Array, E_star: Array) -> Array:
-    return np.sqrt(4 * P * R / (np.pi * E_star))
+    return np.sqrt(4 * R / (np.pi * E_star) * P)

@@ -49,6 +49,10 @@ def profile(x: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     Valid for small slopes, n A a^(n-1) << 1. The formula is for x >= 0; the function is even. NaN gives NaN.
     Handbook: plane.power_law.f, the definition of the profile.
 
+    References
+    ----------
+    Schubert 1942.
+
     Examples
     --------
     >>> from axicontact.plane import power_law
@@ -90,6 +94,10 @@ def load(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Resu
     -----
     Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook:
     plane.power_law.P.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -135,7 +143,12 @@ def pressure(x: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
     -----
     Valid for small slopes, n A a^(n-1) << 1. The formula is for x >= 0; the function is even. Negative a and
     NaN give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. The pressure in
-    the middle is finite only for n > 1. Handbook: plane.power_law.p.
+    the middle is finite only for n > 1; n = 1, 2, 4 and 6 are solutions of Schubert. Handbook:
+    plane.power_law.p.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -169,7 +182,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -182,6 +195,10 @@ def slope(x: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     Valid for small slopes, n A a^(n-1) << 1. The formula is for x >= 0; the function is odd. Negative a and
     NaN give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
     plane.power_law.s.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -228,6 +245,10 @@ def depth(L: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
     plane.power_law.d.
 
+    References
+    ----------
+    Schubert 1942.
+
     Examples
     --------
     >>> from axicontact.plane import power_law
@@ -269,6 +290,10 @@ def half_width_from_load(P: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Ar
     -----
     Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook:
     plane.power_law.aP.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------

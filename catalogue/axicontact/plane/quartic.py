@@ -167,7 +167,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises

@@ -11,9 +11,9 @@ import numpy as np
 
 from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
-from .._integrals import pressure_integral_beyond
 from .._inverse import inverse
 from .._plane import depth_beyond, even, load_beyond, odd, slope_beyond
+from .._rules import pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -187,7 +187,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises

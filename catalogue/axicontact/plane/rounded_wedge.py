@@ -11,9 +11,9 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import pressure_integral_beyond
 from .._inverse import inverse
 from .._plane import depth_beyond, even, odd, slope_beyond
+from .._rules import pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -186,7 +186,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -314,27 +314,27 @@ def half_width_from_load(P: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star
 
 
 def _profile(x: Array, theta: Array, b: Array) -> Array:
-    return np.where(x > b, np.tan(theta) * (x - b / 2), x**2 * np.tan(theta) / (2 * b))
+    return np.where(x > b, np.tan(theta) * (x - b / 2), np.tan(theta) / (2 * b) * x**2)
 
 
 def _profile_slope(x: Array, theta: Array, b: Array) -> Array:
     """Slope f'(x) of the profile."""
-    return np.where(x > b, np.tan(theta), x * np.tan(theta) / b)
+    return np.where(x > b, np.tan(theta), np.tan(theta) / b * x)
 
 
 def _growth(t: Array, theta: Array, b: Array) -> Array:
     """Growth P'(t)/E_star of the line load."""
-    return np.pi * t * np.tan(theta) / (2 * b)
+    return np.pi * np.tan(theta) / (2 * b) * t
 
 
 def _growth_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
     """Growth P'(t)/E_star of the line load for t > b."""
     angle = np.arctan2(b, root)
-    return t * np.tan(theta) * angle / b
+    return np.tan(theta) / b * t * angle
 
 
 def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    below = np.pi * E_star * a**2 * np.tan(theta) / (4 * b)
+    below = np.pi * E_star * np.tan(theta) / (4 * b) * a**2
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan2(b, root)
     above = E_star * np.tan(theta) * (root + a**2 * angle / b) / 2
@@ -344,7 +344,7 @@ def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
 def _pressure(x: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((inner - x) * (inner + x))
-    tip = E_star * np.tan(theta) * root / (2 * b)
+    tip = E_star * np.tan(theta) / (2 * b) * root
     beyond = pressure_integral_beyond(_growth_beyond, (theta, b), x, a, b)
     value = np.where(x < inner, tip, 0.0) + E_star / np.pi * beyond
     return np.where(x < a, value, 0.0)
@@ -354,7 +354,7 @@ def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((x - inner) * (inner + x))
     conjugate = root + x
-    tip = -(inner**2) * np.tan(theta) / (b * conjugate)
+    tip = -np.tan(theta) * inner**2 / (b * conjugate)
     beyond = slope_beyond(lambda t, root: _growth_beyond(t, root, theta, b), x, a, b)
     value = tip - 2 / np.pi * beyond
     return np.where(x > a, value, -_profile_slope(x, theta, b))
@@ -363,7 +363,7 @@ def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
 def _depth(L: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((L - inner) * (inner + L))
-    tip = inner**2 * np.tan(theta) * (L / (root + L) + np.log1p((L - inner + root) / inner)) / (2 * b)
+    tip = np.tan(theta) / (2 * b) * inner**2 * (L / (root + L) + np.log1p((L - inner + root) / inner))
     beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, theta, b), L, a, b)
     value = tip + 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, theta, b))

@@ -48,6 +48,10 @@ def profile(x: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     Valid for tan(theta) << 1. The formula is for x >= 0; the function is even. NaN gives NaN. Handbook:
     plane.truncated_wedge.f, the definition of the profile.
 
+    References
+    ----------
+    Schubert 1942.
+
     Examples
     --------
     >>> from axicontact.plane import truncated_wedge
@@ -89,6 +93,10 @@ def load(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> 
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and half-widths below b among larger ones, give
     NaN. Handbook: plane.truncated_wedge.P.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -135,7 +143,11 @@ def pressure(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     -----
     Valid for tan(theta) << 1. The formula is for x >= 0; the function is even. Negative a and NaN, and
     half-widths below b among larger ones, give NaN. The pressure is logarithmically infinite at the corner x
-    = b. Handbook: plane.truncated_wedge.p.
+    = b; from the general solution of Schubert. Handbook: plane.truncated_wedge.p.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -169,7 +181,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -181,6 +193,10 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     -----
     Valid for tan(theta) << 1. The formula is for x >= 0; the function is odd. Negative a and NaN, and
     half-widths below b among larger ones, give NaN. Handbook: plane.truncated_wedge.s.
+
+    References
+    ----------
+    Schubert 1942.
 
     Examples
     --------
@@ -228,6 +244,10 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing contact by a
     Gauss-Legendre rule. Handbook: plane.truncated_wedge.d.
 
+    References
+    ----------
+    Schubert 1942.
+
     Examples
     --------
     >>> from axicontact.plane import truncated_wedge
@@ -270,6 +290,10 @@ def half_width_from_load(P: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star
     -----
     Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: plane.truncated_wedge.aP.
 
+    References
+    ----------
+    Schubert 1942.
+
     Examples
     --------
     >>> from axicontact.plane import truncated_wedge
@@ -303,10 +327,10 @@ def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
 def _pressure(x: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
     root_bx = np.sqrt((b - x) * (x + b))
-    below = E_star * np.tan(theta) * np.arcsinh(root / root_bx) / np.pi
+    below = E_star * np.tan(theta) / np.pi * np.arcsinh(root / root_bx)
     root_ax = np.sqrt((a - x) * (a + x))
     root_xb = np.sqrt((x - b) * (x + b))
-    above = E_star * np.tan(theta) * np.arcsinh(root_ax / root_xb) / np.pi
+    above = E_star * np.tan(theta) / np.pi * np.arcsinh(root_ax / root_xb)
     value = np.where(x < b, below, above)
     return np.where(a >= b, np.where(x < a, value, 0.0), np.nan)
 
@@ -314,7 +338,7 @@ def _pressure(x: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Arra
 def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
     root_xa = np.sqrt((x - a) * (a + x))
-    value = -2 * np.tan(theta) * np.arctan2(root, root_xa) / np.pi
+    value = -2 * np.tan(theta) / np.pi * np.arctan2(root, root_xa)
     return np.where(a >= b, np.where(x > a, value, -_profile_slope(x, theta, b)), np.nan)
 
 

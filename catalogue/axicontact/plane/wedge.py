@@ -168,7 +168,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     Returns
     -------
     float or ndarray
-        Slope of the surface, negative where the displacement into the half space falls with x [1]. The shape
+        Slope of the surface, negative where the displacement into the half-space falls with x [1]. The shape
         to which the arguments broadcast.
 
     Raises
@@ -286,7 +286,7 @@ def half_width_from_load(P: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -
 
 
 def _profile(x: Array, theta: Array) -> Array:
-    return x * np.tan(theta)
+    return np.tan(theta) * x
 
 
 def _profile_slope(x: Array, theta: Array) -> Array:
@@ -295,26 +295,26 @@ def _profile_slope(x: Array, theta: Array) -> Array:
 
 
 def _load(a: Array, theta: Array, E_star: Array) -> Array:
-    return E_star * a * np.tan(theta)
+    return E_star * np.tan(theta) * a
 
 
 def _pressure(x: Array, a: Array, theta: Array, E_star: Array) -> Array:
     root = np.sqrt((a - x) * (a + x))
-    value = E_star * np.tan(theta) * np.log1p((a - x + root) / x) / np.pi
+    value = E_star * np.tan(theta) / np.pi * np.log1p((a - x + root) / x)
     return np.where(x < a, value, 0.0)
 
 
 def _slope(x: Array, a: Array, theta: Array) -> Array:
     root = np.sqrt((x - a) * (a + x))
     angle = np.arctan2(a, root)
-    value = -2 * np.tan(theta) * angle / np.pi
+    value = -2 * np.tan(theta) / np.pi * angle
     return np.where(x > a, value, -_profile_slope(x, theta))
 
 
 def _depth(L: Array, a: Array, theta: Array) -> Array:
     root = np.sqrt((L - a) * (a + L))
     angle = np.arctan2(a, root)
-    value = 2 * np.tan(theta) * (L * angle + a * np.log1p((L - a + root) / a)) / np.pi
+    value = 2 * np.tan(theta) / np.pi * (L * angle + a * np.log1p((L - a + root) / a))
     value = np.where(a > 0.0, value, 0.0)
     return np.where(a <= L, value, np.nan)
 

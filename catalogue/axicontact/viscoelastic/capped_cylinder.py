@@ -1,4 +1,4 @@
-"""Cylinder with a parabolic cap on a viscoelastic half space.
+"""Cylinder with a parabolic cap on a viscoelastic half-space.
 
 A paraboloid until the depth a^2/R brings the sharp edge into contact, a curved punch from then on.
 """

@@ -1,4 +1,4 @@
-"""Paraboloid with a flatter cap on a viscoelastic half space.
+"""Paraboloid with a flatter cap on a viscoelastic half-space.
 
 Radius of curvature R1 up to r = b, the smaller R2 beyond: a worn sphere of finite cap curvature.
 """

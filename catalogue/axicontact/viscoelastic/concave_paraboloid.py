@@ -1,4 +1,4 @@
-"""Concave paraboloid on a viscoelastic half space.
+"""Concave paraboloid on a viscoelastic half-space.
 
 Concave parabolic face of depth h: the pressure vanishes first at the centre.
 """

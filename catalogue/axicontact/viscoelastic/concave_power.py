@@ -1,4 +1,4 @@
-"""Concave power law on a viscoelastic half space.
+"""Concave power law on a viscoelastic half-space.
 
 Concave face of depth h; complete contact needs the force F_min.
 """

@@ -1,4 +1,4 @@
-"""Concave quartic on a viscoelastic half space.
+"""Concave quartic on a viscoelastic half-space.
 
 Concave face of fourth order: the pressure vanishes first on the ring r = a/2.
 """

@@ -1,4 +1,4 @@
-"""Cone on a viscoelastic half space.
+"""Cone on a viscoelastic half-space.
 
 Rigid cone of inclination theta. Self-similar: the mean pressure does not depend on the load.
 """

@@ -1,4 +1,4 @@
-"""Ellipsoid of revolution on a viscoelastic half space.
+"""Ellipsoid of revolution on a viscoelastic half-space.
 
 Semi-axis h along the axis, b across: the sphere stretched by h/b.
 """

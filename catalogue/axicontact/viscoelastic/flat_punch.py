@@ -1,4 +1,4 @@
-"""Flat punch on a viscoelastic half space.
+"""Flat punch on a viscoelastic half-space.
 
 The elementary building block: every other contact is a superposition of flat punches.
 """

@@ -1,4 +1,4 @@
-"""Gaussian bump on a viscoelastic half space.
+"""Gaussian bump on a viscoelastic half-space.
 
 A smooth asperity of height h and width s; compact up to the radius of largest depth.
 """

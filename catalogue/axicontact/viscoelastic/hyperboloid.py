@@ -1,4 +1,4 @@
-"""Hyperboloid of revolution on a viscoelastic half space.
+"""Hyperboloid of revolution on a viscoelastic half-space.
 
 A cone with a smoothly rounded tip: tip radius b/tan(theta), asymptotic inclination theta.
 """

@@ -1,4 +1,4 @@
-"""Paraboloid on a viscoelastic half space.
+"""Paraboloid on a viscoelastic half-space.
 
 The tip of every smooth indenter and the parabolic approximation of the sphere: Hertz's contact.
 """

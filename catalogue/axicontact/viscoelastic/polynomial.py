@@ -1,4 +1,4 @@
-"""Polynomial on a viscoelastic half space.
+"""Polynomial on a viscoelastic half-space.
 
 Any sum of integer powers with coefficients A_1 ... A_N >= 0: superposition at a fixed contact radius.
 """

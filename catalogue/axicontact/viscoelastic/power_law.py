@@ -1,4 +1,4 @@
-"""Power law on a viscoelastic half space.
+"""Power law on a viscoelastic half-space.
 
 Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
 """

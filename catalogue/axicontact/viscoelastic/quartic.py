@@ -1,4 +1,4 @@
-"""Quartic profile on a viscoelastic half space.
+"""Quartic profile on a viscoelastic half-space.
 
 Vanishing curvature at the tip: the pressure has a dip at the centre and its largest value on a ring.
 """

@@ -1,4 +1,4 @@
-"""Cone with a rounded tip on a viscoelastic half space.
+"""Cone with a rounded tip on a viscoelastic half-space.
 
 Parabolic tip running tangentially into a cone at r = b.
 """

@@ -1,4 +1,4 @@
-"""Curved punch with a rounded edge on a viscoelastic half space.
+"""Curved punch with a rounded edge on a viscoelastic half-space.
 
 A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
 """

@@ -1,4 +1,4 @@
-"""Flat punch with a rounded edge on a viscoelastic half space.
+"""Flat punch with a rounded edge on a viscoelastic half-space.
 
 Flat face of radius b running tangentially into a rounding of radius R: between flat punch and sphere.
 """

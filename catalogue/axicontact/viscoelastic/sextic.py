@@ -1,4 +1,4 @@
-"""Sextic profile on a viscoelastic half space.
+"""Sextic profile on a viscoelastic half-space.
 
 Flatter than the quartic: most of the load is carried near the rim of the contact.
 """

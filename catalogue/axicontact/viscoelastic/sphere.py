@@ -1,4 +1,4 @@
-"""Sphere on a viscoelastic half space.
+"""Sphere on a viscoelastic half-space.
 
 The exact spherical shape; differs from the paraboloid by terms of order a^2/R^2.
 """

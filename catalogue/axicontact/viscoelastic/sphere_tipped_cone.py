@@ -1,4 +1,4 @@
-"""Cone with a spherical tip on a viscoelastic half space.
+"""Cone with a spherical tip on a viscoelastic half-space.
 
 Sphere of radius R up to b = R sin(theta), then its tangent cone: the exact sphero-conical tip.
 """

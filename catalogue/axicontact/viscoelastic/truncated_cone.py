@@ -1,4 +1,4 @@
-"""Truncated cone on a viscoelastic half space.
+"""Truncated cone on a viscoelastic half-space.
 
 Flat face of radius b with a conical flank: a worn or blunted cone. The contact radius starts at b.
 """

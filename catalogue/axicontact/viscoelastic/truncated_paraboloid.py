@@ -1,4 +1,4 @@
-"""Truncated paraboloid on a viscoelastic half space.
+"""Truncated paraboloid on a viscoelastic half-space.
 
 Flat face of radius b with a parabolic flank: a worn sphere.
 """

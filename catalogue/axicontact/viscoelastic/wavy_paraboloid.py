@@ -1,4 +1,4 @@
-"""Wavy paraboloid on a viscoelastic half space.
+"""Wavy paraboloid on a viscoelastic half-space.
 
 A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
 """

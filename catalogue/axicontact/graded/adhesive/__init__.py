@@ -1,4 +1,4 @@
-"""Adhesive contact of a rigid indenter with a power-law graded half space."""
+"""Adhesive contact of a rigid indenter with a power-law graded half-space."""
 
 from __future__ import annotations
 

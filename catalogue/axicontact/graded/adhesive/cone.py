@@ -1,4 +1,4 @@
-"""Cone with adhesion on a power-law graded half space.
+"""Cone with adhesion on a power-law graded half-space.
 
 Rigid cone of inclination theta. Self-similar: the mean pressure does not depend on the load.
 """
@@ -37,9 +37,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -87,9 +87,9 @@ def depth(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -137,9 +137,9 @@ def force(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -190,9 +190,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -230,7 +230,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
 def displacement(
     r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r*IncompleteBeta(a**2/r**2, k/2 + 1, (1 -
     k)/2))*cos(pi*k/2)*tan(theta)*gamma((k + 1)/2)/(2*sqrt(pi)*gamma(k/2 + 1)) - sqrt(2)*a**(1/2 -
@@ -245,9 +245,9 @@ def displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -255,7 +255,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -295,9 +295,9 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -344,9 +344,9 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -396,9 +396,9 @@ def pull_off(control: str = "force", *, theta: ArrayLike, H: ArrayLike, k: Array
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.

@@ -1,4 +1,4 @@
-"""Ellipsoid of revolution with adhesion on a power-law graded half space.
+"""Ellipsoid of revolution with adhesion on a power-law graded half-space.
 
 Semi-axis h along the axis, b across: the sphere stretched by h/b.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_below, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_below
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import up_to
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -32,9 +34,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -83,9 +85,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -134,9 +136,9 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -189,9 +191,9 @@ def pressure(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -228,7 +230,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) -
     h*r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/b**2)/(b**2*(k + 1)))*tan(psi)**k,
@@ -246,9 +248,9 @@ def displacement(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -256,7 +258,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -299,9 +301,9 @@ def radius_from_depth(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -353,9 +355,9 @@ def radius_from_force(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -410,9 +412,9 @@ def pull_off(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -492,7 +494,8 @@ def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
     d = np.ldexp(d, -unit)
     found = _branches(h, b, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (h, b, k), H, k, dgamma, control="depth")
-    radius = stable_radius(d, found, lambda a: _depth(a, h, b, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    radius = stable_radius(d, found, lambda a: _depth(a, h, b, H, k, dgamma), slope, pulled, up_to(b, k))
     return np.ldexp(radius, unit)
 
 
@@ -505,5 +508,6 @@ def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(h, b, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (h, b, k), H, k, dgamma, control="force")
-    radius = stable_radius(F, found, lambda a: _force(a, h, b, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="force")
+    radius = stable_radius(F, found, lambda a: _force(a, h, b, H, k, dgamma), slope, pulled, up_to(b, k))
     return np.ldexp(radius, unit)

@@ -1,4 +1,4 @@
-"""Gaussian bump with adhesion on a power-law graded half space.
+"""Gaussian bump with adhesion on a power-law graded half-space.
 
 A smooth asperity of height h and width s; compact up to the radius of largest depth.
 """
@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_to, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_to
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_inverse import gaussian_reach
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import on_the_bump
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -33,9 +35,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -84,9 +86,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -135,9 +137,9 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -192,9 +194,9 @@ def pressure(
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -231,7 +233,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) -
     2*h*r**2*sin(psi)**2*1F1(1, (k + 3)/2, -r**2*sin(psi)**2/s**2)/(s**2*(k + 1)))*tan(psi)**k, (psi, 0,
@@ -249,9 +251,9 @@ def displacement(
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -259,7 +261,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -302,9 +304,9 @@ def radius_from_depth(
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -356,9 +358,9 @@ def radius_from_force(
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -413,9 +415,9 @@ def pull_off(
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -504,7 +506,8 @@ def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
     d = np.ldexp(d, -unit)
     found = _branches(h, s, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control="depth")
-    radius = stable_radius(d, found, lambda a: _depth(a, h, s, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    radius = stable_radius(d, found, lambda a: _depth(a, h, s, H, k, dgamma), slope, pulled, on_the_bump(s))
     return np.ldexp(radius, unit)
 
 
@@ -517,5 +520,6 @@ def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(h, s, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control="force")
-    radius = stable_radius(F, found, lambda a: _force(a, h, s, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="force")
+    radius = stable_radius(F, found, lambda a: _force(a, h, s, H, k, dgamma), slope, pulled, on_the_bump(s))
     return np.ldexp(radius, unit)

@@ -1,4 +1,4 @@
-"""Polynomial with adhesion on a power-law graded half space.
+"""Polynomial with adhesion on a power-law graded half-space.
 
 Any sum of integer powers with coefficients A_1 ... A_N >= 0: superposition at a fixed contact radius.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, decades, lowest, stable_radius
+from ..._branches import Branches, decades, lowest
 from ..._domain import numbers, require, require_coefficients
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of
+from ..._graded_branches import graded_branches, growth_of, pull_of
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import radius_itself
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -32,9 +34,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -81,9 +83,9 @@ def depth(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -131,9 +133,9 @@ def force(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -184,9 +186,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -222,7 +224,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = cos(pi*k/2)*gamma((k + 1)/2)*Sum((a**j*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) -
     r**j*IncompleteBeta(a**2/r**2, (j + k + 1)/2, (1 - k)/2))*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1,
@@ -238,9 +240,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -248,7 +250,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -288,9 +290,9 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -339,9 +341,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -393,9 +395,9 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
     A : sequence of float
         Coefficients of r, r^2, ..., none negative and not all zero.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -464,10 +466,12 @@ def _pull_off_radius(A: Array, H: Array, k: Array, dgamma: Array, control: str) 
 def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
     found = _branches(A, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="depth")
-    return stable_radius(d, found, lambda a: _depth(a, A, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    return stable_radius(d, found, lambda a: _depth(a, A, H, k, dgamma), slope, pulled, radius_itself())
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
     found = _branches(A, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="force")
-    return stable_radius(F, found, lambda a: _force(a, A, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="force")
+    return stable_radius(F, found, lambda a: _force(a, A, H, k, dgamma), slope, pulled, radius_itself())

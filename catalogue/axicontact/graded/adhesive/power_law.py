@@ -1,4 +1,4 @@
-"""Power law with adhesion on a power-law graded half space.
+"""Power law with adhesion on a power-law graded half-space.
 
 Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
 """
@@ -37,9 +37,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -88,9 +88,9 @@ def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLik
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -139,9 +139,9 @@ def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLik
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -195,9 +195,9 @@ def pressure(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -234,7 +234,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = A*(a**n*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**n*IncompleteBeta(a**2/r**2, (k + n +
     1)/2, (1 - k)/2))*cos(pi*k/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(pi*gamma((k + n + 1)/2)) - sqrt(2)*a**(1/2
@@ -251,9 +251,9 @@ def displacement(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -261,7 +261,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -304,9 +304,9 @@ def radius_from_depth(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -365,9 +365,9 @@ def radius_from_force(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -429,9 +429,9 @@ def pull_off(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.

@@ -1,4 +1,4 @@
-"""Quartic profile with adhesion on a power-law graded half space.
+"""Quartic profile with adhesion on a power-law graded half-space.
 
 Vanishing curvature at the tip: the pressure has a dip at the centre and its largest value on a ring.
 """
@@ -37,9 +37,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -85,9 +85,9 @@ def depth(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -134,9 +134,9 @@ def force(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -185,9 +185,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -222,7 +222,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 8*A*(a**4*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**4*IncompleteBeta(a**2/r**2, (k + 5)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)) - sqrt(2)*a**(1/2 -
@@ -237,9 +237,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -247,7 +247,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -285,9 +285,9 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -334,9 +334,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -386,9 +386,9 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.

@@ -1,4 +1,4 @@
-"""Curved punch with a rounded edge with adhesion on a power-law graded half space.
+"""Curved punch with a rounded edge with adhesion on a power-law graded half-space.
 
 A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_around, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_around
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import beyond_edge, radius_itself
 from ..normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
@@ -32,9 +34,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -88,9 +90,9 @@ def depth(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -146,9 +148,9 @@ def force(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -211,9 +213,9 @@ def pressure(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -258,7 +260,7 @@ def displacement(
     k: ArrayLike,
     dgamma: ArrayLike,
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
     2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
@@ -276,9 +278,9 @@ def displacement(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -286,7 +288,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -332,9 +334,9 @@ def radius_from_depth(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -391,9 +393,9 @@ def radius_from_force(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -450,9 +452,9 @@ def pull_off(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -534,7 +536,10 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Ar
     d = np.ldexp(d, -unit)
     found = _branches(R1, R2, b, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="depth")
-    radius = stable_radius(d, found, lambda a: _depth(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0, corner=b)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    radius = stable_radius(
+        d, found, lambda a: _depth(a, R1, R2, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b), corner=b
+    )
     return np.ldexp(radius, unit)
 
 
@@ -548,5 +553,8 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Ar
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R1, R2, b, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R1, R2, b, k), H, k, dgamma, control="force")
-    radius = stable_radius(F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, 1.0, H, 0.0, corner=b)
+    pulled = pull_of(H, k, dgamma, control="force")
+    radius = stable_radius(
+        F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b), corner=b
+    )
     return np.ldexp(radius, unit)

@@ -1,4 +1,4 @@
-"""Sextic profile with adhesion on a power-law graded half space.
+"""Sextic profile with adhesion on a power-law graded half-space.
 
 Flatter than the quartic: most of the load is carried near the rim of the contact.
 """
@@ -37,9 +37,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -85,9 +85,9 @@ def depth(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -134,9 +134,9 @@ def force(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -186,9 +186,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -223,7 +223,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 48*A*(a**6*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**6*IncompleteBeta(a**2/r**2, (k + 7)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)*(k + 5)) - sqrt(2)*a**(1/2 -
@@ -238,9 +238,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -248,7 +248,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -286,9 +286,9 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -335,9 +335,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -387,9 +387,9 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.

@@ -1,4 +1,4 @@
-"""Sphere with adhesion on a power-law graded half space.
+"""Sphere with adhesion on a power-law graded half-space.
 
 The exact spherical shape; differs from the paraboloid by terms of order a^2/R^2.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_below, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_below
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import up_to
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -32,9 +34,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -82,9 +84,9 @@ def depth(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -132,9 +134,9 @@ def force(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -184,9 +186,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: Array
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -222,7 +224,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) -
     r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/R**2)/(R*(k + 1)))*tan(psi)**k, (psi,
@@ -238,9 +240,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -248,7 +250,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -288,9 +290,9 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -338,9 +340,9 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -391,9 +393,9 @@ def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -471,7 +473,8 @@ def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) ->
     d = np.ldexp(d, -unit)
     found = _branches(R, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R, k), H, k, dgamma, control="depth")
-    radius = stable_radius(d, found, lambda a: _depth(a, R, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    radius = stable_radius(d, found, lambda a: _depth(a, R, H, k, dgamma), slope, pulled, up_to(R, k))
     return np.ldexp(radius, unit)
 
 
@@ -483,5 +486,6 @@ def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) ->
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R, k), H, k, dgamma, control="force")
-    radius = stable_radius(F, found, lambda a: _force(a, R, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="force")
+    radius = stable_radius(F, found, lambda a: _force(a, R, H, k, dgamma), slope, pulled, up_to(R, k))
     return np.ldexp(radius, unit)

@@ -1,4 +1,4 @@
-"""Cone with a spherical tip with adhesion on a power-law graded half space.
+"""Cone with a spherical tip with adhesion on a power-law graded half-space.
 
 Sphere of radius R up to b = R sin(theta), then its tangent cone: the exact sphero-conical tip.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_around, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_around
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import beyond_edge, up_to
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -33,9 +35,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -87,9 +89,9 @@ def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -143,9 +145,9 @@ def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -198,9 +200,9 @@ def pressure(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -237,7 +239,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
     2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
@@ -253,9 +255,9 @@ def displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -263,7 +265,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -309,9 +311,9 @@ def radius_from_depth(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -368,9 +370,9 @@ def radius_from_force(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -425,9 +427,9 @@ def pull_off(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -505,8 +507,16 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dga
     d = np.ldexp(d, -unit)
     found = _branches(R, theta, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R, theta, k), H, k, dgamma, control="depth")
+    pulled = pull_of(H, k, dgamma, control="depth")
     radius = stable_radius(
-        d, found, lambda a: _depth(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0, corner=R * np.sin(theta)
+        d,
+        found,
+        lambda a: _depth(a, R, theta, H, k, dgamma),
+        slope,
+        pulled,
+        up_to(R, k),
+        beyond_edge(R * np.sin(theta)),
+        corner=R * np.sin(theta),
     )
     return np.ldexp(radius, unit)
 
@@ -519,7 +529,15 @@ def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array, dga
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, theta, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R, theta, k), H, k, dgamma, control="force")
+    pulled = pull_of(H, k, dgamma, control="force")
     radius = stable_radius(
-        F, found, lambda a: _force(a, R, theta, H, k, dgamma), slope, 1.0, H, 0.0, corner=R * np.sin(theta)
+        F,
+        found,
+        lambda a: _force(a, R, theta, H, k, dgamma),
+        slope,
+        pulled,
+        up_to(R, k),
+        beyond_edge(R * np.sin(theta)),
+        corner=R * np.sin(theta),
     )
     return np.ldexp(radius, unit)

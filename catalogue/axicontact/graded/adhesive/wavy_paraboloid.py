@@ -1,4 +1,4 @@
-"""Wavy paraboloid with adhesion on a power-law graded half space.
+"""Wavy paraboloid with adhesion on a power-law graded half-space.
 
 A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
 """
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_of_waves, stable_radius
+from ..._branches import Branches, exponent_of, lowest, radii_of_waves
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, stress_at
+from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._stable import stable_radius
+from ..._unknowns import radius_itself
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -32,9 +34,9 @@ def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -
     a : array_like
         Contact radius [m].
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -88,9 +90,9 @@ def depth(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -146,9 +148,9 @@ def force(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -212,9 +214,9 @@ def pressure(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -260,7 +262,7 @@ def displacement(
     k: ArrayLike,
     dgamma: ArrayLike,
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = -retraction*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi +
     2*cos(pi*k/2)*Integral(t**k*(r**2 - t**2)**(-k/2 - 1/2)*(g(a) - g(t)), (t, 0, a))/pi
@@ -278,9 +280,9 @@ def displacement(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -288,7 +290,7 @@ def displacement(
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -334,9 +336,9 @@ def radius_from_depth(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -392,9 +394,9 @@ def radius_from_force(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -460,9 +462,9 @@ def pull_off(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     dgamma : array_like
         Work of separation per unit area [N/m], dgamma >= 0.
@@ -552,7 +554,10 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array
     d = np.ldexp(d, -unit)
     found = _branches(R, h, wavelength, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control="depth")
-    radius = stable_radius(d, found, lambda a: _depth(a, R, h, wavelength, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="depth")
+    radius = stable_radius(
+        d, found, lambda a: _depth(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself()
+    )
     return np.ldexp(radius, unit)
 
 
@@ -566,5 +571,8 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array
     F = np.ldexp(F, -(stress + 2 * unit))
     found = _branches(R, h, wavelength, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control="force")
-    radius = stable_radius(F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, 1.0, H, 0.0)
+    pulled = pull_of(H, k, dgamma, control="force")
+    radius = stable_radius(
+        F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself()
+    )
     return np.ldexp(radius, unit)

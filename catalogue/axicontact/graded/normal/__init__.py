@@ -1,4 +1,4 @@
-"""Normal contact of a rigid indenter with a power-law graded half space."""
+"""Normal contact of a rigid indenter with a power-law graded half-space."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cylinder with a parabolic cap on a power-law graded half space.
+"""Cylinder with a parabolic cap on a power-law graded half-space.
 
 A paraboloid until the depth a^2/R brings the sharp edge into contact, a curved punch from then on.
 """
@@ -79,9 +79,9 @@ def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: ArrayLike, k: ArrayLik
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -131,9 +131,9 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: Array
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -166,7 +166,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: Array
 
 
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (R*d*(k + 1)*IncompleteBeta(R*d*(k + 1)/r**2, (k + 1)/2, (1 - k)/2) - r**2*IncompleteBeta(R*d*(k +
     1)/r**2, (k + 3)/2, (1 - k)/2))*cos(pi*k/2)/(pi*R*(k + 1))   for sqrt(R)*sqrt(d)*sqrt(k + 1) < a
@@ -184,13 +184,13 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, k: A
     R : array_like
         Radius of curvature [m], R > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -231,9 +231,9 @@ def stiffness(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: ArrayLike, k: Arra
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -281,9 +281,9 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: ArrayLike, 
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

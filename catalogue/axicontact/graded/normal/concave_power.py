@@ -1,4 +1,4 @@
-"""Concave power law on a power-law graded half space.
+"""Concave power law on a power-law graded half-space.
 
 Concave face of depth h; complete contact needs the force F_min.
 """
@@ -81,9 +81,9 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLik
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -145,9 +145,9 @@ def pressure(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -188,7 +188,7 @@ def pressure(
 
 
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) + h*r**n*IncompleteBeta(a**2/r**2, (k + n + 1)/2,
     (1 - k)/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(a**n*gamma((k + n + 1)/2)))*cos(pi*k/2)/pi
@@ -206,13 +206,13 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -260,9 +260,9 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -317,9 +317,9 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -376,7 +376,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> Re
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -431,7 +431,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> 
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -485,9 +485,9 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: 
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

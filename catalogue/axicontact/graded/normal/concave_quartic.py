@@ -1,4 +1,4 @@
-"""Concave quartic on a power-law graded half space.
+"""Concave quartic on a power-law graded half-space.
 
 Concave face of fourth order: the pressure vanishes first on the ring r = a/2.
 """
@@ -77,9 +77,9 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLik
     h : array_like
         Height of the profile [m], h > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -129,9 +129,9 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: Array
     h : array_like
         Height of the profile [m], h > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -165,7 +165,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: Array
 
 
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) + 8*h*r**4*IncompleteBeta(a**2/r**2, (k + 5)/2, (1
     - k)/2)/(a**4*(k + 1)*(k + 3)))*cos(pi*k/2)/pi
@@ -181,13 +181,13 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, k: A
     h : array_like
         Height of the profile [m], h > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -226,9 +226,9 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     h : array_like
         Height of the profile [m], h > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -274,9 +274,9 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, 
     h : array_like
         Height of the profile [m], h > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -321,7 +321,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
     h : array_like
         Height of the profile [m], h > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -366,7 +366,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
     h : array_like
         Height of the profile [m], h > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -410,9 +410,9 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     h : array_like
         Height of the profile [m], h > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

@@ -1,4 +1,4 @@
-"""Cone on a power-law graded half space.
+"""Cone on a power-law graded half-space.
 
 Rigid cone of inclination theta. Self-similar: the mean pressure does not depend on the load.
 """
@@ -73,7 +73,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -118,9 +118,9 @@ def force(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -168,9 +168,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -204,7 +204,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = (a*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r*IncompleteBeta(a**2/r**2, k/2 + 1, (1 -
     k)/2))*cos(pi*k/2)*tan(theta)*gamma((k + 1)/2)/(2*sqrt(pi)*gamma(k/2 + 1))
@@ -218,13 +218,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -263,9 +263,9 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -310,9 +310,9 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike)
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -357,7 +357,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, k: ArrayLike) -> Result
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -402,9 +402,9 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -450,9 +450,9 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -498,9 +498,9 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

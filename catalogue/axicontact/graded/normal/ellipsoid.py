@@ -1,4 +1,4 @@
-"""Ellipsoid of revolution on a power-law graded half space.
+"""Ellipsoid of revolution on a power-law graded half-space.
 
 Semi-axis h along the axis, b across: the sphere stretched by h/b.
 """
@@ -79,7 +79,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -125,9 +125,9 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -178,9 +178,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: Array
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -214,7 +214,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) -
     h*r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/b**2)/(b**2*(k + 1)))*tan(psi)**k,
@@ -231,13 +231,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: A
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -278,9 +278,9 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -326,9 +326,9 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -374,7 +374,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike)
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -421,9 +421,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike,
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -470,9 +470,9 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, 
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -519,9 +519,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, 
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

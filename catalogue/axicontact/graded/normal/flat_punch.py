@@ -1,4 +1,4 @@
-"""Flat punch on a power-law graded half space.
+"""Flat punch on a power-law graded half-space.
 
 The elementary building block: every other contact is a superposition of flat punches.
 """
@@ -70,9 +70,9 @@ def force(d: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -118,9 +118,9 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: Array
     a : array_like
         Contact radius [m], a > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -153,7 +153,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = d*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi
 
@@ -166,13 +166,13 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, k: ArrayLike) -> R
     a : array_like
         Contact radius [m], a > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -208,9 +208,9 @@ def stiffness(*, a: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -254,9 +254,9 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: ArrayLike) 
     a : array_like
         Contact radius [m], a > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

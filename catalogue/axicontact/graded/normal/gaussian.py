@@ -1,4 +1,4 @@
-"""Gaussian bump on a power-law graded half space.
+"""Gaussian bump on a power-law graded half-space.
 
 A smooth asperity of height h and width s; compact up to the radius of largest depth.
 """
@@ -16,6 +16,7 @@ from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
 from ..._graded_inverse import gaussian_reach, radius_up_to
 from ..._graded_pressure import gaussian_pressure
 from ..._graded_punch import punch_stiffness
+from ..._unknowns import on_the_bump
 from ...normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -124,9 +125,9 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -177,9 +178,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: Array
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -213,7 +214,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) -
     2*h*r**2*sin(psi)**2*1F1(1, (k + 3)/2, -r**2*sin(psi)**2/s**2)/(s**2*(k + 1)))*tan(psi)**k, (psi, 0,
@@ -230,13 +231,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: A
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -277,9 +278,9 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: Arra
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -325,9 +326,9 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: 
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -373,7 +374,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike)
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -420,9 +421,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike,
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -469,9 +470,9 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, 
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -518,9 +519,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, 
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -594,11 +595,11 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, k: Array) -> Array:
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, k: Array) -> Array:
-    return radius_up_to(_depth, _rate, d, gaussian_reach(s, k), (h, s, k))
+    return radius_up_to(_depth, _rate, d, gaussian_reach(s, k), (h, s, k), on_the_bump(s))
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    return radius_up_to(_force, _force_rate, F, gaussian_reach(s, k), (h, s, H, k))
+    return radius_up_to(_force, _force_rate, F, gaussian_reach(s, k), (h, s, H, k), on_the_bump(s))
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Power law on a power-law graded half space.
+"""Power law on a power-law graded half-space.
 
 Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
 """
@@ -77,7 +77,7 @@ def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -124,9 +124,9 @@ def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLik
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -176,9 +176,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: Array
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -212,7 +212,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = A*(a**n*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**n*IncompleteBeta(a**2/r**2, (k + n +
     1)/2, (1 - k)/2))*cos(pi*k/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(pi*gamma((k + n + 1)/2))
@@ -228,13 +228,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: A
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -275,9 +275,9 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -325,9 +325,9 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: 
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -374,7 +374,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: ArrayLike)
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -422,9 +422,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike,
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -472,9 +472,9 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, 
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -522,9 +522,9 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, 
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

@@ -1,4 +1,4 @@
-"""Quartic profile on a power-law graded half space.
+"""Quartic profile on a power-law graded half-space.
 
 Vanishing curvature at the tip: the pressure has a dip at the centre and its largest value on a ring.
 """
@@ -73,7 +73,7 @@ def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -117,9 +117,9 @@ def force(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -165,9 +165,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -201,7 +201,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 8*A*(a**4*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**4*IncompleteBeta(a**2/r**2, (k + 5)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3))
@@ -215,13 +215,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> R
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -260,9 +260,9 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -306,9 +306,9 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -352,7 +352,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -396,9 +396,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike)
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -443,9 +443,9 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -489,9 +489,9 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

@@ -1,4 +1,4 @@
-"""Sextic profile on a power-law graded half space.
+"""Sextic profile on a power-law graded half-space.
 
 Flatter than the quartic: most of the load is carried near the rim of the contact.
 """
@@ -73,7 +73,7 @@ def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -117,9 +117,9 @@ def force(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -166,9 +166,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -202,7 +202,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 48*A*(a**6*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**6*IncompleteBeta(a**2/r**2, (k + 7)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)*(k + 5))
@@ -216,13 +216,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> R
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -261,9 +261,9 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -307,9 +307,9 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -353,7 +353,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -397,9 +397,9 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike)
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -444,9 +444,9 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -491,9 +491,9 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

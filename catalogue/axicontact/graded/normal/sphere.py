@@ -1,4 +1,4 @@
-"""Sphere on a power-law graded half space.
+"""Sphere on a power-law graded half-space.
 
 The exact spherical shape; differs from the paraboloid by terms of order a^2/R^2.
 """
@@ -75,7 +75,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -120,9 +120,9 @@ def force(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -172,9 +172,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: Array
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -209,7 +209,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: Array
 
 
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) -
     r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/R**2)/(R*(k + 1)))*tan(psi)**k, (psi,
@@ -224,13 +224,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> R
     R : array_like
         Radius of curvature [m], R > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -269,9 +269,9 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -316,9 +316,9 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -363,7 +363,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -408,9 +408,9 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike)
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -455,9 +455,9 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) 
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -502,9 +502,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) 
     R : array_like
         Radius of curvature [m], R > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

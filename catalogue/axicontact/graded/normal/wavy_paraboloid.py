@@ -1,4 +1,4 @@
-"""Wavy paraboloid on a power-law graded half space.
+"""Wavy paraboloid on a power-law graded half-space.
 
 A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
 """
@@ -83,7 +83,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k:
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -134,9 +134,9 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H:
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -189,9 +189,9 @@ def pressure(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -228,7 +228,7 @@ def pressure(
 def displacement(
     r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k: ArrayLike
 ) -> Result:
-    """Displacement of the surface into the half space, inside and outside the contact.
+    """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = 2*cos(pi*k/2)*Integral((pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2,
     2*pi*a/wavelength)*gamma((k + 1)/2) - pi**(3/2 - k/2)*h*wavelength**(k/2 - 1)*(r*sin(psi))**(1 -
@@ -248,13 +248,13 @@ def displacement(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
     -------
     float or ndarray
-        Surface displacement into the half space [m]. The shape to which the arguments broadcast.
+        Surface displacement into the half-space [m]. The shape to which the arguments broadcast.
 
     Raises
     ------
@@ -297,9 +297,9 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -352,9 +352,9 @@ def mean_pressure(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -404,7 +404,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -457,9 +457,9 @@ def radius_from_force(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -510,9 +510,9 @@ def force_from_depth(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns
@@ -563,9 +563,9 @@ def depth_from_force(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
 
     Returns

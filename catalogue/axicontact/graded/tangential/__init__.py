@@ -1,4 +1,4 @@
-"""Tangential contact with friction on a power-law graded half space."""
+"""Tangential contact with friction on a power-law graded half-space."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Power law under a tangential load on a power-law graded half space.
+"""Power law under a tangential load on a power-law graded half-space.
 
 Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
 """
@@ -39,9 +39,9 @@ def tangential_force(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -107,9 +107,9 @@ def traction(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -170,11 +170,11 @@ def tangential_displacement(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -235,9 +235,9 @@ def stick_radius(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -288,11 +288,11 @@ def full_slip_displacement(
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.

@@ -1,4 +1,4 @@
-"""Quartic profile under a tangential load on a power-law graded half space.
+"""Quartic profile under a tangential load on a power-law graded half-space.
 
 Vanishing curvature at the tip: the pressure has a dip at the centre and its largest value on a ring.
 """
@@ -33,9 +33,9 @@ def tangential_force(a: ArrayLike, c: ArrayLike, *, A: ArrayLike, H: ArrayLike, 
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -97,9 +97,9 @@ def traction(
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -157,11 +157,11 @@ def tangential_displacement(
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -217,9 +217,9 @@ def stick_radius(F_x: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k:
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -268,11 +268,11 @@ def full_slip_displacement(
     A : array_like
         Coefficient of a power-law profile [m^(1-n)], A > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.

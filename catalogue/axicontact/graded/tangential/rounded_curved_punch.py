@@ -1,4 +1,4 @@
-"""Curved punch with a rounded edge under a tangential load on a power-law graded half space.
+"""Curved punch with a rounded edge under a tangential load on a power-law graded half-space.
 
 A paraboloid of radius R1 whose edge is rounded off from r = b on with the radius R2.
 """
@@ -41,9 +41,9 @@ def tangential_force(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -116,9 +116,9 @@ def traction(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -194,11 +194,11 @@ def tangential_displacement(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -270,9 +270,9 @@ def stick_radius(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -335,11 +335,11 @@ def full_slip_displacement(
     b : array_like
         Radius of the break between two parts of the profile [m], b > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.

@@ -1,4 +1,4 @@
-"""Cone with a spherical tip under a tangential load on a power-law graded half space.
+"""Cone with a spherical tip under a tangential load on a power-law graded half-space.
 
 Sphere of radius R up to b = R sin(theta), then its tangent cone: the exact sphero-conical tip.
 """
@@ -39,9 +39,9 @@ def tangential_force(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -111,9 +111,9 @@ def traction(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -189,11 +189,11 @@ def tangential_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -256,9 +256,9 @@ def stick_radius(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -312,11 +312,11 @@ def full_slip_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.

@@ -1,4 +1,4 @@
-"""Wavy paraboloid under a tangential load on a power-law graded half space.
+"""Wavy paraboloid under a tangential load on a power-law graded half-space.
 
 A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
 """
@@ -49,9 +49,9 @@ def tangential_force(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -124,9 +124,9 @@ def traction(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -199,11 +199,11 @@ def tangential_displacement(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -280,9 +280,9 @@ def stick_radius(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
@@ -344,11 +344,11 @@ def full_slip_displacement(
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
-        Foundation modulus of the graded half space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
         Tangential foundation modulus, c_T(x) = H_x |x|^k [Pa m^(-k)], H_x > 0.
     k : array_like
-        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half space [1], -1 < k
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
     mu : array_like
         Coefficient of friction [1], mu >= 0.
