@@ -57,7 +57,7 @@ def test_frozen_values_are_folded_in_and_fields_have_two_sides():
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("return E_star * a * np.tan(theta)", "return E_star * a * np.sin(theta)"),
+        ("return E_star * np.tan(theta) * a", "return E_star * np.sin(theta) * a"),
         ("np.log1p((a - x + root) / x)", "np.log1p((a - x + root) / a)"),
         ("value, -_profile_slope(", "value, _profile_slope("),
         ("a * np.log1p((L - a + root) / a)", "a * np.log1p((L - a + root) / L)"),

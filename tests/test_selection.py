@@ -116,7 +116,7 @@ def test_planted_variants_of_a_real_function() -> None:
     entries, _ = cone()
     own = written(entries, ["d"])["d"]
     assert [one.variant for one in own] == ["angles of quotients", "all rules", "without angles"]
-    wrong = replace(own[0], variant="half", source=own[0].source.replace("return a", "return 0.5 * a"), cost=1)
+    wrong = replace(own[0], variant="half", source=own[0].source.replace("return np.tan", "return 0.5 * np.tan"), cost=1)
     assert wrong.source != own[0].source
     row = selected({"d": (*own, wrong)})
     assert "better" not in row["selection"]

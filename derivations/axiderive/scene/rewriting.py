@@ -73,8 +73,11 @@ class _Rewriting:
             above += [f"# {note[0].lower() if note[1:2].islower() else note[0]}{note[1:]}"] if note else []
             return "\n".join([*above, _constant(name, self._render(node.value))])
         if isinstance(node, ast.ClassDef):
-            fields = [s.target.id for s in node.body if isinstance(s, ast.AnnAssign) and isinstance(s.target, ast.Name)]
-            return f'{name} = namedtuple("{name}", "{" ".join(fields)}")'
+            rows = [s for s in node.body if isinstance(s, ast.AnnAssign) and isinstance(s.target, ast.Name)]
+            fields = " ".join(ast.unparse(row.target) for row in rows)
+            given = [self._render(row.value) for row in rows if row.value is not None]
+            defaults = f", defaults=[{', '.join(given)}]" if given else ""
+            return f'{name} = namedtuple("{name}", "{fields}"{defaults})'
         assert isinstance(node, ast.FunctionDef)
         own = self.linker.dropped[self.definition.key]
         body = list(node.body)

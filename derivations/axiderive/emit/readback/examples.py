@@ -91,7 +91,7 @@ def _radius(contact: Contact, text: str, load: Any) -> Any:
 
 def _graded(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
     stated = given_in(words)
-    modulus = _foundation_modulus(stored("materials")["H"], stated)
+    modulus = _foundation_modulus(stored("materials"), stated)
     yield Printout("graded H", _stated(words, "H"), modulus)
     load = heading(text).given["F_N"]
     own = {key: x for key, x in heading(text).given.items() if key not in ("E*", "F_N")}
@@ -116,13 +116,15 @@ def _graded(text: str, words: str, shown: dict[str, str], name: str, stored: Sto
     )
 
 
-def _foundation_modulus(entry: Entry, stated: Mapping[str, Any]) -> Any:
-    """H by its printed formula, whose shorthand stands in the panel of the definitions."""
+def _foundation_modulus(constants: Entries, stated: Mapping[str, Any]) -> Any:
+    """H by its printed formula and that of its factor, whose shorthand stands in the panel of the definitions."""
     env = {key: value for key, value in stated.items() if key != "H"}
-    for symbol, expr in entry.profile.abbreviations:
+    factor = constants["h_N"]
+    for symbol, expr in factor.profile.abbreviations:
         values = {s: sp.Float(str(env[name_in_print(s)]), DIGITS) for s in expr.free_symbols}
         env[name_in_print(symbol)] = mp.mpf(str(expr.subs(values)))
-    return _value(row(entry), env)
+    env[name_in_print(factor.quantity.symbol)] = _value(row(factor), env)
+    return _value(row(constants["H"]), env)
 
 
 def _relaxing(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:

@@ -53,8 +53,8 @@ def on_the_bump(s: Array) -> Unknown:
     """For f = h (1 - exp(-r**2/s**2)): the share of the height of the bump."""
 
     def back(x: Array) -> tuple[Array, Array]:
-        a = s * np.sqrt(-np.log1p(-x))
-        return a, s * s / (2.0 * a * (1.0 - x))
+        ratio = np.sqrt(-np.log1p(-x))
+        return s * ratio, s / (2.0 * ratio * (1.0 - x))
 
     return Unknown(lambda a: -np.expm1(-((a / s) ** 2)), back)
 
