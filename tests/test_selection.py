@@ -116,7 +116,8 @@ def test_planted_variants_of_a_real_function() -> None:
     entries, _ = cone()
     own = written(entries, ["d"])["d"]
     assert [one.variant for one in own] == ["angles of quotients", "all rules", "without angles"]
-    wrong = replace(own[0], variant="half", source=own[0].source.replace("return np.tan", "return 0.5 * np.tan"), cost=1)
+    half = own[0].source.replace("return np.tan", "return 0.5 * np.tan")
+    wrong = replace(own[0], variant="half", source=half, cost=1)
     assert wrong.source != own[0].source
     row = selected({"d": (*own, wrong)})
     assert "better" not in row["selection"]
