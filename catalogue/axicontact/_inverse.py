@@ -193,7 +193,7 @@ def inverse_across(
         more = (high - base) / one
         if powers is not None:
             start = joining(more, slope, *powers)
-        else:
+        elif leaving is not None:
             start = leaving_power(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
     # both the value and that at the break are rounded, some of them sums
     noise = 5.0 * ROUNDING * high
