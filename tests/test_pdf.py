@@ -90,9 +90,10 @@ def test_overfull_lines_and_dangling_references_are_remarks_with_a_key():
     assert any(remark.startswith("reference nowhere ") for remark in remarks)
 
 
-def test_a_nearly_empty_page_is_a_remark_unless_it_is_the_title_page():
-    log = "Page 1 is filled to 20 of 1000\nPage 2 is filled to 1004 of 1000\nPage 3 is filled to 90 of 1000\n"
-    assert pdf.filled(log) == {1: 0.02, 2: 1.004, 3: 0.09}
+def test_a_nearly_empty_page_is_a_remark_unless_it_is_the_first_or_the_last():
+    shares = {1: 20, 2: 1004, 3: 90, 4: 9}
+    log = "".join(f"Page {page} is filled to {share} of 1000\n" for page, share in shares.items())
+    assert pdf.filled(log) == {page: share / 1000 for page, share in shares.items()}
     assert pdf.problems(log, {"main.tex": DOCUMENT}) == ["page 3 is filled to 9 % only"]
 
 

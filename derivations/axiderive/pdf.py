@@ -176,8 +176,10 @@ def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
     found = [*stops(log, sources), *_overfull_lines(log, sources)]
     for match in re.finditer(r"^LaTeX Warning: (?:Hyper )?[Rr]eference `([^']+)' on page (\d+) undefined", log, re.M):
         found.append(f"reference {match[1]} (page {match[2]}) does not exist")
-    for page, share in filled(log).items():
-        if page > 1 and share < LEAST_FILLED:
+    pages = filled(log)
+    for page, share in pages.items():
+        # the title page, and the end of the index, are as full as they are
+        if 1 < page < max(pages) and share < LEAST_FILLED:
             found.append(f"page {page} is filled to {100 * share:.0f} % only")
     if "LaTeX Font Warning: Font shape" in log:
         found.append(f"a font shape was substituted; the fonts come with: {INSTALL}")
