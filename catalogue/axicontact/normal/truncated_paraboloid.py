@@ -594,7 +594,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return 2 * E_star * (2 * a**2 + b**2) * root / (3 * np.pi * a**2 * R)
+    return 4 * E_star / (3 * np.pi * R) * root + 2 * E_star * b**2 * root / (3 * np.pi * a**2 * R)
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:

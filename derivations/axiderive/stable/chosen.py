@@ -12,6 +12,7 @@ CHOSEN = {
     "truncated_cone.d": "angles of quotients",
     "truncated_cone.F": "angles of quotients",
     "truncated_cone.pm": "angles of quotients",
+    "truncated_paraboloid.pm": "expanded sums",
 }
 """Names of variants by key of the entry; all others are written by all rules."""
 _BY_NAME = {variant.name: variant for variant in VARIANTS}
