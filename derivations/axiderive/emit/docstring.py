@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 
 import sympy as sp
 
 from .. import notation as nt
+from ..abel.masters import MASTERS
 from ..entry import Entry, Quantity
 from ..profiles.profile import Profile
 from .private import parameter_name
@@ -93,7 +95,21 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
         lines += _wrapped(equation + (f"   for {where}" if where else ""))
     for symbol, expr in profile.abbreviations:
         lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
+    for meaning in _functions("\n".join(lines)):
+        lines += _wrapped(meaning)
     return lines
+
+
+def _functions(text: str) -> list[str]:
+    """What the special functions in a formula stand for, in the words of their own docstrings."""
+    meanings = []
+    for master in MASTERS:
+        name, meaning = master.__name__, (master.__doc__ or "").partition("\n")[0]
+        if re.search(rf"\b{name}\(", text):
+            meanings.append(f"with {meaning if meaning.startswith(name) else f'{name}: {meaning}'}")
+    if "elliptic_" in text:
+        meanings.append("with elliptic integrals of the parameter m = k**2, their last argument")
+    return meanings
 
 
 COMPOSED = {"F": "F(a)", "d": "d(a)", "ad": "a(d)", "aF": "a(F)"}
