@@ -64,11 +64,12 @@ def derive(
     onset = tuple(Case(case.chain, ratio * case.expr) for case in depth.cases)
     equations = tuple(Case(case.chain, sp.Eq(case.expr, F_x)) for case in slip)
     inverse = _closed_stick_radius(plain["aF"], force)
+    difference = mu * (sp.Function("F")(a) - sp.Function("F")(c))
     out: dict[str, tuple[Status, tuple[Case, ...], sp.Expr]] = {
-        "F": (force.status, slip, mu * (sp.Function("F")(a) - sp.Function("F")(c))),
+        "F": (force.status, slip, difference),
         "tau": (pressure.status, _traction(pressure), mu * (sp.Function("p")(r, a) - sp.Function("p")(r, c))),
         "u": (depth.status, sliding, ratio * (sp.Function("g")(a) - sp.Function("g")(c))),
-        "c": ("closed" if inverse else "root", inverse or equations, sp.Eq(slip[0].expr, F_x)),
+        "c": ("closed" if inverse else "root", inverse or equations, sp.Eq(difference, F_x)),
         "us": (depth.status, onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
     }
     modulus = {"F": (medium.modulus,), "tau": (medium.modulus,), "c": (medium.modulus,)}

@@ -90,9 +90,8 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
     lines = []
     for text, where in rows:
         if len(text) > 400:
-            return _wrapped(f"{name} = {sp.sstr(entry.definition)}" if entry else text)
-        equation = text if entry is not None and entry.status == "root" and "=" in text else f"{name} = {text}"
-        lines += _wrapped(equation + (f"   for {where}" if where else ""))
+            return _wrapped(_equation(name, _text(entry.definition)) if entry else text)
+        lines += _wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
     for symbol, expr in profile.abbreviations:
         lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
     for meaning in _functions("\n".join(lines)):
@@ -100,11 +99,16 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
     return lines
 
 
+def _equation(name: str, text: str) -> str:
+    """A value, or an equation for it, after the name."""
+    return f"{name} from {text}" if "=" in text else f"{name} = {text}"
+
+
 def _functions(text: str) -> list[str]:
     """What the special functions in a formula stand for, in the words of their own docstrings."""
     meanings = []
     for master in MASTERS:
-        name, meaning = master.__name__, (master.__doc__ or "").partition("\n")[0]
+        name, meaning = master.__name__, (master.__doc__ or "").partition("\n")[0].rstrip(".")
         if re.search(rf"\b{name}\(", text):
             meanings.append(f"with {meaning if meaning.startswith(name) else f'{name}: {meaning}'}")
     if "elliptic_" in text:

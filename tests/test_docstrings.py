@@ -1,0 +1,47 @@
+"""The formulas of the docstrings, over every module of the catalogue: no name that a reader would have to guess."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import axicontact
+
+ROOT = Path(axicontact.__file__).parent
+ELEMENTARY = {
+    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "asinh", "acosh", "atanh",
+    "abs", "sign", "max", "gamma", "Integral", "Derivative", "Sum",
+}  # fmt: skip
+FIELDS = {"f", "g", "a", "d", "F", "p", "E"}
+"""Functions that the text itself defines, or that the docstring of their own entry does."""
+
+
+def formulas(path: Path) -> list[tuple[str, str]]:
+    """Name and the text above the parameters of every public function that has some."""
+    functions = [node for node in ast.parse(path.read_text()).body if isinstance(node, ast.FunctionDef)]
+    texts = [(node.name, ast.get_docstring(node) or "") for node in functions if not node.name.startswith("_")]
+    return [(name, text.partition("\nParameters\n")[0]) for name, text in texts if "\nParameters\n" in text]
+
+
+@pytest.mark.parametrize(
+    "package", sorted({path.parent for path in ROOT.rglob("*.py")}), ids=lambda p: str(p.relative_to(ROOT.parent))
+)
+def test_every_function_of_a_formula_is_known_or_explained(package: Path) -> None:
+    unknown = [
+        f"{path.stem}.{function}: {name}"
+        for path in sorted(package.glob("*.py"))
+        for function, text in formulas(path)
+        for name in re.findall(r"\b(\w+)\(", text)
+        if name not in ELEMENTARY | FIELDS
+        and not re.search(rf"^with {name}[:(]", text, re.MULTILINE)
+        and not (name.startswith("elliptic_") and "with elliptic integrals of the parameter" in text)
+    ]
+    assert unknown == []
+
+
+def test_there_are_formulas_to_read() -> None:
+    found = [name for path in ROOT.rglob("*.py") for name, text in formulas(path) if " = " in text]
+    assert len(found) > 1000
