@@ -11,6 +11,7 @@ import pytest
 import axicontact
 
 ROOT = Path(axicontact.__file__).parent
+PACKAGES = sorted({path.parent.relative_to(ROOT) for path in ROOT.rglob("*.py")})
 ELEMENTARY = {
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "asinh", "acosh", "atanh",
     "abs", "sign", "max", "gamma", "Integral", "Derivative", "Sum",
@@ -32,7 +33,7 @@ def formulas(path: Path) -> list[tuple[str, str]]:
 def test_every_function_of_a_formula_is_known_or_explained(package: Path) -> None:
     unknown = [
         f"{path.stem}.{function}: {name}"
-        for path in sorted(package.glob("*.py"))
+        for path in sorted((ROOT / package).glob("*.py"))
         for function, text in formulas(path)
         for name in re.findall(r"\b(\w+)\(", text)
         if name not in ELEMENTARY | FIELDS
