@@ -22,7 +22,7 @@ MODULES = (
     "graded.adhesive.cone", "graded.tangential.cone",
 )  # fmt: skip
 ROUNDED = 1e-15
-"""The last digit: blocks have exponentials of their own, and an iteration may end one step earlier.
+"""The last digit: blocks have exponentials of their own, and an iteration may end one step earlier."""
 Call = tuple[list[float], dict[str, Any]]
 
 
