@@ -8,6 +8,7 @@ import re
 from functools import cache
 from typing import Any
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -15,6 +16,7 @@ from misprints import misprints
 from stored_book import CATALOGUE, KEYS, stored
 from test_misprints import NOT_A_NUMBER
 
+from axicontact import _relaxation
 from axicontact._slip import even_gain
 from axiderive import notation as nt
 from axiderive.contact.medium import GRADED, HOMOGENEOUS
@@ -24,8 +26,12 @@ from axiderive.emit.evaluated_adhesive import adhesive_rows, curve_exponents
 from axiderive.emit.evaluated_graded import pressure_rows
 from axiderive.emit.evaluated_inverses import inverse_rows
 from axiderive.emit.evaluated_slip import INNER, OUTER, ring_gain, slip_rows
+from axiderive.emit.laws import laws
 from axiderive.emit.places import PLACES, UNKNOWN
 from axiderive.emit.readback.further import Further, wrong
+from axiderive.emit.readback.grammar import read
+from axiderive.emit.readback.nodes import environment
+from axiderive.emit.readback.printed import holds
 from axiderive.emit.transcribed import NAMES, typeset
 from axiderive.emit.universal import power_of_depth
 
@@ -239,3 +245,20 @@ def _untyped(tex: str) -> str:
 
 def _bare(text: str) -> str:
     return re.sub(r"[\s(){}]", "", text)
+
+
+def test_a_ramp_is_summed_as_printed_up_to_the_age_of_the_module() -> None:
+    rows = [row for law in laws() for row in law.evaluated]
+    assert [row["comment"] for row in rows] == ["law mx", "law mx", "law sls", "law sls"]
+    for i, row in enumerate(rows):
+        sides = [{"t": mp.mpf(3) * _relaxation.SWITCH * (1 + side), "tau": mp.mpf(3)} for side in (-1e-9, 1e-9)]
+        for text, right in ((row["small"], True), (row["small"].replace("40", "41"), False)):
+            assert ([holds(text.strip("$"), env) for env in sides] == [i % 2 == 0, i % 2 == 1]) is right
+        (first, *definitions), age = read(row["tex"]), 41 if i % 2 else 39
+        env = {"t": mp.mpf(age), "tau": mp.mpf(1), "m": mp.mpf("1.5"), "E": mp.mpf(2), "E_infty": 2, "E_1": mp.mpf(5)}
+        own = first.members[-1](environment(definitions, env))
+        at = np.array([float(age)]), np.array([1.5])
+        found = (
+            _relaxation.ramp_maxwell(*at, 2.0, 1.0) if i < 2 else _relaxation.ramp_standard_solid(*at, 2.0, 5.0, 1.0)
+        )
+        assert float(own) == pytest.approx(found[0], rel=1e-14)

@@ -82,6 +82,9 @@ class _Parser(Tokens):
         while self.peek() == "^":
             self.take()
             base = nodes.power(base, self.argument())
+        while self.peek() == "!":
+            self.take()
+            base = nodes.factorial(base)
         return base
 
     def argument(self) -> Node:
@@ -204,6 +207,8 @@ class _Parser(Tokens):
             return self.function(name)
         if name in FUNCTIONS and token.startswith("\\"):
             return self.call(FUNCTIONS[name])
+        if name == "infty":
+            return Node(lambda env: mp.inf)
         if name == "pi":
             return Node(lambda env: +mp.pi)
         primes = ""
