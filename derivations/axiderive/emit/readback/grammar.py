@@ -119,8 +119,11 @@ class _Parser(Tokens):
             return Node(lambda env: abs(inner(env)))
         if token == r"\prescript":
             return self.hypergeometric()
-        if token == r"\max":
-            return self.function("max")
+        if token == r"\min" and self.peek() == "_":
+            self.take()
+            return nodes.least(self.text(), self.product())
+        if token in (r"\max", r"\min"):
+            return self.function(token[1:])
         if token == r"\sqrt":
             return self.root()
         if token == r"\int":

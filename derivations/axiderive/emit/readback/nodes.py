@@ -96,6 +96,11 @@ def series(lower: Node, upper: Node, body: Node, variable: str) -> Node:
     return Node(value)
 
 
+def least(variable: str, body: Node) -> Node:
+    """The least value over the terms of a sum whose coefficients are in the environment."""
+    return Node(lambda env: min(body({**env, variable: mp.mpf(i + 1)}) for i in range(len(env[f"A_{variable}"]))))
+
+
 def _looked_up(env: Environment, name: str) -> Value:
     if name not in env:
         message = f"the row uses {name!r}, which nothing defines"
