@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import doctest
+import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from inspect import getmembers, isfunction
@@ -66,6 +67,18 @@ def test_results_have_the_shape_of_the_fields(name: str) -> None:
         assert many.ravel() == pytest.approx(alone, rel=ROUNDED, abs=ABSOLUTE, nan_ok=True), function
         turned = function(*[np.asfortranarray(x) for x in whole], **keywords)
         assert turned == pytest.approx(many, rel=ROUNDED, abs=ABSOLUTE, nan_ok=True), function
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_results_have_the_shape_of_the_parameters(name: str) -> None:
+    """But for those that the docstring names as of no influence."""
+    for function, (fields, keywords) in public(name):
+        named = re.search(r"Not broadcast with ([\w, ]+), on", " ".join((function.__doc__ or "").split()))
+        apart = named[1].split(", ") if named else []
+        for key, value in keywords.items():
+            if isinstance(value, float):
+                found = function(*fields, **keywords | {key: np.full((2, 1), value)})
+                assert np.shape(found) == (() if key in apart else (2, 1)), (function, key)
 
 
 def test_an_integral_in_groups_takes_a_grid_of_radii() -> None:
