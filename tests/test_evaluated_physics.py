@@ -249,7 +249,7 @@ def _bare(text: str) -> str:
 
 def test_a_ramp_is_summed_as_printed_up_to_the_age_of_the_module() -> None:
     rows = [row for law in laws() for row in law.evaluated]
-    assert [row["comment"] for row in rows] == ["law mx", "law mx", "law sls", "law sls"]
+    assert [row["comment"][-3:] for row in rows] == ["_mx", "_mx", "sls", "sls"]
     for i, row in enumerate(rows):
         sides = [{"t": mp.mpf(3) * _relaxation.SWITCH * (1 + side), "tau": mp.mpf(3)} for side in (-1e-9, 1e-9)]
         for text, right in ((row["small"], True), (row["small"].replace("40", "41"), False)):

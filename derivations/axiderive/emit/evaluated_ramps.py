@@ -42,8 +42,8 @@ def ramp_rows(law: Law) -> Rows:
         value = Printer(names={FADING: text})(law.ramp.subs(fading, FADING))
         rows.append(
             {
-                "half": False, "comment": f"law {law.suffix}", "label": "Evaluated as", "small": f"$t{sign} {border}$",
-                "tex": rf"\Phi_{{m}}(t)={value},\qquad x={x}", "remark": "",
+                "half": False, "comment": f"evaluation vis.ramp_{law.suffix}", "label": "Evaluated as",
+                "small": f"$t{sign} {border}$", "tex": rf"\Phi_{{m}}(t)={value},\qquad x={x}", "remark": "",
             }
         )  # fmt: skip
     return rows
