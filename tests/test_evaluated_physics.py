@@ -8,6 +8,7 @@ import re
 from functools import cache
 from typing import Any
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -15,6 +16,7 @@ from misprints import misprints
 from stored_book import CATALOGUE, KEYS, stored
 from test_misprints import NOT_A_NUMBER
 
+from axicontact import _relaxation
 from axicontact._slip import even_gain
 from axiderive import notation as nt
 from axiderive.contact.medium import GRADED, HOMOGENEOUS
@@ -22,10 +24,14 @@ from axiderive.contact.systems import problem
 from axiderive.emit import front_rules
 from axiderive.emit.evaluated_adhesive import adhesive_rows, curve_exponents
 from axiderive.emit.evaluated_graded import pressure_rows
-from axiderive.emit.evaluated_inverses import inverse_rows
+from axiderive.emit.evaluated_inverses import graded_rows, inverse_rows
 from axiderive.emit.evaluated_slip import INNER, OUTER, ring_gain, slip_rows
+from axiderive.emit.laws import laws
 from axiderive.emit.places import PLACES, UNKNOWN
 from axiderive.emit.readback.further import Further, wrong
+from axiderive.emit.readback.grammar import read
+from axiderive.emit.readback.nodes import environment
+from axiderive.emit.readback.printed import holds
 from axiderive.emit.transcribed import NAMES, typeset
 from axiderive.emit.universal import power_of_depth
 
@@ -41,7 +47,7 @@ def rows_of(key: str) -> Rows:
     if own.system.name == "normal":
         return inverse_rows(own.profile, stored(key))
     if own.system.name == "graded.normal":
-        return pressure_rows(key, stored(key))
+        return [*pressure_rows(key, stored(key)), *graded_rows(key, stored(key))]
     make = {"adhesive": adhesive_rows, "tangential": slip_rows}.get(own.system.name.rpartition(".")[2])
     return make(key, stored(key.rpartition(".")[0]), graded) if make else []
 
@@ -61,7 +67,7 @@ def passes(one: Further) -> bool:
 
 QUICK = (
     "cone.tan", "quartic.tan", "power_law.adh", "power_law.fgm.adh", "power_law.fgm.tan", "sphere", "sphere.adh",
-    "truncated_paraboloid", "rounded_punch.adh",
+    "truncated_paraboloid", "rounded_punch.adh", "gaussian.fgm", "truncated_cone.fgm", "sphere.fgm", "polynomial.fgm",
 )  # fmt: skip
 """Rows of every kind, none of which takes a second."""
 ALL = tuple(key for key in KEYS if not key.startswith(("plane.", "loads.", "materials")))
@@ -88,7 +94,7 @@ def test_rows_say_what_their_entries_are(key: str) -> None:
 def test_misprints_do_not_survive() -> None:
     rng = random.Random("evaluation of physics")
     counts = []
-    for key in ("cone.tan", "power_law.adh", "sphere", "truncated_paraboloid"):
+    for key in ("cone.tan", "power_law.adh", "sphere", "truncated_paraboloid", "sphere.fgm", "gaussian.fgm"):
         for row in rows_of(key):
             if ".adh.p" in row["comment"]:
                 continue
@@ -198,7 +204,7 @@ def test_the_unknown_of_an_inverse_is_that_of_the_module() -> None:
             continue
         text = source(key)
         solved = {key for row in rows_of(key) if row["comment"].startswith("solved") for key in row["comment"].split()}
-        assert ("np.tanh(t)" in text or "np.sqrt(1.0 + t * t)" in text or "inverse_across(" in text) == bool(solved)
+        assert bool(re.search(r" inverse(_\w+)?\(", text)) == bool(solved)
         corrected = any(row["comment"].startswith("corrected") for row in rows_of(key))
         assert ("change = np.where((a > 0.0)" in text) == corrected
     t, length = sp.Symbol("t"), sp.Rational(3)
@@ -239,3 +245,20 @@ def _untyped(tex: str) -> str:
 
 def _bare(text: str) -> str:
     return re.sub(r"[\s(){}]", "", text)
+
+
+def test_a_ramp_is_summed_as_printed_up_to_the_age_of_the_module() -> None:
+    rows = [row for law in laws() for row in law.evaluated]
+    assert [row["comment"][-3:] for row in rows] == ["_mx", "_mx", "sls", "sls"]
+    for i, row in enumerate(rows):
+        sides = [{"t": mp.mpf(3) * _relaxation.SWITCH * (1 + side), "tau": mp.mpf(3)} for side in (-1e-9, 1e-9)]
+        for text, right in ((row["small"], True), (row["small"].replace("40", "41"), False)):
+            assert ([holds(text.strip("$"), env) for env in sides] == [i % 2 == 0, i % 2 == 1]) is right
+        (first, *definitions), age = read(row["tex"]), 41 if i % 2 else 39
+        env = {"t": mp.mpf(age), "tau": mp.mpf(1), "m": mp.mpf("1.5"), "E": mp.mpf(2), "E_infty": 2, "E_1": mp.mpf(5)}
+        own = first.members[-1](environment(definitions, env))
+        at = np.array([float(age)]), np.array([1.5])
+        found = (
+            _relaxation.ramp_maxwell(*at, 2.0, 1.0) if i < 2 else _relaxation.ramp_standard_solid(*at, 2.0, 5.0, 1.0)
+        )
+        assert float(own) == pytest.approx(found[0], rel=1e-14)

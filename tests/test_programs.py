@@ -1,4 +1,4 @@
-"""The compiled ways through a formula: programs over blocks of arrays and flat functions of plain numbers."""
+"""The compiled way of a formula over arrays: programs over blocks, and what a caller sees of them."""
 
 from __future__ import annotations
 
@@ -7,58 +7,30 @@ import math
 import pickle
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 import pytest
+from private_bodies import EPS, MODULES, bodies, body
 
 from axicontact import _elementwise
 from axicontact._blocks import program
 from axicontact._elementwise import BLOCK, elementwise
-from axicontact._integrals import STRIPS
-from axicontact._loops import PANELS, rule
 from axicontact._plain import plain
 from axicontact._trace import trace
 from axicontact.normal import (
-    capped_cylinder,
     cone,
     ellipsoid,
     paraboloid,
-    power_law,
     rounded_punch,
     sphere,
-    truncated_cone,
 )
-from axiderive.profiles import NAMES
 
-EPS = np.finfo(float).eps
 EXTREMES = np.array([0.0, 1e-300, 1e-30, 0.3, 0.5, 1.0, 1.0, 1.4, 2.0, 1e150, np.inf, np.nan])
-MODULES = [
-    *(f"normal.{name}" for name in NAMES),
-    *(
-        "tangential.cone",
-        "viscoelastic.cone",
-        "adhesive.paraboloid",
-        "plane.rounded_wedge",
-        "loads.uniform",
-        "materials",
-    ),
-]
 RARE = (sphere._pressure, ellipsoid._pressure)
 """Bodies with a branch that is left to them."""
-
-
-def bodies(name: str) -> Iterator[Callable[..., Any]]:
-    """The private functions of arrays of a module."""
-    module = import_module(f"axicontact.{name}")
-    for function in vars(module).values():
-        if inspect.isfunction(function) and function.__module__ == module.__name__ and function.__name__[0] == "_":
-            kinds = set(function.__annotations__.values())
-            if kinds == {"Array"} and function.__code__.co_argcount:
-                yield function
 
 
 def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarray]) -> np.ndarray | None:
@@ -172,11 +144,6 @@ def test_a_block_inside_the_contact_needs_no_maximum(monkeypatch: pytest.MonkeyP
         assert len(called) == calls
 
 
-def body(function: Callable[..., Any], *values: Any) -> np.ndarray:
-    with np.errstate(all="ignore"):
-        return np.asarray(function(*(np.asarray(value, dtype=float) for value in np.broadcast_arrays(*values))))
-
-
 @pytest.mark.parametrize("size", [0, 1, 2, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 7])
 def test_borders_of_blocks(size: int) -> None:
     r = np.linspace(0.1, 1.2, size)
@@ -260,71 +227,6 @@ def test_a_rare_branch_is_left_to_the_body() -> None:
 
     assert trace(asking_twice, ("x",), ()) is not None, "the second question is never asked"
     assert trace(lambda x: asking_twice(x) + asking_twice(2.0 * x), ("x",), ()) is None
-
-
-# plain numbers
-
-
-def test_plain_functions_agree_with_the_bodies() -> None:
-    dice, count = np.random.default_rng(5), 0
-    for name in MODULES:
-        for function in bodies(name):
-            arguments = function.__code__.co_argcount
-            if trace(function, map(str, range(arguments)), ()) is None:
-                continue
-            formula = plain(function)
-            assert formula is not None
-            for _ in range(8):
-                values = [float(10 ** dice.uniform(-1, 1)) for _ in range(arguments)]
-                got = formula(*values)
-                if got is not None:
-                    np.testing.assert_allclose(got, body(function, *values), rtol=64 * EPS, err_msg=function.__name__)
-                    count += 1
-    assert count > 500
-
-
-@pytest.mark.parametrize("module", [truncated_cone, rounded_punch])
-def test_rules_are_loops_over_plain_numbers(module: Any) -> None:
-    """Next to the edges too, where the rule has panels; farther out the body takes over."""
-    dice, sizes = np.random.default_rng(6), dict(zip(("theta", "R", "b"), (0.4, 3.0, 1.0), strict=True))
-    for function in (module._pressure, module._displacement):
-        names = inspect.signature(function).parameters
-        rest = [sizes.get(name, 1.0) for name in list(names)[2:]]
-        formula = plain(function)
-        assert formula is not None
-        for _ in range(60):
-            a = 1.0 + 10 ** dice.uniform(-12, 5)
-            near = 10 ** dice.uniform(-12, -0.01)
-            r = a * (1.0 - near) if function is module._pressure else a * (1.0 + near)
-            got = formula(r, a, *rest)
-            assert got is not None
-            np.testing.assert_allclose(got, body(function, [r], a, *rest), rtol=16 * EPS)
-    assert rule(STRIPS)(PANELS * STRIPS[-1][0] * 0.99)
-    for length in (PANELS * STRIPS[-1][0] * 1.01, math.inf, math.nan):
-        with pytest.raises((ArithmeticError, ValueError)):
-            rule(STRIPS)(length)
-
-
-def test_a_minimum_keeps_what_is_no_number() -> None:
-    found = plain(least_or_nan)
-    assert found is not None
-    assert found(2.0, 3.0) == 2.0
-    assert found(0.5, 3.0) is None
-
-
-def least_or_nan(x: Any, y: Any) -> Any:
-    return np.minimum(np.where(x < 1.0, np.nan, x), y)
-
-
-def test_results_are_trusted_where_the_bounds_allow_it() -> None:
-    """A formula with any exponent is not; its result outside the range of trust is left to the slower way."""
-    assert plain(capped_cylinder._stiffness)(1e-25, 1e25, 1e-25, 1e-30) == pytest.approx(2e-55)  # type: ignore[misc]
-    assert plain(power_law._profile)(1e-5, 1.0, 2.0) == pytest.approx(1e-10)  # type: ignore[misc]
-    assert plain(power_law._profile)(1e-5, 1.0, 41.0) is None  # type: ignore[misc]
-    assert plain(power_law._profile)(1e-5, 1.0, 70.0) is None  # type: ignore[misc]
-
-
-# what a caller sees of it
 
 
 def test_compiling_waits_for_the_first_call() -> None:

@@ -16,11 +16,11 @@ from axiderive.contact.systems import Problem, problem
 from axiderive.emit.readback import sentences, statements
 from axiderive.emit.readback.examples import further_examples
 from axiderive.emit.readback.further import ENDS, KINDS, Further, further, wrong
-from axiderive.emit.readback.given import given_numbers
 from axiderive.emit.readback.inline import Inline, inline
-from axiderive.emit.readback.numbers import Printout, check_values, number, worked_example
+from axiderive.emit.readback.numbers import Printout, number
 from axiderive.emit.readback.sentences import LISTED
 from axiderive.emit.readback.statements import Said
+from axiderive.emit.readback.tables import check_values, worked_example
 from axiderive.emit.spread import pool_of
 
 SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PROFILES))
@@ -143,8 +143,6 @@ def _printed_as(one: Said) -> str:
 
 def _numbers(name: str) -> list[Printout]:
     text = text_of(f"profiles/{name}.tex")
-    if name.startswith("loads.") or name == "plane.eccentric_punch":
-        return list(given_numbers(text, stored(name)))
     adhesive = stored(f"{name}.adh") if f"{name}.adh" in KEYS else None
     plain = [*check_values(text, stored(name)), *worked_example(text, stored(name), adhesive)]
     return [*plain, *further_examples(text, name, stored)]

@@ -15,7 +15,7 @@ from .evaluated import evaluation_rows
 from .evaluated_adhesive import adhesive_rows
 from .evaluated_fields import field_rows
 from .evaluated_graded import pressure_rows
-from .evaluated_inverses import inverse_rows
+from .evaluated_inverses import graded_rows, inverse_rows
 from .evaluated_plane import plane_rows
 from .evaluated_slip import slip_rows
 from .limits import limit_rows
@@ -150,7 +150,7 @@ def _further(
         return [*found, *(universal_rows(problem.key, plain["d"], graded) if "Fc" in entries else [])]
     if system.endswith("tangential"):
         return slip_rows(problem.key, plain, graded)
-    return pressure_rows(problem.key, plain) if system == "graded.normal" else []
+    return [*pressure_rows(problem.key, plain), *graded_rows(problem.key, plain)] if system == "graded.normal" else []
 
 
 def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:

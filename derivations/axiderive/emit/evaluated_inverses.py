@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from ..contact.medium import HOMOGENEOUS
@@ -11,11 +11,14 @@ from ..notation import a
 from ..profiles.profile import Profile
 from .compact import Compact
 from .evaluated import Rows
+from .evaluated_slip import packed
 from .inverses import Inverses
 from .naming import LEFT
 from .places import PLACES, UNKNOWN
 from .printer import Printer
 from .private import PrivateFunctions
+from .rows import Region
+from .unknowns import Unknown, graded_unknowns, smooth, unknowns
 
 RADII = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}"}
 
@@ -31,7 +34,7 @@ def inverse_rows(profile: Profile, entries: Mapping[str, Entry]) -> Rows:
     key = entries["d"].key.rpartition(".")[0]
     keys = " ".join(f"{key}.{suffix}" for suffix in iterated)
     printer = Printer(names={UNKNOWN: "t"})
-    rows: Rows = []
+    rows: Rows = [_solved(own, key) for own in solved(entries)]
     start = "start at one" if profile.breaks and not profile.truncated else "start between the powers of both ends"
     for kind, length, where in inverses.unknowns():
         radius, root = (printer(expr) for expr in PLACES[kind].expressions(length))
@@ -46,6 +49,27 @@ def inverse_rows(profile: Profile, entries: Mapping[str, Entry]) -> Rows:
     depth = rf"d=g(a)+\frac{{{missed['d']}}}{{{stiffness}}}"
     return [*rows, _row("corrected", f"{key}.Fd", "Evaluated as", "", force, True),
             _row("corrected", f"{key}.dF", "Evaluated as", "", depth, True)]  # fmt: skip
+
+
+def graded_rows(key: str, entries: Mapping[str, Entry]) -> Rows:
+    """The rows of the inverses on the graded half-space."""
+    return [_solved(own, key) for own in graded_unknowns(entries)] if "ad" in entries else []
+
+
+def solved(entries: Mapping[str, Entry]) -> Iterator[Unknown]:
+    """What a normal contact is solved for where no root says more than the radius."""
+    inverses = Inverses(Compact(entries, PrivateFunctions(entries["d"].profile)))
+    if any(inverses.unknowns()):
+        return
+    found = tuple(unknowns(entries))
+    yield from found or [smooth(inverses.first_radius())]
+
+
+def _solved(own: Unknown, key: str) -> dict[str, Any]:
+    lines = packed([f"{equation.left}={equation.right}" for equation in own.equations])
+    keys = " ".join(f"{key}.{suffix}" for suffix in own.suffixes)
+    tex, small = Region("", tuple(lines)).tex, own.small and f"${own.small}$"
+    return _row("solved", keys, f"Solved for ${own.letter}$", small, tex, remark=own.remark)
 
 
 def _row(

@@ -167,8 +167,8 @@ class Inverses:
                 f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
             ]
             return self.functions.add(name, (field,), lines, needs)
-        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self._start())})"
-        needs = needs | {str(s) for s in self._start().free_symbols}
+        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self.first_radius())})"
+        needs = needs | {str(s) for s in self.first_radius().free_symbols}
         lines += self._least_start(suffix)
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
         return self.functions.add(name, (field,), lines, needs)
@@ -231,7 +231,7 @@ class Inverses:
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
-    def _start(self) -> sp.Expr:
+    def first_radius(self) -> sp.Expr:
         """A length of the profile that is small against the largest contact radius."""
         lengths = [p for p in self.profile.parameters if p.name == "b"]
         return lengths[-1] / 1000 if lengths else sp.S.One

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath as mp
@@ -42,28 +42,44 @@ def _rounded(value: Any, digits: int) -> str:
     return f"{'-' if value < 0 else ''}{whole}.{decimals:0{digits}d}"
 
 
+Side = Iterable[tuple[str, Any]]
+"""Places over the contact radius as they are printed, and values there."""
+
+
+def values_table(
+    place: str, where: Iterable[str], heads: Side, columns: Sequence[tuple[str, str]], *sides: Side
+) -> dict[str, Any]:
+    """A table of check values: at which parameters, numbers by name, and two columns with the end of their keys."""
+    left, right = ([(x, spaced(value)) for x, value in side] for side in sides)
+    return {
+        "place": place,
+        "where": ", ".join(f"${text}$" for text in where),
+        "heads": [(name, spaced(value)) for name, value in heads],
+        "columns": tuple(columns),
+        "rows": list(zip(left, right, strict=True)),
+    }
+
+
 def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     """Dimensionless values to twelve decimals, at the parameters of the sketch and E_star = 1."""
-    with mp.workdps(numbers.digits):
-        mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
-        breaks = [numbers[b.name] / radius for b in profile.breaks]
-        inside = [(x, spaced(numbers("p", mp.mpf(x) * radius) / mean)) for x in _off_breaks(INSIDE, breaks)]
-        outside = [(x, spaced(numbers("w", mp.mpf(x) * radius) / depth)) for x in OUTSIDE]
-        force = "P" if numbers.place("p") == nt.x else r"F_{\mathrm N}"
-        heads = [("d", spaced(depth)), (force, spaced(numbers("F"))), (r"\bar p", spaced(mean))]
+    force = "P" if numbers.place("p") == nt.x else r"F_{\mathrm N}"
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
     # the depth of a strip goes with the load, so that of the sketch is none of its parameters
     left_out = (nt.N, nt.d) if force == "P" else (nt.N,)
     where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
     if force == "P":
         where.append("L=2.7\\,a")
-    return {
-        "place": numbers.place("p").name,
-        "where": ", ".join(f"${text}$" for text in where),
-        "heads": heads,
-        "columns": ((r"p/\bar p", "p"), ("w/d", "d" if force == "P" else "w")),
-        "rows": list(zip(inside, outside, strict=True)),
-    }
+    with mp.workdps(numbers.digits):
+        mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
+        breaks = [numbers[b.name] / radius for b in profile.breaks]
+        return values_table(
+            numbers.place("p").name,
+            where,
+            [("d", depth), (force, numbers("F")), (r"\bar p", mean)],
+            [(r"p/\bar p", "p"), ("w/d", "d" if force == "P" else "w")],
+            [(x, numbers("p", mp.mpf(x) * radius) / mean) for x in _off_breaks(INSIDE, breaks)],
+            [(x, numbers("w", mp.mpf(x) * radius) / depth) for x in OUTSIDE],
+        )
 
 
 def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:

@@ -14,7 +14,7 @@ from ..notation import a, coefficients, r
 from ..profiles.profile import Profile
 from . import example
 from .code import python
-from .docstring import SUMMARY, docstring
+from .docstring import SUMMARY, checked_only, docstring
 from .imports import WITH_MATH, Public
 from .private import Private, PrivateFunctions, parameter_name
 
@@ -42,7 +42,9 @@ def public(
         if "A" in private.needs:
             function, passed = f"partial({private.name}, A=A)", [p for p in passed if p != "A=A"]
     body.append(f"return elementwise({', '.join([function, *fields, *passed])})")
-    doc = docstring(profile, quantity, entry, _notes(profile, quantity, private, functions), shown)
+    notes = _notes(profile, quantity, private, functions)
+    notes[0] = " ".join([notes[0], *checked_only(required, private.needs)])
+    doc = docstring(profile, quantity, entry, notes, shown)
     signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
     if len(signature) > 120:
         signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> Result:"

@@ -8,11 +8,10 @@ import sympy as sp
 
 from ...entry import Entry
 from ...notation import n
-from ...profiles.profile import Profile
 from ..code import python
 from ..physics import text
 from ..physics.adhesive import SUMMARY
-from ..physics.branches import unknowns
+from ..physics.branches import radii, unknowns
 from ..physics.own_units import own_units, returned
 from ..physics.text import Function, name_of
 from .families import family
@@ -134,7 +133,7 @@ class _Adhesive:
         """Between refined changes of sign of the growth."""
         writer, needs = self.writer, [*self.material, "dgamma"]
         geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
-        grid, high = _radii(self.profile)
+        grid, high = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
         lines = [f"return graded_branches(normal._rate, {geometry}, {grid}, {high}, H, k, dgamma, control)"]
         writer.rule("_branches", [], [*needs, "control"], lines)
         writer.private[-1] = writer.private[-1].replace("-> Array", "-> Branches")
@@ -180,36 +179,8 @@ class _Adhesive:
         )  # fmt: skip
 
     def document(self) -> list[str]:
-        symbols = {name_of(symbol): symbol for symbol in self.symbols}
         lines = ["At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and", ""]
         lines += ["    a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))", ""]
         lines += text.wrapped("where xi = 3 + k under control of the force and 1 - k under control of the depth.")
-        lines += ["", "Parameters", "----------", 'control : {"force", "depth"}']
-        lines += ["    What is held while the contact is unloaded."]
-        lines += text.parameters(self.keywords, symbols, False)
-        lines += ["", "Returns", "-------", "PullOff"]
-        lines += ["    Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact."]
-        lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
-        note = "The least force, or depth, of a stable contact."
-        if self.power is None:
-            note += " Where it has several minima, or one at a corner of the profile, the lowest."
-        keys = f"Handbook: {self.entries['ac'].key}, {self.entries['am'].key}."
-        lines += ["", "Notes", "-----", *text.wrapped(f"{note} {keys}")]
-        sources = [*(f"chapter 11, equation {own}" for own in self.entries["ac"].references), *self.profile.sources]
-        return [*lines, "", "References", "----------", *text.wrapped("; ".join(sources) + ".")]
-
-
-def _radii(profile: Profile) -> tuple[str, str]:
-    """The grid that separates the minima of the load, and the largest radius."""
-    if profile.largest is not None:
-        return "radii_to(gaussian_reach(s, k))", "np.atleast_1d(gaussian_reach(s, k))"
-    if profile.breaks:
-        own = dict(profile.abbreviations)
-        end = python(own.get(profile.breaks[0], profile.breaks[0]))
-        return f"radii_{'beyond' if profile.truncated else 'around'}({end})", "np.inf"
-    if profile.chain:
-        end = python(profile.chain[-1])
-        return f"radii_below({end})", f"np.atleast_1d({end})"
-    if "wavelength" in [str(symbol) for symbol in profile.parameters]:
-        return "radii_of_waves(wavelength, 4.0 * wavelength)", "np.inf"
-    return "decades()", "np.inf"
+        several = "" if self.power is not None else text.SEVERAL
+        return text.pull_off(lines, self.keywords, self.symbols, self.entries, several)

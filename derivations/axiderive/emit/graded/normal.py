@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...entry import COMPACT, Entry
 from ...notation import a
-from ..docstring import SUMMARY
+from ..docstring import SUMMARY, checked_only
 from ..layout import fit
 from ..physics.text import name_of
 from .families import Family, family
@@ -61,6 +61,7 @@ class _Normal:
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
         notes = [f"Valid for {profile.validity}. {outside} give NaN."]
+        notes += checked_only(self.writer.geometry if suffix == "k" else [], fields)
         if suffix in METHOD:
             notes.append(METHOD[suffix])
         if suffix in INVERSES and self.family.power is None:

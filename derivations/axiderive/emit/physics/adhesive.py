@@ -154,24 +154,11 @@ class _Adhesive:
         )  # fmt: skip
 
     def pull_off_document(self) -> list[str]:
-        symbols = {text.name_of(symbol): symbol for symbol in self.entries["ac"].parameters}
         lines = ["Under control of the force:", "", *self.pull_off_formulas(("ac", "Fc", "dc"))]
         lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(("am", "Fm", "dm"))]
-        lines += ["", "Parameters", "----------", 'control : {"force", "depth"}']
-        lines += ["    What is held while the contact is unloaded."]
-        lines += text.parameters(self.keywords, symbols, False)
-        lines += ["", "Returns", "-------", "PullOff"]
-        lines += ["    Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact."]
-        lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
-        note = "The least force, or depth, of a stable contact."
-        if self.power == n:
-            note += f" {text.capital(self.entries['ac'].note)}."
-        if self.power is None:
-            note += " Where it has several minima, or one at a corner of the profile, the lowest."
-        keys = f"Handbook: {self.entries['ac'].key}, {self.entries['am'].key}."
-        lines += ["", "Notes", "-----", *text.wrapped(f"{note} {keys}")]
-        sources = [*(f"chapter 11, equation {own}" for own in self.entries["ac"].references), *self.profile.sources]
-        return [*lines, "", "References", "----------", *text.wrapped("; ".join(sources) + ".")]
+        note = f" {text.capital(self.entries['ac'].note)}." if self.power == n else ""
+        note += "" if self.power is not None else text.SEVERAL
+        return text.pull_off(lines, self.keywords, self.entries["ac"].parameters, self.entries, note)
 
     def pull_off_formulas(self, names: tuple[str, str, str]) -> list[str]:
         radius = self.entries[names[0]]

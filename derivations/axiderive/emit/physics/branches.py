@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...notation import wavelength
 from ...profiles.profile import Profile
 from ..code import python
 from .own_units import own_units, returned
@@ -15,7 +16,9 @@ def branch_functions(module: NormalModule) -> list[str]:
     geometry = module.geometry
     needs = [*geometry, "E_star", "dgamma"]
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
-    grid, high = _radii(module)
+    profile = module.profile
+    reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
+    grid, high = radii(profile, "" if profile.largest is None else python(profile.largest), reach)
     rate = f"lambda a: _rate({', '.join(['a', *geometry])})"
     found = [f"return branches({rate}, {grid}, {high}, control, E_star, dgamma)"]
     units = own_units(module.profile, geometry, "E_star")
@@ -81,11 +84,10 @@ def _rate(module: NormalModule) -> list[str]:
     return [f"return {module.call('_slope', 'a')}"]
 
 
-def _radii(module: NormalModule) -> tuple[str, str]:
-    """The grid that separates the minima of the load, and the largest radius."""
-    profile = module.profile
+def radii(profile: Profile, largest: str, reach: str) -> tuple[str, str]:
+    """The grid that separates the minima of the load, and the largest radius; over waves up to `reach`."""
     if profile.largest is not None:
-        return f"radii_to({python(profile.largest)})", f"np.atleast_1d({python(profile.largest)})"
+        return f"radii_to({largest})", f"np.atleast_1d({largest})"
     if profile.breaks:
         own = dict(profile.abbreviations)
         end = python(own.get(profile.breaks[0], profile.breaks[0]))
@@ -93,7 +95,6 @@ def _radii(module: NormalModule) -> tuple[str, str]:
     if profile.chain:
         end = python(profile.chain[-1])
         return f"radii_below({end})", f"np.atleast_1d({end})"
-    if "wavelength" in module.geometry:
-        reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
+    if wavelength in profile.parameters:
         return f"radii_of_waves(wavelength, {reach})", "np.inf"
     return "decades()", "np.inf"

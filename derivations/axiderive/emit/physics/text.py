@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -139,6 +139,26 @@ def document(entry: Entry, fields: Sequence[str], keywords: Sequence[str], notes
     lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
     lines += ["", "Notes", "-----", *wrapped(f"{notes} Handbook: {entry.key}.")]
     sources = [*(f"chapter 11, equation {reference}" for reference in entry.references), *entry.profile.sources]
+    return [*lines, "", "References", "----------", *wrapped("; ".join(sources) + ".")]
+
+
+SEVERAL = " Where it has several minima, or one at a corner of the profile, the lowest."
+
+
+def pull_off(
+    formulas: Sequence[str], keywords: Sequence[str], used: Iterable[sp.Symbol], entries: Mapping[str, Entry], more: str
+) -> list[str]:
+    """Everything below the summary of the function of pull-off, `more` behind its note."""
+    radius = entries["ac"]
+    lines = [*formulas, "", "Parameters", "----------", 'control : {"force", "depth"}']
+    lines += ["    What is held while the contact is unloaded."]
+    lines += parameters(keywords, {name_of(symbol): symbol for symbol in used}, False)
+    lines += ["", "Returns", "-------", "PullOff"]
+    lines += ["    Named tuple of radius [m], force [N] and depth [m]; NaN without a stable contact."]
+    lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
+    note = f"The least force, or depth, of a stable contact.{more} Handbook: {radius.key}, {entries['am'].key}."
+    lines += ["", "Notes", "-----", *wrapped(note)]
+    sources = [*(f"chapter 11, equation {own}" for own in radius.references), *radius.profile.sources]
     return [*lines, "", "References", "----------", *wrapped("; ".join(sources) + ".")]
 
 

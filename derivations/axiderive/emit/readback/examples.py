@@ -14,8 +14,9 @@ from .. import laws
 from ..rows import Row, row
 from .grammar import read
 from .nodes import environment
-from .numbers import DIGITS, Contact, Printout, given_in, heading, number
+from .numbers import DIGITS, Contact, Printout, given_in, number
 from .printed import Printed, name_in_print
+from .tables import heading
 
 Entries = Mapping[str, Entry]
 Stored = Callable[[str], Entries]

@@ -27,6 +27,7 @@ from ..printer import Printer
 from .compare import DIGITS, difference
 from .grammar import read
 from .left import NORMAL, bound
+from .nodes import environment
 from .printed import Printed, name_in_print, named
 from .printed import holds as in_range
 
@@ -53,13 +54,14 @@ def against(env: Mapping[str, Any], want: Any, name: str = "") -> Callable[[str]
 
     def residual(tex: str) -> Any:
         with mp.workdps(WORKING):
-            members = read(tex)[0].members
+            (first, *definitions) = read(tex)
+            members = first.members
             if bool(name) != (len(members) > 1):
                 message = f"{tex} is not of the form {name or 'value'} = value"
                 raise SyntaxError(message)
-            own = bound(name, want, env) if name else env
-            first = difference(members[0](own), want)
-            return max([first, *(difference(member(env), want) for member in members[1:])])
+            known = environment(definitions, env)
+            own = bound(name, want, known) if name else known
+            return max(difference(member(known if i else own), want) for i, member in enumerate(members))
 
     return residual
 
@@ -151,6 +153,8 @@ def laws_of_materials() -> list[Reading]:
         for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
             want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
             found.append(Reading(f"law: {text.name}", tex, against(env, want, name.replace("()", "(t)"))))
+        # what is used early holds at any time, and at this one a misprint of what is used late shows
+        found += [Reading(f"law: {text.name}, evaluated", one["tex"], found[-1].residual) for one in text.evaluated]
     return found
 
 

@@ -68,7 +68,7 @@ BRACKETED: dict[str, Callable[..., Value]] = {
     "E": lambda phi, k=None: mp.ellipe(phi * phi) if k is None else mp.ellipe(phi, k * k),
     "K": lambda k: mp.ellipk(k * k),
     "B": lambda *x: mp.beta(*x) if len(x) == 2 else mp.re(mp.betainc(x[1], x[2], 0, x[0])),
-    "2F_1": mp.hyp2f1, "1F_1": mp.hyp1f1, "J": _cap_moment, "max": max, "sgn": mp.sign,
+    "2F_1": mp.hyp2f1, "1F_1": mp.hyp1f1, "J": _cap_moment, "max": max, "min": min, "sgn": mp.sign,
 }  # fmt: skip
 STRUVE: dict[str, Callable[..., Value]] = {"H": mp.struveh, "L": mp.struvel}
 """Bold letters with the order as index."""

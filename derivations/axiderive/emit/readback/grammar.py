@@ -82,6 +82,9 @@ class _Parser(Tokens):
         while self.peek() == "^":
             self.take()
             base = nodes.power(base, self.argument())
+        while self.peek() == "!":
+            self.take()
+            base = nodes.factorial(base)
         return base
 
     def argument(self) -> Node:
@@ -116,8 +119,11 @@ class _Parser(Tokens):
             return Node(lambda env: abs(inner(env)))
         if token == r"\prescript":
             return self.hypergeometric()
-        if token == r"\max":
-            return self.function("max")
+        if token == r"\min" and self.peek() == "_":
+            self.take()
+            return nodes.least(self.text(), self.product())
+        if token in (r"\max", r"\min"):
+            return self.function(token[1:])
         if token == r"\sqrt":
             return self.root()
         if token == r"\int":
@@ -204,6 +210,8 @@ class _Parser(Tokens):
             return self.function(name)
         if name in FUNCTIONS and token.startswith("\\"):
             return self.call(FUNCTIONS[name])
+        if name == "infty":
+            return Node(lambda env: mp.inf)
         if name == "pi":
             return Node(lambda env: +mp.pi)
         primes = ""

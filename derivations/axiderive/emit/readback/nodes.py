@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -51,6 +52,10 @@ def power(base: Node, exponent: Node) -> Node:
     return Node(lambda env: mp.power(base(env), exponent(env)))
 
 
+def factorial(of: Node) -> Node:
+    return Node(lambda env: mp.factorial(of(env)))
+
+
 def total(terms: list[tuple[int, Node]]) -> Node:
     """Terms with their signs."""
     if len(terms) == 1 and terms[0][0] == 1:
@@ -75,11 +80,25 @@ def integral(lower: Node, upper: Node, body: Node, variable: str) -> Node:
 
 
 def series(lower: Node, upper: Node, body: Node, variable: str) -> Node:
+    """Without an end the terms fall like those of an exponential."""
+
     def value(env: Environment) -> Value:
-        steps = range(int(lower(env)), int(upper(env)) + 1)
-        return mp.fsum(body({**env, variable: mp.mpf(i)}) for i in steps)
+        total, last = mp.mpf(0), upper(env)
+        for i in itertools.count(int(lower(env))):
+            if i > last:
+                break
+            term = body({**env, variable: mp.mpf(i)})
+            total += term
+            if last == mp.inf and abs(term) < mp.eps**2 * abs(total):
+                break
+        return total
 
     return Node(value)
+
+
+def least(variable: str, body: Node) -> Node:
+    """The least value over the terms of a sum whose coefficients are in the environment."""
+    return Node(lambda env: min(body({**env, variable: mp.mpf(i + 1)}) for i in range(len(env[f"A_{variable}"]))))
 
 
 def _looked_up(env: Environment, name: str) -> Value:

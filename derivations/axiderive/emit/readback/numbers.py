@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -14,11 +14,14 @@ import sympy as sp
 from ... import notation as nt
 from ...entry import Entry
 from ...proof.shape import coefficient
-from ..rows import row
 from .grammar import read
 from .printed import Printed, name_in_print
 
 Entries = Mapping[str, Entry]
+Wanted = dict[str, Callable[[], Any]]
+"""What the numbers of a table or an example have to be, by their names in print."""
+Columns = dict[str, Callable[[Any], Any]]
+"""What the entries of a table have to be at a place, by the key of their column."""
 DIGITS = 30
 BESIDE = "1e-20"
 """How far beside its place a field is evaluated: the place may be a border, which no printed range contains."""
@@ -122,7 +125,10 @@ class Contact:
     def depth(self, **known: Any) -> Any:
         return self.given["d"] if "d" in self.given else self.at("d", **known)
 
-    def mean(self, radius: Any, load: Any) -> Any:
+    def mean(self, radius: Any = None, load: Any = None) -> Any:
+        """The mean pressure, of what is given unless a radius and a load are."""
+        radius = self.given["a"] if radius is None else radius
+        load = self.load() if load is None else load
         return load / (2 * radius) if self.plane else load / (mp.pi * radius**2)
 
     def pressure(self, place: Any, **known: Any) -> Any:
@@ -133,128 +139,3 @@ class Contact:
         if self.plane:
             return self.at("d", **known) - self.at("d", **known, L=place)
         return self.at("w", **known, r=place)
-
-
-CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
-HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
-LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
-
-
-def check_values(text: str, entries: Entries) -> Iterator[Printout]:
-    """The table of check values of a spread, from its source."""
-    match = CHECKS.search(text)
-    if match is None:
-        return
-    with mp.workdps(DIGITS):
-        contact = Contact(entries, given_in(match[1]))
-        depth, load = contact.depth(), contact.load()
-        radius = contact.given["a"]
-        heads = {"d": depth, "F_N": load, "P": load, "bar p": contact.mean(radius, load)}
-        for name, tex in HEAD.findall(match[2]):
-            yield Printout(f"check value {name}", tex, heads[read(name)[0].members[0].name])
-        for inside, pressure, outside, displacement in LINE.findall(match[2]):
-            want = contact.pressure(number(inside).value * radius * (1 + mp.mpf(BESIDE))) / heads["bar p"]
-            yield Printout(f"check value p at {inside}", pressure, want)
-            want = contact.displacement(number(outside).value * radius * (1 + mp.mpf(BESIDE))) / depth
-            yield Printout(f"check value w at {outside}", displacement, want)
-
-
-WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
-SHOWN = re.compile(r"\\parbox\[t\]\{27mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
-_MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
-
-
-@dataclass(frozen=True)
-class Heading:
-    """What the heading of a worked example states: Young's modulus and Poisson's ratio of so many equal bodies."""
-
-    young: Any
-    poisson: Any
-    bodies: int
-    separation: str
-    stated: str
-    """E* as it is printed."""
-    given: dict[str, Any]
-    """E* as it follows from the constants, the parameters and the load by their names."""
-
-
-def heading(text: str) -> Heading:
-    """The heading of the worked example of a spread.
-
-    Raises
-    ------
-    LookupError
-        If the spread has none, or it does not name a material.
-    """
-    match = WORKED.search(text)
-    words = match[1] if match else ""
-    material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
-    if not material or not stated:
-        message = f"no material and E* in {words!r}; a worked example starts with them"
-        raise LookupError(message)
-    bodies = 2 if words.startswith("steel on steel") else 1
-    young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
-    modulus = young / (bodies * (1 - poisson**2))
-    given = given_in(words[stated.end() :]) | {"E*": modulus}
-    return Heading(young, poisson, bodies, material[4], stated[1], given)
-
-
-def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
-    """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
-    match = WORKED.search(text)
-    if match is None:
-        return
-    with mp.workdps(DIGITS):
-        solid = heading(text)
-        yield Printout("worked example E*", solid.stated, solid.given["E*"])
-        given = solid.given
-        contact = Contact(entries, given)
-        shown = SHOWN.findall(match[2])
-        radius = _radius(contact, shown)
-        depth = None if contact.plane else _depth(contact, radius)
-        known = {"a": radius} | ({"d": depth} if "dF" in entries and "d" not in entries else {})
-        load = given["P" if contact.plane else "F_N"]
-        wanted: dict[str, Callable[[], Any]] = {
-            "a": lambda: radius,
-            "d": lambda: depth,
-            r"\bar p": lambda: contact.mean(radius, load),
-            "p(a/2)": lambda: contact.pressure(radius / 2, **known),
-            "w(2a)": lambda: contact.displacement(2 * radius, **known),
-            r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive or {}, solid.separation, radius),
-        }
-        for name, tex in shown:
-            yield Printout(f"worked example {name}", tex, wanted[name]())
-
-
-def _radius(contact: Contact, shown: list[tuple[str, str]]) -> Any:
-    """The contact radius at which the printed force carries the load, near the printed one."""
-    if "a" in contact.given:
-        return contact.given["a"]
-    load = contact.given["P" if contact.plane else "F_N"]
-    start = number(dict(shown)["a"]).value
-    return mp.findroot(lambda a: contact.load(a=a) / load - 1, (start, start * mp.mpf("1.001")), solver="secant")
-
-
-def _depth(contact: Contact, radius: Any) -> Any:
-    """The depth of the compact contact; that of a complete one from its load."""
-    if "d" in contact.entries:
-        return contact.at("d", a=radius)
-    load = contact.given["F_N"]
-    start = load / (2 * contact.given["E*"] * radius)
-    return mp.findroot(lambda d: contact.load(d=d) / load - 1, (start, start * mp.mpf("1.1")), solver="secant")
-
-
-def _pull_off(contact: Contact, adhesive: Entries, separation: str, radius: Any) -> Any:
-    """The printed force of pull-off at the radius that its printed formula or equation gives, below the loaded one."""
-    printed = Printed(adhesive, contact.entries)
-    values = contact.values | {nt.dgamma: sp.Float(separation, DIGITS) / 1000}
-    env = printed.environment(values) | contact.given
-    first = read(row(adhesive["ac"]).regions[0].tex)[0].members
-    if adhesive["ac"].status == "closed":
-        env["a_c"] = first[-1](env)
-    else:
-        start = radius / 3
-        env["a_c"] = mp.findroot(
-            lambda a: first[0](env | {"a_c": a}) / first[-1](env | {"a_c": a}) - 1, (start, start / 2), solver="secant"
-        )
-    return printed.at("Fc", env, adhesive)

@@ -9,6 +9,8 @@ import mpmath as mp
 
 from ... import notation as nt
 from ...proof.evaluate import at_precision, case_at, evaluate
+from ..evaluated_inverses import solved
+from ..unknowns import graded_unknowns
 from .compare import DIGITS, balance, difference
 from .evaluations import Stated
 from .exact import Entries, Stored, base_of, functions
@@ -16,6 +18,7 @@ from .grammar import read
 from .nodes import Node, Statement, environment
 from .points import points_of
 from .printed import holds, named
+from .solved import chosen, equations_differ
 from .statements import CLOSE
 
 WORKING = 4 * DIGITS
@@ -32,6 +35,9 @@ def unknown_differs(one: Stated, stored: Stored) -> bool:
     problem = one.keys[0].rpartition(".")[0]
     entries, suffixes = stored(problem), [key.rpartition(".")[2] for key in one.keys]
     if base_of(problem, stored) is entries:
+        own = chosen(one, graded_unknowns(entries) if nt.k in entries["d"].parameters else solved(entries))
+        if own is not None:
+            return equations_differ(one, own, entries)
         return any(_place_differs(one, entries, suffix) for suffix in suffixes)
     (suffix,) = suffixes
     differs = _curve_differs if "(1+s)" in one.tex else _excess_differs

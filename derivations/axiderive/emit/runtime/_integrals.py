@@ -94,6 +94,11 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
         stop = strip[1]
         if not isinstance(stop, np.ndarray) or stop.size <= FEW:
             return _over(strip, width)
+        if stop.ndim > 1:
+            shape = np.broadcast_shapes(*map(np.shape, (stop, width, *parameters, *lengths)))
+            flat = [np.broadcast_to(x, shape).ravel() if np.ndim(x) else x for x in (*parameters, *lengths, width)]
+            own, others = tuple(flat[: len(parameters)]), flat[len(parameters) : -1]
+            return grouped(slope, own, *others, width=flat[-1]).reshape(shape)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
         if (group == group[0]).all():
             return _over(strip, width)

@@ -1,0 +1,162 @@
+"""Tables of check values and worked examples of the compiled source, each number with what it has to be."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from ... import notation as nt
+from ...profiles.loads import Load
+from ..rows import row
+from .given import eccentric, prescribed
+from .grammar import read
+from .numbers import BESIDE, DIGITS, Columns, Contact, Entries, Printout, Wanted, given_in, number
+from .printed import Printed
+
+_CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
+_COLUMNS = re.compile(r"\$([^$]+)\$\\enspace\\own\{(\w+)\}")
+_HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
+_LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
+_WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
+_SHOWN = re.compile(r"\\parbox\[t\]\{27mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+_MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
+
+
+@dataclass(frozen=True)
+class Heading:
+    """What the heading of a worked example states: Young's modulus and Poisson's ratio of so many equal bodies."""
+
+    young: Any
+    poisson: Any
+    bodies: int
+    separation: str
+    stated: str
+    """E* as it is printed."""
+    given: dict[str, Any]
+    """E* as it follows from the constants, the parameters and the load by their names."""
+
+
+def heading(text: str) -> Heading:
+    """The heading of the worked example of a spread.
+
+    Raises
+    ------
+    LookupError
+        If the spread has none, or it does not name a material.
+    """
+    match = _WORKED.search(text)
+    words = match[1] if match else ""
+    material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
+    if not material or not stated:
+        message = f"no material and E* in {words!r}; a worked example starts with them"
+        raise LookupError(message)
+    bodies = 2 if words.startswith("steel on steel") else 1
+    young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
+    modulus = young / (bodies * (1 - poisson**2))
+    given = given_in(words[stated.end() :]) | {"E*": modulus}
+    return Heading(young, poisson, bodies, material[4], stated[1], given)
+
+
+def check_values(text: str, entries: Entries) -> Iterator[Printout]:
+    """The table of check values of a spread, from its source."""
+    match = _CHECKS.search(text)
+    if match is None:
+        return
+    with mp.workdps(DIGITS):
+        contact = Contact(entries, given_in(match[1]))
+        wanted, columns = _known(contact) or _pressed(contact)
+        for name, tex in _HEAD.findall(match[2]):
+            yield Printout(f"check value {name}", tex, wanted[name]())
+        keys = [key for _, key in _COLUMNS.findall(match[2])]
+        for line in _LINE.findall(match[2]):
+            for key, place, value in zip(keys, line[::2], line[1::2], strict=True):
+                at = number(place).value * contact.given["a"] * (1 + mp.mpf(BESIDE))
+                yield Printout(f"check value {key} at {place}", value, columns[key](at))
+
+
+def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
+    """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
+    match = _WORKED.search(text)
+    if match is None:
+        return
+    with mp.workdps(DIGITS):
+        solid = heading(text)
+        yield Printout("worked example E*", solid.stated, solid.given["E*"])
+        contact, shown = Contact(entries, solid.given), _SHOWN.findall(match[2])
+        known = _known(contact)
+        wanted = known[0] if known else _loaded(contact, shown, solid.separation, adhesive or {})
+        for name, tex in shown:
+            yield Printout(f"worked example {name}", tex, wanted[name]())
+
+
+def _known(contact: Contact) -> tuple[Wanted, Columns] | None:
+    """Of what has no profile."""
+    profile = next(iter(contact.entries.values())).profile
+    if isinstance(profile, Load):
+        return prescribed(contact)
+    return eccentric(contact) if nt.e in profile.parameters else None
+
+
+def _pressed(contact: Contact) -> tuple[Wanted, Columns]:
+    """Of a contact at the radius that is given."""
+    depth, mean = contact.depth(), contact.mean()
+    wanted: Wanted = {"d": lambda: depth, r"F_{\mathrm N}": contact.load, "P": contact.load, r"\bar p": lambda: mean}
+    return wanted, {
+        "p": lambda place: contact.pressure(place) / mean,
+        "d" if contact.plane else "w": lambda place: contact.displacement(place) / depth,
+    }
+
+
+def _loaded(contact: Contact, shown: list[tuple[str, str]], separation: str, adhesive: Entries) -> Wanted:
+    """Of a contact under the load that is given."""
+    radius = _radius(contact, shown)
+    depth = None if contact.plane else _depth(contact, radius)
+    known = {"a": radius} | ({"d": depth} if "dF" in contact.entries and "d" not in contact.entries else {})
+    load = contact.given["P" if contact.plane else "F_N"]
+    return {
+        "a": lambda: radius,
+        "d": lambda: depth,
+        r"\bar p": lambda: contact.mean(radius, load),
+        "p(a/2)": lambda: contact.pressure(radius / 2, **known),
+        "w(2a)": lambda: contact.displacement(2 * radius, **known),
+        r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive, separation, radius),
+    }
+
+
+def _radius(contact: Contact, shown: list[tuple[str, str]]) -> Any:
+    """The contact radius at which the printed force carries the load, near the printed one."""
+    if "a" in contact.given:
+        return contact.given["a"]
+    load = contact.given["P" if contact.plane else "F_N"]
+    start = number(dict(shown)["a"]).value
+    return mp.findroot(lambda a: contact.load(a=a) / load - 1, (start, start * mp.mpf("1.001")), solver="secant")
+
+
+def _depth(contact: Contact, radius: Any) -> Any:
+    """The depth of the compact contact; that of a complete one from its load."""
+    if "d" in contact.entries:
+        return contact.at("d", a=radius)
+    load = contact.given["F_N"]
+    start = load / (2 * contact.given["E*"] * radius)
+    return mp.findroot(lambda d: contact.load(d=d) / load - 1, (start, start * mp.mpf("1.1")), solver="secant")
+
+
+def _pull_off(contact: Contact, adhesive: Entries, separation: str, radius: Any) -> Any:
+    """The printed force of pull-off at the radius that its printed formula or equation gives, below the loaded one."""
+    printed = Printed(adhesive, contact.entries)
+    values = contact.values | {nt.dgamma: sp.Float(separation, DIGITS) / 1000}
+    env = printed.environment(values) | contact.given
+    first = read(row(adhesive["ac"]).regions[0].tex)[0].members
+    if adhesive["ac"].status == "closed":
+        env["a_c"] = first[-1](env)
+    else:
+        start = radius / 3
+        env["a_c"] = mp.findroot(
+            lambda a: first[0](env | {"a_c": a}) / first[-1](env | {"a_c": a}) - 1, (start, start / 2), solver="secant"
+        )
+    return printed.at("Fc", env, adhesive)

@@ -1,0 +1,101 @@
+"""Formulas for plain numbers: flat functions of `math`, and the bodies themselves where they iterate."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from private_bodies import EPS, MODULES, bodies, body
+
+from axicontact._integrals import STRIPS
+from axicontact._loops import PANELS, rule
+from axicontact._plain import plain
+from axicontact._scalar import scalar
+from axicontact._trace import trace
+from axicontact.normal import capped_cylinder, power_law, rounded_punch, truncated_cone
+
+
+def test_plain_functions_agree_with_the_bodies() -> None:
+    dice, count = np.random.default_rng(5), 0
+    for name in MODULES:
+        for function in bodies(name):
+            arguments = function.__code__.co_argcount
+            if trace(function, map(str, range(arguments)), ()) is None:
+                continue
+            formula = plain(function)
+            assert formula is not None
+            for _ in range(8):
+                values = [float(10 ** dice.uniform(-1, 1)) for _ in range(arguments)]
+                got = formula(*values)
+                if got is not None:
+                    np.testing.assert_allclose(got, body(function, *values), rtol=64 * EPS, err_msg=function.__name__)
+                    count += 1
+    assert count > 500
+
+
+@pytest.mark.parametrize("module", [truncated_cone, rounded_punch])
+def test_rules_are_loops_over_plain_numbers(module: Any) -> None:
+    """Next to the edges too, where the rule has panels; farther out the body takes over."""
+    dice, sizes = np.random.default_rng(6), dict(zip(("theta", "R", "b"), (0.4, 3.0, 1.0), strict=True))
+    for function in (module._pressure, module._displacement):
+        names = inspect.signature(function).parameters
+        rest = [sizes.get(name, 1.0) for name in list(names)[2:]]
+        formula = plain(function)
+        assert formula is not None
+        for _ in range(60):
+            a = 1.0 + 10 ** dice.uniform(-12, 5)
+            near = 10 ** dice.uniform(-12, -0.01)
+            r = a * (1.0 - near) if function is module._pressure else a * (1.0 + near)
+            got = formula(r, a, *rest)
+            assert got is not None
+            np.testing.assert_allclose(got, body(function, [r], a, *rest), rtol=16 * EPS)
+    assert rule(STRIPS)(PANELS * STRIPS[-1][0] * 0.99)
+    for length in (PANELS * STRIPS[-1][0] * 1.01, math.inf, math.nan):
+        with pytest.raises((ArithmeticError, ValueError)):
+            rule(STRIPS)(length)
+
+
+def test_a_minimum_keeps_what_is_no_number() -> None:
+    found = plain(least_or_nan)
+    assert found is not None
+    assert found(2.0, 3.0) == 2.0
+    assert found(0.5, 3.0) is None
+
+
+def least_or_nan(x: Any, y: Any) -> Any:
+    return np.minimum(np.where(x < 1.0, np.nan, x), y)
+
+
+def test_results_are_trusted_where_the_bounds_allow_it() -> None:
+    """A formula with any exponent is not; its result outside the range of trust is left to the slower way."""
+    assert plain(capped_cylinder._stiffness)(1e-25, 1e25, 1e-25, 1e-30) == pytest.approx(2e-55)  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 2.0) == pytest.approx(1e-10)  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 41.0) is None  # type: ignore[misc]
+    assert plain(power_law._profile)(1e-5, 1.0, 70.0) is None  # type: ignore[misc]
+
+
+def summed_by_python(x: Any) -> Any:
+    found = []
+    for n in (1.0, 2.0):
+        found.append(np.sqrt(n * n) * x)  # noqa: PERF401
+    return sum(found)
+
+
+def summed_by_numpy(x: Any) -> Any:
+    return np.sum(x)
+
+
+def largest_of_an_array(x: Any) -> Any:
+    return x.max()
+
+
+def test_a_name_of_numpy_needs_arrays_only_where_it_is_numpys() -> None:
+    """`sum` and `append` are names of Python too."""
+    formula = scalar(summed_by_python)
+    assert formula is not None
+    assert formula(2.0) == 6.0
+    assert scalar(summed_by_numpy) is None
+    assert scalar(largest_of_an_array) is None
