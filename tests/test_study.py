@@ -26,7 +26,7 @@ from axiderive.writing import stale_files
 # worst relative errors of the quick settings over all CASES, with a margin of at least 1.5
 TOLERANCES = {
     "emitted": 1e-14,
-    "generated rule": 1e-11,
+    "generated rule": 1e-13,
     "lambdify": 1e-10,
     "Gauss-Jacobi": 1e-3,
     "quad": 1e-10,
@@ -44,7 +44,7 @@ CASES = (
     ("power_law.fgm", "p"), ("power_law.fgm", "w"), ("power_law.fgm", "Fd"), ("cone.adh", "ad"),
     ("capped_paraboloid", "p"), ("sphere_tipped_cone", "w"), ("hyperboloid", "p"), ("concave_power", "p"),
     ("concave_power", "w"), ("truncated_cone.fgm", "p"), ("capped_cylinder.fgm", "p"), ("sphere_tipped_cone.fgm", "w"),
-    ("concave_quartic.fgm", "w"), ("gaussian.fgm", "w"), ("plane.rounded_punch", "p"),
+    ("capped_cylinder.fgm", "w"), ("gaussian.fgm", "w"), ("plane.rounded_punch", "p"),
 )  # fmt: skip
 GIVEN = ("depth", "depth_mp", "rate", "rate_scalar", "rate_mp", "slope", "slope_mp")
 OWN = ("emitted", "lambdify")

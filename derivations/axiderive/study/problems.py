@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .. import notation as nt
-from ..profiles import NAMES as ROUND
+from ..profiles import COMPACT_NAMES
 
 NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
 """Normal contacts that are measured beside every other way, whether a rule evaluates them or not."""
@@ -23,10 +23,13 @@ NORMAL = {
 """Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
 RULED = {
     **NORMAL,
-    **{f"{name}.fgm": ("p", "w") for name in ROUND if name != "flat_punch"},
+    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, "capped_cylinder")},
     **dict.fromkeys(("plane.power_law", "plane.rounded_wedge", "plane.rounded_punch"), ("p",)),
 }
-"""The same of every contact; on a graded half-space only the fields of a flat punch need no rule."""
+"""The same with the graded and the plane contacts.
+
+Under a graded concave face nearly all of the time goes to the least depth of complete contact, not to the rule.
+"""
 EVERY = dict.fromkeys(NAMES, QUANTITIES) | {name: RULED[name] for name in NORMAL if name not in NAMES} | OTHERS
 EVERY |= {name: RULED[name] for name in RULED if name not in EVERY}
 """The quantities of each problem whose error is measured against run time."""
@@ -37,7 +40,7 @@ PARAMETERS = {
 FURTHER: dict[str, dict[Any, Any]] = {
     "capped_cylinder": {nt.d: 1.5},
     "capped_paraboloid": {nt.R1: 6.0, nt.R2: 3.0},
-    **dict.fromkeys(("concave_paraboloid", "concave_power", "concave_quartic"), {nt.h: 0.1, nt.d: 0.5}),
+    "concave_power": {nt.h: 0.1, nt.d: 0.5},
     "ellipsoid": {nt.h: 2.0, nt.b: 3.0},
     "gaussian": {nt.h: 0.5, nt.s: 2.0},
     "polynomial": {nt.coefficients: (0.02, 0.1, 0.03)},
