@@ -21,7 +21,7 @@ from .timing import paired
 
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
-    "function, over settings.vector points, or as many as take settings.longest seconds), "
+    "function, over settings.vector points, or as many as settings.longest, in s, allows), "
     "two digits; no times are kept, they differ from machine to machine and so, less, do the ratios. "
     "Graded and plane contacts of the pages of the profiles have the settings of settings.brief. "
     "Errors are relative to the defining integral at the doubles given, at `points` points. "
@@ -44,8 +44,8 @@ def measure(names: Sequence[str] = tuple(EVERY), *, quick: bool = False, plan: P
         "study": "error",
         "note": NOTE,
         "settings": {
-            **_plain(plan),
-            "brief": plan.brief,
+            **_plain(asdict(plan)),
+            "brief": _plain(plan.brief),
             "reference_digits": DIGITS,
             "parameters": parameters,
             "versions": versions(),
@@ -59,8 +59,8 @@ def _named(values: Mapping[Any, Any]) -> Record:
     return {str(getattr(symbol, "label", symbol)): value for symbol, value in values.items()}
 
 
-def _plain(plan: Plan) -> Record:
-    return {name: list(value) if isinstance(value, tuple) else value for name, value in asdict(plan).items()}
+def _plain(settings: Mapping[str, Any]) -> Record:
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in settings.items()}
 
 
 def _rows(subject: Subject, suffix: str, plan: Plan) -> Iterator[Record]:
