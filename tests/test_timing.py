@@ -6,6 +6,7 @@ import json
 import math
 import re
 from functools import cache
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 from stored_book import CATALOGUE, PROFILES, evidence
 from test_misprints import NOT_A_NUMBER
 
+from axiderive.contact.systems import problem, problems
 from axiderive.emit.handbook import templates
 from axiderive.emit.html import study
 from axiderive.emit.html.drawing import Figure
@@ -24,14 +26,22 @@ from axiderive.study import rule
 from axiderive.study import timing as pairs
 from axiderive.study.methods import Plan, methods
 from axiderive.study.points import arguments
-from axiderive.study.subject import RULED, subject
+from axiderive.study.problems import NORMAL, RULED
+from axiderive.study.subject import subject
 
 RECORD: dict[str, Any] = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_bytes())
-SAMPLE = ("rounded_cone", "hyperboloid", "ellipsoid")
+MEASURED = {row["key"] for row in RECORD["rows"]}
+SAMPLE = ("rounded_cone", "hyperboloid", "ellipsoid", "gaussian", "cone.fgm", "truncated_cone.fgm", "plane.power_law")
+PAGES = tuple(dict.fromkeys(problem(name).profile_id for name in RULED))
 
 
-def keys_of(name: str) -> list[str]:
-    return [f"{name}.{suffix}" for suffix in RULED[name]]
+def keys_of(page: str) -> list[str]:
+    """The formulas of a page that a rule evaluates, as far as they are measured."""
+    own = [f"{name}.{suffix}" for name in RULED if problem(name).profile_id == page for suffix in RULED[name]]
+    return [key for key in own if key in MEASURED]
+
+
+SHOWN = tuple(page for page in PAGES if keys_of(page))
 
 
 def timing_of(name: str, record: dict[str, Any] = RECORD) -> Timing:
@@ -56,10 +66,22 @@ def test_every_normal_contact_that_a_rule_evaluates_is_measured() -> None:
         suffixes += ["Fd"] if forms.get("F") == "rule" and subject(name).profile.contact == "compact" else []
         if suffixes:
             found[name] = tuple(suffixes)
-    assert found == RULED, "study.subject.RULED names what is measured; add the profile, and its parameters to FURTHER"
-    measured = {row["key"] for row in RECORD["rows"]}
-    assert {key for name in RULED for key in keys_of(name)} <= measured
+    assert found == NORMAL, (
+        "study.problems.NORMAL names what is measured; add the profile, and its parameters to FURTHER"
+    )
+    assert {f"{name}.{suffix}" for name in RULED for suffix in RULED[name]} <= MEASURED
     assert all(row["lost"] == 0 for row in RECORD["rows"] if row["method"] == "emitted")
+
+
+def test_every_other_contact_whose_pressure_a_rule_evaluates_is_measured() -> None:
+    """By what the modules say of themselves; the pressure of a concave strip depends on its load as well."""
+    other = []
+    for one in problems():
+        if one.system.name in ("graded.normal", "plane"):
+            function = import_module(f"{one.system.package}.{one.name}").pressure
+            if "as an integral over the growing contact" in " ".join(function.__doc__.split()):
+                other.append(one.key)
+    assert set(other) - {"plane.concave_power"} <= set(RULED) - set(NORMAL)
 
 
 @pytest.mark.parametrize("name", SAMPLE)
@@ -69,8 +91,8 @@ def test_a_rule_of_as_many_nodes_is_that_of_the_catalogue(name: str) -> None:
     x = arguments(subject(name), suffix, 6)
     found = {one.name + one.setting: one for one in methods(subject(name), suffix, Plan(6, 6, 2, 1, bem=()))}
     own = np.asarray(found["emitted"].run())
-    assert np.allclose(found["generated ruleN = 32"].run(), own, rtol=2e-14, atol=0)
-    assert np.max(np.abs(np.asarray(found["generated ruleN = 8"].run()) / own - 1)) > 1e-13
+    assert np.allclose(found["generated ruleN = 64"].run(), own, rtol=2e-14, atol=0)
+    assert np.max(np.abs(np.asarray(found["generated ruleN = 8"].run()) / own - 1)) > 2e-14
     # nothing of it stays behind
     assert np.array_equal(found["emitted"].run(), own)
     assert len(x) == len(own)
@@ -102,12 +124,12 @@ def test_a_pair_is_the_ratio_of_its_times(monkeypatch: pytest.MonkeyPatch) -> No
     assert pairs.paired(takes(1e-3), takes(2e-3), 5) == pytest.approx(0.5)
 
 
-@pytest.mark.parametrize("name", RULED)
+@pytest.mark.parametrize("name", SHOWN)
 def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
     text = text_of(name)
     said = [*sentences(text, name, RECORD), *key(text, name, RECORD)]
-    assert sum(one.place.endswith("points") for one in said if isinstance(one, Printout)) == len(RULED[name])
-    assert len(said) >= 5 * len(RULED[name]) + 5
+    assert sum(one.place.endswith("points") for one in said if isinstance(one, Printout)) == len(keys_of(name))
+    assert len(said) >= 5 * len(keys_of(name)) + 5
     for one in said:
         assert not one.wrong(one.tex), one
         numbers = list(re.finditer(r"(?<![\d{-])\d(?!\d*\})", one.tex))
@@ -130,8 +152,9 @@ def test_a_formula_that_nothing_else_reaches_says_so() -> None:
     own = ("emitted", "generated rule")
     rows = [row if row["method"] in own else row | {"worst": 2 * GOAL} for row in RECORD["rows"]]
     found = timing_of("rounded_punch", {"rows": rows})
-    assert all("No other way shown reaches $10^{-12}$." in sentence for sentence in found.sentences)
-    text = "\n".join(found.sentences)
+    said = [sentence for strip in found.strips for sentence in strip.sentences]
+    assert all("No other way shown reaches $10^{-12}$." in sentence for sentence in said)
+    text = "\n".join(said)
     assert all(not one.wrong(one.tex) for one in sentences(text, "rounded_punch", {"rows": rows}))
     assert any(one.wrong(one.tex) for one in sentences(text, "rounded_punch", RECORD))
 
@@ -142,18 +165,22 @@ def test_a_method_that_lost_a_value_is_not_the_fastest() -> None:
         key=lambda row: float(row["ratio"]) if row["method"] not in ("emitted", "generated rule") else math.inf,
     )
     rows = [row | {"lost": 1} if row is best else row for row in RECORD["rows"]]
-    assert timing_of("ellipsoid", {"rows": rows}).sentences != timing_of("ellipsoid").sentences
+    (changed, *others), (before, *rest) = timing_of("ellipsoid", {"rows": rows}).strips, timing_of("ellipsoid").strips
+    assert changed.sentences != before.sentences
+    assert others == rest
 
 
-@pytest.mark.parametrize("name", RULED)
+@pytest.mark.parametrize("name", SHOWN)
 def test_the_panels_are_what_was_measured_in_print_and_on_the_web(name: str) -> None:
     found = timing_of(name)
     web = study.timing(RECORD, keys_of(name))
     assert web is not None
-    assert web["sentences"] == found.sentences
+    assert web["sentences"] == [sentence for strip in found.strips for sentence in strip.sentences]
     letters = {letter for letter, _ in found.methods}
-    (x0, low), (x1, high) = found.figure.xticks[0], found.figure.xticks[-1]
-    for panel, shown in zip(found.figure.panels, web["panels"], strict=True):
+    panels = [(strip.figure, panel) for strip in found.strips for panel in strip.figure.panels]
+    assert [panel.key for _, panel in panels] == keys_of(name)
+    for (figure, panel), shown in zip(panels, web["panels"], strict=True):
+        (x0, low), (x1, high) = figure.xticks[0], figure.xticks[-1]
         rows = [row for row in RECORD["rows"] if row["key"] == panel.key]
         points = [point for line in panel.lines for point in line.points]
         drawn = {line.letter for line in panel.lines}
@@ -162,7 +189,7 @@ def test_the_panels_are_what_was_measured_in_print_and_on_the_web(name: str) -> 
         assert len(points) == len(measured)
         for (x, y), (ratio, worst) in zip(points, measured, strict=True):
             assert low + (x - x0) * (high - low) / (x1 - x0) == pytest.approx(math.log10(ratio), abs=0.02)
-            assert y / found.figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -15.95459), abs=1e-5)
+            assert y / figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -15.95459), abs=1e-5)
         assert f"{points[0][0]:.2f},{points[0][1]:.2f}" in text_of(name)
         assert _dots(shown) == len(points)
 

@@ -71,10 +71,15 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
 
 
 def ruled(model: Model) -> list[str]:
-    """Keys of the normal contact that the catalogue evaluates by a quadrature rule, of a force that of F(d)."""
+    """Keys that the catalogue evaluates by a quadrature rule or may, of a force that of F(d).
+
+    What evaluates the fields of a graded or a plane contact is not recorded with its formulas.
+    """
     suffixes = [row["suffix"] for row in model["evidence"]["table"] if row["ruled"]]
     found = [suffix for suffix in ("p", "w") if suffix in suffixes] + (["Fd"] if "F" in suffixes else [])
-    return [f"{model['name']}.{suffix}" for suffix in found]
+    graded = [f"fgm.{suffix}" for suffix in ("p", "w")]
+    plane = ["p"] if "plane" in model["blocks"] else []
+    return [f"{model['name']}.{suffix}" for suffix in (*found, *graded, *plane)]
 
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:

@@ -86,7 +86,7 @@ def _corpus(arguments: argparse.Namespace) -> int:
 def _error(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import error
-    from .subject import EVERY
+    from .problems import EVERY
 
     return _finish(arguments, error.measure(_names(arguments, tuple(EVERY)), quick=arguments.quick), error.text)
 
@@ -94,7 +94,7 @@ def _error(arguments: argparse.Namespace) -> int:
 def _speed(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import speed
-    from .subject import NAMES
+    from .problems import NAMES
 
     return _finish(arguments, speed.measure(_names(arguments, NAMES), quick=arguments.quick), speed.text)
 
@@ -102,7 +102,7 @@ def _speed(arguments: argparse.Namespace) -> int:
 def _maps(arguments: argparse.Namespace) -> int:
     _ready(arguments)
     from . import maps
-    from .subject import GRADED, NAMES
+    from .problems import GRADED, NAMES
 
     record = maps.measure(_names(arguments, (*NAMES, GRADED)), seed=arguments.seed, quick=arguments.quick)
     return _finish(arguments, record, maps.text)

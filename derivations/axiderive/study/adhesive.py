@@ -8,9 +8,10 @@ import mpmath as mp
 import numpy as np
 
 from .. import notation as nt
+from .problems import RADIUS
 from .rivals import quad, radius
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 
 def quad_radius(subject: Subject, d: Array) -> Array:

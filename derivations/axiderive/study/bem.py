@@ -7,8 +7,9 @@ from importlib.util import find_spec
 
 import numpy as np
 
+from .problems import RADIUS
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 WIDTH = 3.0
 """Side of the square in contact radii."""

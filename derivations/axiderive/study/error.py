@@ -13,15 +13,17 @@ from typing import Any
 
 from .methods import QUICK, Method, Plan, methods
 from .points import DIGITS, exact
+from .problems import EVERY, PARAMETERS, RADIUS
 from .report import Record, relative, rounded, summary, table, versions
 from .skipped import skipped
-from .subject import EVERY, FURTHER, PARAMETERS, RADIUS, Subject, subject
+from .subject import Subject, subject
 from .timing import paired
 
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
-    "function, over settings.vector points, or as many as take a second), "
+    "function, over settings.vector points, or as many as settings.longest, in s, allows), "
     "two digits; no times are kept, they differ from machine to machine and so, less, do the ratios. "
+    "Graded and plane contacts of the pages of the profiles have the settings of settings.brief. "
     "Errors are relative to the defining integral at the doubles given, at `points` points. "
     "Rivals are given f', g and g' in closed form, from break to break. Grid methods are compared at their nodes next "
     "to the points."
@@ -36,11 +38,18 @@ def measure(names: Sequence[str] = tuple(EVERY), *, quick: bool = False, plan: P
         for suffix in EVERY[name]:
             rows += list(_rows(subject(name), suffix, plan))
             missing += skipped(subject(name), suffix)
-    parameters = _named(PARAMETERS) | {"a": RADIUS} | {name: _named(FURTHER[name]) for name in names if name in FURTHER}
+    parameters = _named(PARAMETERS) | {"a": RADIUS}
+    parameters |= {name: _named(subject(name).further) for name in names if subject(name).further}
     return {
         "study": "error",
         "note": NOTE,
-        "settings": {**_plain(plan), "reference_digits": DIGITS, "parameters": parameters, "versions": versions()},
+        "settings": {
+            **_plain(asdict(plan)),
+            "brief": _plain(plan.brief),
+            "reference_digits": DIGITS,
+            "parameters": parameters,
+            "versions": versions(),
+        },
         "rows": rows,
         "skipped": missing,
     }
@@ -50,8 +59,8 @@ def _named(values: Mapping[Any, Any]) -> Record:
     return {str(getattr(symbol, "label", symbol)): value for symbol, value in values.items()}
 
 
-def _plain(plan: Plan) -> Record:
-    return {name: list(value) if isinstance(value, tuple) else value for name, value in asdict(plan).items()}
+def _plain(settings: Mapping[str, Any]) -> Record:
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in settings.items()}
 
 
 def _rows(subject: Subject, suffix: str, plan: Plan) -> Iterator[Record]:

@@ -6,8 +6,8 @@ import math
 
 from .accuracy import judged, reference
 from .limits import LIMITS, RADIUS, Case
+from .problems import PARAMETERS
 from .report import Record, rounded, table, versions
-from .subject import PARAMETERS
 
 NOTE = (
     "errors are relative to an Arb enclosure of the closed form at the doubles given, null where the value is NaN, "

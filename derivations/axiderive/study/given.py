@@ -11,6 +11,7 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+from ..abel.masters import MASTERS
 from .special_functions import FUNCTIONS, Array
 
 Function = Callable[..., Any]
@@ -60,7 +61,7 @@ class Given:
 
     def mpmath(self) -> Function:
         """Of a number of mpmath above the first break."""
-        return self._scalar("mpmath", mp.mpf)
+        return self._scalar([{master.__name__: master.numeric for master in MASTERS}, "mpmath"], mp.mpf)
 
     def _scalar(self, modules: Any, number: Callable[[float], Any]) -> Function:
         functions = [self._bound(one.expr, modules, number) for one in self.pieces]

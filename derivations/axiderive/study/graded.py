@@ -1,4 +1,4 @@
-"""The other ways on the graded half-space, from (11.61), (11.51), (11.53) and (11.56) for a profile without break.
+"""The other ways on the graded half-space, from (11.61), (11.51), (11.53) and (11.56); the force without break.
 
 With the weights of the grading: |t**2 - r**2|**((k - 1)/2) in the pressure, x**k in the displacement.
 """
@@ -8,36 +8,44 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 from scipy import integrate
 
-from .rivals import jacobi, radius
+from .problems import RADIUS
+from .rivals import jacobi, radius, spans
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 a = RADIUS
 
 
-def jacobi_pressure(subject: Subject, r: Array, count: int) -> Array:
-    """In t**2, whose distance from r**2 carries the power (k - 1)/2."""
-    power = (subject.exponent - 1) / 2
-    width, total = (a - r) * (a + r), 0.0
-    for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
-        t = np.sqrt(r * r + width * node)
-        total = total + weight * subject.rate(t) / (2 * t)
-    return subject.modulus / np.pi * width ** (1 + power) * total
-
-
 def jacobi_displacement(subject: Subject, r: Array, count: int) -> Array:
-    """In x with the power k."""
-    k, total, depth = subject.exponent, 0.0, float(subject.depth(np.float64(a)))
-    for node, weight in zip(*jacobi(count, k, 0.0), strict=True):
-        x = a * node
-        total = total + weight * (depth - float(subject.depth(np.float64(x)))) * ((r - x) * (r + x)) ** (-(1 + k) / 2)
-    return _outside(k) * a ** (1 + k) * total
+    """In x with the power k; beyond a break in x - b, with the power (1 + k)/2 of what g has risen since."""
+    k, total, depth = subject.exponent, 0.0, _depth(subject)
+    for low, high in _spans(subject):
+        span = partial(_jacobi_displacement, r, k, low, high, count)
+        if low:
+            start = _g(subject, low)
+            total = total + (depth - start) * span(0.0, lambda x: 1.0)
+            total = total - span((1 + k) / 2, partial(_above, subject, start))
+        else:
+            total = total - span(k, partial(_above, subject, depth))
+    return _outside(k) * total
+
+
+def _jacobi_displacement(
+    r: Array, k: float, low: float, high: float, count: int, power: float, height: Callable[[float], float]
+) -> Array:
+    """Integral of x**k height(x) (r**2 - x**2)**(-(1 + k)/2), with a power of x - low in the weight."""
+    total = 0.0
+    for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
+        x = low + (high - low) * node
+        total = total + weight * node**-power * x**k * height(x) * ((r - x) * (r + x)) ** (-(1 + k) / 2)
+    return (high - low) * total
 
 
 def jacobi_force(subject: Subject, d: Array, count: int) -> Array:
@@ -52,26 +60,26 @@ def jacobi_force(subject: Subject, d: Array, count: int) -> Array:
     return _forces(subject, d, moment)
 
 
-def quad_pressure(subject: Subject, r: Array, *, weighted: bool) -> Array:
-    """(11.53) given to scipy.integrate.quad as it stands, or with its weight for algebraic ends."""
-    power = (subject.exponent - 1) / 2
+def quad_weighted_pressure(subject: Subject, r: Array) -> Array:
+    """(11.53) of a profile without break given to scipy.integrate.quad with its weight for algebraic ends."""
+    power = subject.power
 
     def one(r: float) -> float:
-        if weighted:
-            return _quad(lambda t: subject.rate_scalar(t) * (t + r) ** power, r, a, power)
-        return _quad(lambda t: subject.rate_scalar(t) * ((t - r) * (t + r)) ** power, r, a)
+        return _quad(lambda t: subject.rate_scalar(t) * (t + r) ** power, r, a, power)
 
     return subject.modulus / np.pi * np.array([one(float(x)) for x in r])
 
 
 def quad_displacement(subject: Subject, r: Array, *, weighted: bool) -> Array:
-    k, depth = subject.exponent, float(subject.depth(np.float64(a)))
+    k, depth = subject.exponent, _depth(subject)
 
     def one(r: float) -> float:
         def kernel(x: float) -> float:
-            return (depth - float(subject.depth(np.float64(x)))) * ((r - x) * (r + x)) ** (-(1 + k) / 2)
+            return (depth - _g(subject, x)) * ((r - x) * (r + x)) ** (-(1 + k) / 2)
 
-        return _quad(kernel, 0.0, a, k) if weighted else _quad(lambda x: x**k * kernel(x), 0.0, a)
+        if weighted:
+            return _quad(kernel, 0.0, a, k)
+        return sum(_quad(lambda x: x**k * kernel(x), *span) for span in _spans(subject))
 
     return _outside(k) * np.array([one(float(x)) for x in r])
 
@@ -90,24 +98,37 @@ def quad_force(subject: Subject, d: Array) -> Array:
 
 
 def mpmath_pressure(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
-    """(11.53) in u = t - r: a node that rounding takes below r would have a complex power."""
+    """(11.53) from break to break in u = t - low: a node that rounding takes below r would have a complex power."""
     with mp.workdps(digits):
         power = (mp.mpf(subject.exponent) - 1) / 2
 
-        def one(r: mp.mpf) -> mp.mpf:
-            return mp.quad(lambda u: subject.rate_mp(r + u) * (u * (2 * r + u)) ** power, [0, a - r])
+        def rate(t: mp.mpf, low: mp.mpf) -> mp.mpf:
+            # rounding takes the first nodes to a break
+            return subject.rate_mp(t) if t > low or low not in breaks else mp.mpf(0)
 
+        def span(r: mp.mpf, low: mp.mpf, high: mp.mpf) -> mp.mpf:
+            return mp.quad(lambda u: rate(low + u, low) * ((u + (low - r)) * (u + low + r)) ** power, [0, high - low])
+
+        def one(r: mp.mpf) -> mp.mpf:
+            total = mp.fsum(span(r, max(r, low), high) for low, high in pieces if high > r)
+            return total + subject.excess_mp() * ((a - r) * (a + r)) ** power
+
+        pieces = [(mp.mpf(low), mp.mpf(high)) for low, high in spans(subject, a)]
+        breaks = [low for low, _ in pieces if low]
         return [subject.modulus * one(mp.mpf(float(x))) / mp.pi for x in r]
 
 
 def mpmath_displacement(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
     with mp.workdps(digits):
-        k, depth = mp.mpf(subject.exponent), subject.depth_mp(mp.mpf(a))
+        k, edge = mp.mpf(subject.exponent), mp.mpf(subject.edge)
+        depth = subject.depth_mp(mp.mpf(a)) + subject.excess_mp()
+        ends = [0, *(high for _, high in _spans(subject))]
+
+        def free(x: mp.mpf) -> mp.mpf:
+            return depth - subject.depth_mp(x) if x > edge else depth
 
         def one(r: mp.mpf) -> mp.mpf:
-            kernel = mp.quad(
-                lambda x: x**k * (depth - subject.depth_mp(x)) * ((r - x) * (r + x)) ** (-(1 + k) / 2), [0, a]
-            )
+            kernel = mp.quad(lambda x: x**k * free(x) * ((r - x) * (r + x)) ** (-(1 + k) / 2), ends)
             return 2 * mp.cos(k * mp.pi / 2) / mp.pi * kernel
 
         return [one(mp.mpf(float(x))) for x in r]
@@ -144,6 +165,24 @@ def _forces(subject: Subject, d: Iterable[Any], moment: Callable[[float, int], f
         return 2 * subject.modulus / (1 + k) * x ** (2 + k) * moment(x, 2)
 
     return np.array([force(float(x)) for x in d])
+
+
+def _spans(subject: Subject) -> list[tuple[float, float]]:
+    """From break to break, the flat face among them."""
+    face = [(0.0, subject.edge)] if subject.edge else []
+    return [*face, *spans(subject, a)]
+
+
+def _g(subject: Subject, x: float) -> float:
+    return float(subject.depth(np.float64(x)))
+
+
+def _above(subject: Subject, start: float, x: float) -> float:
+    return _g(subject, x) - start
+
+
+def _depth(subject: Subject) -> float:
+    return _g(subject, a) + subject.excess
 
 
 def _outside(k: float) -> float:

@@ -12,9 +12,10 @@ from collections.abc import Callable
 import numpy as np
 from scipy import integrate, signal
 
+from .problems import RADIUS
 from .rivals import punch_pressure
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 a = RADIUS
 

@@ -12,7 +12,8 @@ import sympy as sp
 from .. import notation as nt
 from ..proof.evaluate import evaluate
 from .accuracy import Point
-from .subject import NAMES, PARAMETERS, entries
+from .problems import NAMES, PARAMETERS
+from .subject import entries
 
 NEAR = (3, 6, 9, 12, 15)
 FAR = (*NEAR, 100, 300)

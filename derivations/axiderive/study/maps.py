@@ -17,8 +17,9 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from .accuracy import Judged, Point, judged, reference
+from .problems import GRADED, NAMES, PARAMETERS
 from .report import Record, rounded, table, versions
-from .subject import GRADED, NAMES, PARAMETERS, entries
+from .subject import entries
 
 QUANTITIES = ("d", "F", "p", "w")
 DECADES = 12

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -13,8 +13,9 @@ from .. import notation as nt
 from . import adhesive, bem, graded, grids, rivals, rule
 from .naive import naive, per_point, printed
 from .points import arguments, defined
+from .problems import RADIUS, RULED
 from .special_functions import Array
-from .subject import RADIUS, RULED, Subject, emitted
+from .subject import Subject, emitted
 from .timing import seconds
 
 
@@ -36,9 +37,17 @@ class Plan:
     fft: tuple[int, ...] = (1000, 10_000, 100_000)
     digits: tuple[int, ...] = (15, 30, 50)
     bem: tuple[int, ...] = (64, 128, 256)
+    longest: float = 1.0
+    """Seconds of one call of an array function, which rather has fewer points."""
+
+    @property
+    def brief(self) -> dict[str, Any]:
+        """What changes where there are many contacts, the graded and the plane ones."""
+        samples, digits = max(4, self.samples // 2), self.digits[:2]
+        return {"samples": samples, "slow": 2, "digits": digits, "longest": self.longest / 50}
 
 
-QUICK = Plan(4, 200, 2, 1, rule=(16,), jacobi=(16,), trapezoid=(100,), table=(100,), fft=(1000,), digits=(15,), bem=())
+QUICK = Plan(4, 200, 2, 1, rule=(32,), jacobi=(16,), trapezoid=(100,), table=(100,), fft=(1000,), digits=(15,), bem=())
 
 
 @dataclass(frozen=True)
@@ -56,13 +65,13 @@ class Method:
 
 def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
     """The emitted function first, then the others."""
-    setup = _Setup(subject, suffix, plan)
+    setup = _Setup(subject, suffix, replace(plan, **plan.brief) if subject.brief else plan)
     yield from setup.closed()
-    if subject.graded:
-        yield from _graded(setup)
-        return
     if subject.few:
         yield from _few(setup)
+        return
+    if subject.graded:
+        yield from _graded(setup)
         return
     match suffix:
         case "ad":
@@ -101,9 +110,17 @@ class _Setup:
             yield self.over(name, f"N = {count}", partial(_with_count, function, self.subject, count), x)
 
     def affordable(self, function: Callable[[Array], Any]) -> Array:
-        """The many points, or as many as take a second."""
-        taken = seconds(partial(function, self.points)) / len(self.points)
-        return self.many[: max(len(self.points), min(len(self.many), int(1.0 / max(taken, 1e-9))))]
+        """The many points, or as many as take the longest time of a call."""
+        function(self.points[:1])  # what it is given is made at the first call
+        count = len(self.points)
+        while count < len(self.many) and seconds(partial(function, self.many[:count])) < self.plan.longest / 4:
+            count *= 4
+        return self.many[:count]
+
+    @cached_property
+    def own(self) -> Array:
+        """The points of the functions of the catalogue."""
+        return self.affordable(self._emitted)
 
     def gridded(self, name: str, function: Callable[..., Any], counts: tuple[int, ...]) -> Iterator[Method]:
         for count in counts:
@@ -111,15 +128,15 @@ class _Setup:
 
     def closed(self) -> Iterator[Method]:
         entry = self.subject.printed(self.suffix)
-        yield self.over("emitted", "", self._emitted, self.many)
+        yield self.over("emitted", "", self._emitted, self.own)
         if printed(entry):
-            x = self.points if per_point(entry) else self.many
+            x = self.points if per_point(entry) else self.own
             values = naive(entry, self.subject.entries)
             yield self.over("lambdify", "", partial(_at_values, values, self.subject.values, self._symbol), x)
 
     @property
     def _symbol(self) -> Any:
-        return nt.r if self.suffix in ("p", "w") else nt.d
+        return self.subject.across if self.suffix in ("p", "w") else nt.d
 
     @property
     def _emitted(self) -> Callable[[Array], Any]:
@@ -133,7 +150,7 @@ class _Setup:
             return
         for count in self.plan.rule:
             run = partial(rule.with_nodes, self._emitted, count=count)
-            yield self.over("generated rule", f"N = {count}", run, self.many)
+            yield self.over("generated rule", f"N = {count}", run, self.own)
 
     def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
         for digits in self.plan.digits:
@@ -188,11 +205,19 @@ def _few(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
     yield from setup.rule()
     match setup.suffix:
+        case "w" if subject.graded:
+            many = setup.affordable(partial(graded.jacobi_displacement, subject, count=plan.jacobi[-1]))
+            yield from setup.sized("Gauss-Jacobi", graded.jacobi_displacement, plan.jacobi, many)
+            yield setup.over("quad", "", partial(graded.quad_displacement, subject, weighted=False), setup.points)
+            yield from setup.digits(graded.mpmath_displacement)
         case "p":
             many = setup.affordable(partial(rivals.jacobi_pressure, subject, count=plan.jacobi[-1]))
             yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, many)
             yield setup.over("quad", "", partial(rivals.quad_pressure, subject, substituted=False), setup.points)
-            yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
+            if subject.brief:
+                yield from setup.digits(graded.mpmath_pressure)
+            else:
+                yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
         case "w":
             yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
             yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
@@ -217,10 +242,15 @@ def _graded(setup: _Setup) -> Iterator[Method]:
         yield setup.over("quad and root", "", partial(graded.quad_force, subject), few)
         yield from setup.digits(graded.mpmath_force)
         return
-    inside = setup.suffix == "p"
-    jacobi = graded.jacobi_pressure if inside else graded.jacobi_displacement
-    quad = graded.quad_pressure if inside else graded.quad_displacement
-    yield from setup.sized("Gauss-Jacobi", jacobi, plan.jacobi, setup.many)
+    yield from setup.rule()
+    if setup.suffix == "p":
+        yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
+        yield setup.over("quad", "", partial(rivals.quad_pressure, subject, substituted=False), setup.points)
+        yield setup.over("quad, weighted", "", partial(graded.quad_weighted_pressure, subject), setup.points)
+        yield from setup.digits(graded.mpmath_pressure)
+        return
+    yield from setup.sized("Gauss-Jacobi", graded.jacobi_displacement, plan.jacobi, setup.many)
     for suffix, weighted in (("", False), (", weighted", True)):
-        yield setup.over(f"quad{suffix}", "", partial(quad, subject, weighted=weighted), setup.points)
-    yield from setup.digits(graded.mpmath_pressure if inside else graded.mpmath_displacement)
+        quad = partial(graded.quad_displacement, subject, weighted=weighted)
+        yield setup.over(f"quad{suffix}", "", quad, setup.points)
+    yield from setup.digits(graded.mpmath_displacement)

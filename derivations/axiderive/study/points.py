@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import mpmath as mp
@@ -11,11 +11,14 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
+from ..proof import plane_quadrature
 from ..proof.definitions import contact
 from ..proof.half_space import HalfSpace
+from ..proof.shape import number
 from . import rivals
+from .problems import RADIUS
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 DIGITS = 30
 
@@ -38,13 +41,20 @@ def arguments(subject: Subject, suffix: str, count: int) -> Array:
 @cache
 def defined(subject: Subject, radius: float, r: float | None = None) -> Callable[[str], mp.mpf]:
     """The quantities of the contact of that radius, as the integrals of the definition see it."""
-    values = _values(subject, radius) | ({} if r is None else {nt.r: sp.Rational(r)})
+    values = _values(subject, radius) | ({} if r is None else {subject.across: sp.Rational(r)})
     with mp.workdps(DIGITS + 20):
-        if subject.graded or nt.dgamma in values:
-            here = HalfSpace(subject.profile, values, DIGITS, subject.graded)
-            quantity = here.adhesive if nt.dgamma in values else here.normal
-            return lambda suffix: quantity(suffix, mp.mpf(radius))
+        if subject.plane:
+            return lambda suffix: plane_quadrature.defined(subject.profile, suffix, values, DIGITS)
+        if nt.dgamma in values:
+            return partial(_half_space(subject, values).adhesive, a=mp.mpf(radius))
+        if subject.graded:
+            depth = number(values[nt.d]) if subject.complete else None
+            return partial(_half_space(subject, values).normal, a=mp.mpf(radius), free_depth=depth)
         return contact(subject.profile, values, DIGITS).quantity
+
+
+def _half_space(subject: Subject, values: dict[Any, Any]) -> HalfSpace:
+    return HalfSpace(subject.profile, values, DIGITS, subject.graded)
 
 
 def _values(subject: Subject, radius: float) -> dict[Any, Any]:
@@ -71,6 +81,6 @@ def exact(subject: Subject, suffix: str, argument: float) -> mp.mpf:
 
 def _rate(subject: Subject, radius: float) -> mp.mpf:
     """dd/da of an adhesive contact, whose retraction grows as a**((1 - k)/2)."""
-    here = HalfSpace(subject.profile, _values(subject, radius), DIGITS, subject.graded)
+    here = _half_space(subject, _values(subject, radius))
     rate, _ = here.rates(mp.mpf(radius))
     return rate - here.retraction(mp.mpf(radius)) * (1 - here.k) / (2 * mp.mpf(radius))

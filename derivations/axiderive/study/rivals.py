@@ -15,8 +15,9 @@ import mpmath as mp
 import numpy as np
 from scipy import integrate, optimize, special
 
+from .problems import RADIUS
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 a = RADIUS
 
@@ -29,8 +30,8 @@ def jacobi(count: int, lower: float, upper: float) -> tuple[Array, Array]:
 
 
 def punch_pressure(subject: Subject, r: Array) -> Array:
-    """The edge term of (11.107), of a depth beyond that of the profile."""
-    return subject.excess * subject.modulus / np.pi / np.sqrt((a - r) * (a + r)) if subject.excess else 0.0
+    """The edge term of (11.107), (11.47), of a depth beyond that of the profile."""
+    return subject.excess * subject.modulus / np.pi * ((a - r) * (a + r)) ** subject.power if subject.excess else 0.0
 
 
 def punch_displacement(subject: Subject, r: Array) -> Array:
@@ -38,7 +39,7 @@ def punch_displacement(subject: Subject, r: Array) -> Array:
 
 
 def jacobi_pressure(subject: Subject, r: Array, count: int) -> Array:
-    """In t**2, whose distance from the lower limit carries the power -1/2; a break is such a limit."""
+    """In t**2, whose distance from the lower limit carries the power (k - 1)/2; a break is such a limit."""
     return subject.modulus / np.pi * sum(
         _jacobi_pressure(subject, r, low, high, count) for low, high in spans(subject, a)
     ) + punch_pressure(subject, r)
@@ -46,13 +47,13 @@ def jacobi_pressure(subject: Subject, r: Array, count: int) -> Array:
 
 def _jacobi_pressure(subject: Subject, r: Array, start: float, end: float, count: int) -> Array:
     low = np.clip(r, start, end)
-    width, total = (end - low) * (end + low), 0.0
-    for node, weight in zip(*jacobi(count, -0.5, 0.0), strict=True):
+    width, total, power = (end - low) * (end + low), 0.0, subject.power
+    for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
         past = width * node
         t = np.sqrt(low * low + past)
-        kernel = np.sqrt(past / (past + (low - r) * (low + r)))
+        kernel = (past / (past + (low - r) * (low + r))) ** -power
         total = total + weight * subject.rate(t) / (2 * t) * kernel
-    return np.sqrt(width) * total
+    return width ** (1 + power) * total
 
 
 def jacobi_displacement(subject: Subject, r: Array, count: int) -> Array:
@@ -87,13 +88,17 @@ def _jacobi_moment(subject: Subject, x: float, power: int, low: float, high: flo
 
 
 def quad_pressure(subject: Subject, r: Array, *, substituted: bool) -> Array:
-    """The integral (11.23) given to scipy.integrate.quad as it stands, or in t = r cosh(v); from break to break."""
+    """The integral (11.23), (11.53) given to scipy.integrate.quad as it stands; from break to break.
+
+    On the homogeneous half-space also `substituted`, in t = r cosh(v).
+    """
+    power = subject.power
 
     def span(r: float, low: float, high: float) -> float:
         if substituted:
             ends = math.acosh(low / r), math.acosh(high / r)
             return quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
-        return quad(lambda t: subject.rate_scalar(t) / math.sqrt((t - r) * (t + r)), low, high)
+        return quad(lambda t: subject.rate_scalar(t) * ((t - r) * (t + r)) ** power, low, high)
 
     def one(r: float) -> float:
         return sum(span(r, max(r, low), high) for low, high in spans(subject, a) if high > r)

@@ -7,6 +7,7 @@ break, Gauss-Legendre after the substitution that takes the kernel into dv.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -16,8 +17,9 @@ from typing import Any
 import numpy as np
 
 from ..emit.nodes import gauss_legendre
+from .problems import RADIUS
 from .special_functions import Array
-from .subject import RADIUS, Subject
+from .subject import Subject
 
 
 @cache
@@ -53,16 +55,24 @@ def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Arra
 @contextmanager
 def _nodes(count: int) -> Iterator[None]:
     """Every rule of the catalogue in one interval of `count` nodes, at each point by itself."""
-    integrals, powers, along = (import_module(f"axicontact.{name}") for name in ("_integrals", "_powers", "_along"))
-    whole = integrals.integral
+    integrals, weights, along = (
+        import_module(f"axicontact.{name}") for name in ("_integrals", "_graded_rules", "_along")
+    )
+    whole, weighted = integrals.integral, weights.weighted
 
     def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
         return whole(integrand, stop, count)
 
+    def fixed_weighted(
+        smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, **above: Array
+    ) -> Array:
+        return weighted(smooth, stop, power, count, **above)
+
     # from these numbers of points on they would be put in groups, and interpolated along r
     unbounded = [(integrals, "FEW"), (integrals, "LEAST"), (along, "LEAST")]
-    changes: list[tuple[Any, str, Any]] = [(one, "integral", fixed) for one in (integrals, powers)]
-    changes += [(one, name, math.inf) for one, name in unbounded]
+    changes: list[tuple[Any, str, Any]] = [(one, name, math.inf) for one, name in unbounded]
+    changes += [(one, "integral", fixed) for one in _modules_with("integral", whole)]
+    changes += [(one, "weighted", fixed_weighted) for one in _modules_with("weighted", weighted)]
     before = [(one, name, getattr(one, name)) for one, name, _ in changes]
     try:
         for one, name, value in changes:
@@ -71,3 +81,9 @@ def _nodes(count: int) -> Iterator[None]:
     finally:
         for one, name, value in before:
             setattr(one, name, value)
+
+
+def _modules_with(name: str, value: Any) -> list[Any]:
+    """Those of the catalogue that have the function by its name, from wherever."""
+    loaded = [module for key, module in sys.modules.items() if key.startswith("axicontact.")]
+    return [module for module in loaded if getattr(module, name, None) is value]

@@ -24,7 +24,7 @@ def _of_few(subject: Subject, suffix: str) -> dict[str, str]:
 
 def _on_grids(subject: Subject, suffix: str) -> dict[str, str]:
     if subject.graded:
-        closed = {"generated rule": "the printed formulas are closed: no rule is generated"}
+        closed = {"generated rule": "depth and force are closed: no rule is generated"} if suffix == "Fd" else {}
         return closed | dict.fromkeys(
             ("trapezoid MDR", "FFT MDR"), "their weights are those of the homogeneous half-space"
         )

@@ -33,6 +33,16 @@ def _beta(z: Array, p: Array, q: Array) -> Array:
     return z**p / p * special.hyp2f1(p, 1 - q, p + 1, z)
 
 
+def _cap_moment(k: float, b: float, R: float, a: Array) -> Array:
+    """For a < R; the difference of an antiderivative between the tip and the break."""
+    gap, power = (R - a) * (R + a), (k + 1) / 2
+
+    def primitive(v: Array) -> Array:
+        return v**power / (k + 1) / np.sqrt(gap) * special.hyp2f1(0.5, power, power + 1, -v / gap)
+
+    return primitive(a * a) - primitive((a - b) * (a + b))
+
+
 FUNCTIONS: dict[str, Any] = {
     "C0": _c0,
     "LegendreChi2": _chi2,
@@ -43,6 +53,8 @@ FUNCTIONS: dict[str, Any] = {
     "elliptic_f": special.ellipkinc,
     "elliptic_e": special.ellipeinc,
     "Hypergeometric": special.hyp2f1,
+    "Kummer": special.hyp1f1,
+    "CapMoment": _cap_moment,
     "gamma": special.gamma,
 }
 """By the names that SymPy prints."""

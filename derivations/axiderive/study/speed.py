@@ -20,8 +20,9 @@ from ..contact import systems
 from ..entry import Entry
 from .naive import naive
 from .points import arguments
+from .problems import NAMES, PARAMETERS, RADIUS
 from .report import Record, rounded, table, versions
-from .subject import NAMES, PARAMETERS, RADIUS, Subject, subject
+from .subject import Subject, subject
 from .timing import paired
 
 SUFFIXES = ("d", "F", "p", "w")

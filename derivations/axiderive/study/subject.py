@@ -13,48 +13,21 @@ from functools import cache, cached_property
 from importlib import import_module
 from typing import Any
 
+import mpmath as mp
 import numpy as np
 import sympy as sp
 
 from .. import notation as nt
 from ..contact import systems
 from ..contact.complete import edge_depth
+from ..contact.medium import GRADED, HOMOGENEOUS
 from ..entry import Case, Entry
 from ..profiles.profile import Piece as ProfilePiece
 from ..profiles.profile import Profile
 from ..proof.shape import coefficient, concrete
 from .given import Function, Given, Piece, joined
+from .problems import FURTHER, NAMES, OTHERS, PARAMETERS, RADIUS, RULED
 from .special_functions import Array
-
-NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
-QUANTITIES = ("p", "Fd", "w")
-GRADED, ADHESIVE = "power_law.fgm", ("paraboloid.adh", "cone.adh")
-OTHERS = {GRADED: QUANTITIES, **dict.fromkeys(ADHESIVE, ("ad",))}
-"""On a graded half-space, and with adhesion: the quantities of their own."""
-RULED = {
-    **dict.fromkeys(("power_law", "polynomial", "hyperboloid", "truncated_cone", "truncated_paraboloid"), ("p", "w")),
-    **dict.fromkeys(("rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch"), ("p", "w")),
-    **dict.fromkeys(("sphere", "ellipsoid"), ("w",)),
-    **dict.fromkeys(("sphere_tipped_cone", "gaussian"), ("p", "w", "Fd")),
-    **dict.fromkeys(("wavy_paraboloid", "concave_power"), ("p", "w")),
-}
-"""Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
-EVERY = dict.fromkeys(NAMES, QUANTITIES) | {name: RULED[name] for name in RULED if name not in NAMES} | OTHERS
-"""The quantities of each problem whose error is measured against run time."""
-RADIUS = 2.0
-PARAMETERS = {
-    nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
-}  # fmt: skip
-FURTHER: dict[str, dict[Any, Any]] = {
-    "capped_paraboloid": {nt.R1: 6.0, nt.R2: 3.0},
-    "concave_power": {nt.h: 0.1, nt.d: 0.5},
-    "ellipsoid": {nt.h: 2.0, nt.b: 3.0},
-    "gaussian": {nt.h: 0.5, nt.s: 2.0},
-    "polynomial": {nt.coefficients: (0.02, 0.1, 0.03)},
-    "rounded_curved_punch": {nt.R1: 6.0, nt.R2: 3.0},
-    "wavy_paraboloid": {nt.h: 0.01, nt.wavelength: 1.0},
-}
-"""What single profiles have beside these."""
 
 
 @cache
@@ -97,11 +70,17 @@ class Subject:
     def entries(self) -> dict[str, Entry]:
         return entries(self.name)
 
+    @property
+    def further(self) -> dict[Any, Any]:
+        """The values of its profile alone."""
+        return FURTHER.get(systems.problem(self.name).name, {})
+
     @cached_property
     def parameters(self) -> dict[Any, Any]:
         """The values of what the emitted functions are called with."""
-        known = PARAMETERS | FURTHER.get(self.name, {}) | {nt.a: RADIUS}
-        given = {symbol: known[symbol] for symbol in self.entries["F"].parameters} | {nt.a: RADIUS}
+        known = PARAMETERS | self.further | {nt.a: RADIUS}
+        load = self.entries["P" if self.plane else "F"]
+        given = {symbol: known[symbol] for symbol in load.parameters} | {nt.a: RADIUS}
         return given | ({nt.d: known[nt.d]} if self.complete else {})
 
     @cached_property
@@ -121,7 +100,21 @@ class Subject:
     @property
     def few(self) -> bool:
         """Whether it is measured beside a few other ways only, for its own page."""
-        return self.name in RULED and self.name not in NAMES
+        return self.name in RULED and self.name not in (*NAMES, *OTHERS)
+
+    @property
+    def brief(self) -> bool:
+        """Of these the graded and the plane ones, which are many."""
+        return self.few and (self.graded or self.plane)
+
+    @property
+    def plane(self) -> bool:
+        return systems.problem(self.name).system.name == "plane"
+
+    @property
+    def across(self) -> sp.Symbol:
+        """The place at which a field is asked for, r or x."""
+        return nt.x if self.plane else nt.r
 
     @property
     def graded(self) -> bool:
@@ -136,6 +129,11 @@ class Subject:
     def exponent(self) -> float:
         """k of the elastic grading."""
         return float(self.values.get(nt.k, 0.0))
+
+    @property
+    def power(self) -> float:
+        """Of t**2 - r**2 in the pressure."""
+        return (self.exponent - 1) / 2
 
     @property
     def modulus(self) -> float:
@@ -156,6 +154,10 @@ class Subject:
         """Depth beyond that of the profile, d - g(a): of a complete contact."""
         return float(self.values[nt.d] - self.depth(np.float64(RADIUS))) if self.complete else 0.0
 
+    def excess_mp(self) -> mp.mpf:
+        """The same at the digits in force."""
+        return mp.mpf(self.values[nt.d]) - self.depth_mp(mp.mpf(RADIUS)) if self.complete else mp.mpf(0)
+
     @cached_property
     def largest(self) -> float:
         """Contact radius below which a root is searched."""
@@ -167,7 +169,7 @@ class Subject:
     @cached_property
     def height(self) -> Function:
         """f(r)."""
-        return self._given(self.profile.pieces, nt.r).numpy()
+        return self._given(self.profile.pieces).numpy()
 
     @cached_property
     def slope(self) -> Function:
@@ -203,24 +205,29 @@ class Subject:
 
     @cached_property
     def _slope(self) -> Given:
-        return self._given([one for one in self.profile.pieces if one.expr != 0], nt.r).rate
+        return self._given([one for one in self.profile.pieces if one.expr != 0]).rate
 
     @cached_property
     def _depth(self) -> Given:
-        """g(t) in pieces, from the entry or, at a fixed edge, from the depth that a face of one power has there."""
+        """g(t) in pieces, from the entry or, at a fixed edge, from the depth that a face of one power has there.
+
+        In a plane contact P(t)/E* has its place.
+        """
         if self.complete:
-            whole = edge_depth(self.profile) * (nt.t / nt.a) ** nt.n
+            (face,) = self.profile.pieces
+            power = sp.cancel(nt.r * sp.diff(face.expr, nt.r) / face.expr)
+            whole = edge_depth(self.profile, GRADED if self.graded else HOMOGENEOUS) * (nt.t / nt.a) ** power
             return Given((Piece(0.0, math.inf, whole),), nt.t, self.values)
-        pieces = [self._case(case) for case in self.entries["d"].cases]
+        pieces = [self._case(case) for case in self.entries["P" if self.plane else "d"].cases]
         return Given(joined(pieces), nt.a, self.values)
 
     def _case(self, case: Case) -> Piece:
         place = case.chain.index(nt.a)
         low = self._size(case.chain[place - 1]) if place else 0.0
         high = self._size(case.chain[place + 1]) if place + 1 < len(case.chain) else math.inf
-        return Piece(low, high, concrete(case.expr, self.values))
+        return Piece(low, high, concrete(case.expr / nt.E_star if self.plane else case.expr, self.values))
 
-    def _given(self, members: Sequence[ProfilePiece], variable: sp.Symbol) -> Given:
+    def _given(self, members: Sequence[ProfilePiece]) -> Given:
         """The pieces of the profile, from the first of these on."""
         ends = [0.0, *map(self._size, self.profile.breaks), math.inf]
         offset = len(self.profile.pieces) - len(members)
@@ -228,7 +235,7 @@ class Subject:
             Piece(ends[offset + i], ends[offset + i + 1], concrete(one.expr, self.values))
             for i, one in enumerate(members)
         ]
-        return Given(tuple(pieces), variable, self.values)
+        return Given(tuple(pieces), self.across, self.values)
 
     def _size(self, length: sp.Expr) -> float:
         return float(sp.sympify(length).subs(self.values))

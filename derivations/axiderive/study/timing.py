@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 Call = Callable[[], Any]
-SHORTEST, LONGEST = 4e-3, 0.5
+SHORTEST, LONGEST = 4e-3, 0.1
 """Seconds that one timing takes at least, shorter calls are repeated; longer ones are timed three times."""
 
 

@@ -26,8 +26,12 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any] | N
     found = of_profile.timing(record, keys)
     if found is None:
         return None
-    panels = [_panel(one, found.figure) for one in found.figure.panels]
-    return {"panels": panels, "methods": found.methods, "sentences": found.sentences}
+    panels = [_panel(one, strip.figure) for strip in found.strips for one in strip.figure.panels]
+    return {
+        "panels": panels,
+        "methods": found.methods,
+        "sentences": [s for strip in found.strips for s in strip.sentences],
+    }
 
 
 def model(figures: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,13 +13,14 @@ from .statements import Said
 
 Row = Mapping[str, Any]
 _SENTENCE = re.compile(
-    r"\$(?P<left>p\(r\)|w\(r\)|F_\{\\mathrm N\}\(d\))\$: worst error \$(?P<error>[^$]+)\$ at (?P<points>\d+) points"
+    r"(?P<graded>Graded half-space, )?\$(?P<left>p\([rx]\)|w\(r\)|F_\{\\mathrm N\}\(d\))\$: "
+    r"worst error \$(?P<error>[^$]+)\$ at (?P<points>\d+) points"
     r"(?:; (?P<nodes>\d+) nodes of the rule reach \$(?P<reached>[^$]+)\$)?\. "
     r"(?:No other way shown reaches \$(?P<none>[^$]+)\$"
     r"|The fastest other way to \$(?P<goal>[^$]+)\$, (?P<name>[^$]+), takes \$(?P<times>[^$]+)\$ times as long)\."
 )
 _LETTER = re.compile(r"\\textbf\{(\w)\}~\\textcolor\{note\}\{([^}]+)\}")
-SUFFIX = {"p(r)": "p", "w(r)": "w", r"F_{\mathrm N}(d)": "Fd"}
+SUFFIX = {"p(r)": "p", "p(x)": "p", "w(r)": "w", r"F_{\mathrm N}(d)": "Fd"}
 GOAL, REACHED = "1e-12", "1e-14"
 METHODS = {
     "emitted": r"the function of the catalogue",
@@ -27,6 +28,7 @@ METHODS = {
     "generated rule": r"its rule at every point, (.+) nodes",
     "Gauss-Jacobi": r"(?:the )?Gauss--Jacobi rule (?:for the integral, |of )(.+) nodes",
     "quad": r"adaptive quadrature",
+    "mpmath": r"adaptive quadrature in (.+) digits",
     "quad and root": r"adaptive quadrature (?:and|with) root finding",
     "trapezoid MDR": r"(?:the )?trapezoidal rule(?:,| on) (.+) intervals",
 }
@@ -37,16 +39,17 @@ OWN = ("emitted", "generated rule")
 def sentences(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Printout | Said]:
     """Every number and every name of a method in the sentences of a spread."""
     for match in _SENTENCE.finditer(text):
-        rows = [row for row in record["rows"] if row["key"] == f"{profile}.{SUFFIX[match['left']]}"]
+        own_key = _key(match, profile)
+        rows = _shown(own_key, record)
         own = next(row for row in rows if row["method"] == "emitted")
-        place = f"timing of {match['left']}"
+        place = f"timing of {own_key}"
         yield Printout(f"{place} error", match["error"], mp.mpf(str(own["worst"])))
         yield Printout(f"{place} points", match["points"], own["points"])
         if match["nodes"]:
             enough = [_size(row) for row in _right(rows, REACHED) if row["method"] == "generated rule"]
             yield Printout(f"{place} nodes", match["nodes"], min(enough))
             yield Printout(f"{place} reached", match["reached"], mp.mpf(REACHED))
-        others = [row for row in _right(rows, GOAL) if row["method"] in METHODS and row["method"] not in OWN]
+        others = [row for row in _right(rows, GOAL) if row["method"] not in OWN]
         yield Printout(f"{place} goal", match["goal"] or match["none"], mp.mpf(GOAL))
         if match["none"]:
             yield Said(f"no other way in {place}", lambda tex, others=others: bool(others))  # type: ignore[misc]
@@ -60,12 +63,26 @@ def sentences(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Pr
 def key(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Said]:
     """What each letter means and the sizes in its words."""
     drawn = list(dict.fromkeys(row["method"] for row in record["rows"] if row["worst"] is not None))
-    keys = {f"{profile}.{SUFFIX[match['left']]}" for match in _SENTENCE.finditer(text)}
-    rows = [row for row in record["rows"] if row["key"] in keys]
+    keys = {_key(match, profile) for match in _SENTENCE.finditer(text)}
+    rows = [row for own in keys for row in _shown(own, record)]
     for letter, words in _LETTER.findall(text):
         method = drawn[ord(letter) - ord("a")]
         want = method, sorted({_size(row) for row in rows if row["method"] == method and row["setting"]})
         yield Said(words, lambda tex, want=want: _named(tex) != want)  # type: ignore[misc]
+
+
+def _key(match: re.Match[str], profile: str) -> str:
+    return f"{profile}.{'fgm.' if match['graded'] else ''}{SUFFIX[match['left']]}"
+
+
+def _shown(key: str, record: Mapping[str, Any]) -> list[Row]:
+    """The rows of the methods that a page shows: many digits only if the front shows nothing of the contact."""
+    contact = key.rpartition(".")[0]
+    alone = {row["method"] for row in record["rows"] if row["key"].rpartition(".")[0] == contact} <= set(METHODS)
+    hidden = () if alone else ("mpmath",)
+    return [
+        row for row in record["rows"] if row["key"] == key and row["method"] in METHODS and row["method"] not in hidden
+    ]
 
 
 def _named(words: str) -> tuple[str, list[int]]:
@@ -83,4 +100,5 @@ def _right(rows: Sequence[Row], goal: str) -> list[Row]:
 
 
 def _size(row: Row) -> int:
-    return int(str(row["setting"]).rpartition(" ")[2])
+    sizes = re.findall(r"\d+", str(row["setting"]))
+    return int(sizes[0])

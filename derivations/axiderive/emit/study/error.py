@@ -35,7 +35,9 @@ OWN = ("emitted", "generated rule")
 """Methods of the catalogue, drawn in colour."""
 
 FEW = frozenset(("emitted", "lambdify", "generated rule", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR"))
-"""Methods that the page of a profile shows; a formula of which no others were measured is drawn there alone."""
+"""Methods that the page of a profile shows."""
+DIGITS = "mpmath"
+"""Shown as well where it is the only other one: of a contact that is drawn on the page of its profile alone."""
 FLOOR = 2.0**-53
 """Errors below the rounding of a double count as that."""
 
@@ -97,8 +99,18 @@ def lettered(found: Plots) -> dict[str, str]:
 def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
     """The panels in the order of the record; those of few methods stand with their profiles."""
     found = plots(record)
-    letters = lettered(found)
-    return drawn({key: plot for key, plot in found.items() if set(plot) - FEW}, letters, keys, WIDTH, HEIGHT)
+    problems = widely_measured(found)
+    shown = {key: plot for key, plot in found.items() if problem_of(key) in problems}
+    return drawn(shown, lettered(found), keys, WIDTH, HEIGHT)
+
+
+def problem_of(key: str) -> str:
+    return key.rpartition(".")[0]
+
+
+def widely_measured(found: Plots) -> set[str]:
+    """The problems of which more methods were measured than the pages of profiles show."""
+    return {problem_of(key) for key, plot in found.items() if set(plot) - FEW - {DIGITS}}
 
 
 def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width: float, height: float) -> Figure:

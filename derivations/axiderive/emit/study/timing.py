@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..evidence import power_of_ten
-from .error import FEW, Figure, drawn, lettered, plots
+from .error import DIGITS, FEW, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
 
 WIDTH, HEIGHT = 43.0, 27.0
 """Millimetres of a frame, as high as those of the other plots of a page."""
@@ -19,7 +19,7 @@ GOAL = 1e-12
 """The error for which the fastest other way is named."""
 REACHED = 1e-14
 """The error for which the nodes of the rule are counted."""
-OTHERS = ("lambdify", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR")
+OTHERS = ("lambdify", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR", DIGITS)
 KEY = {
     "emitted": "the function of the catalogue",
     "lambdify": "the printed formula through NumPy",
@@ -28,6 +28,7 @@ KEY = {
     "quad": "adaptive quadrature",
     "quad and root": "adaptive quadrature and root finding",
     "trapezoid MDR": "trapezoidal rule, {} intervals",
+    DIGITS: "adaptive quadrature in {} digits",
 }
 NAMED = {
     "lambdify": "the printed formula through NumPy",
@@ -35,6 +36,7 @@ NAMED = {
     "quad": "adaptive quadrature",
     "quad and root": "adaptive quadrature with root finding",
     "trapezoid MDR": "the trapezoidal rule on {} intervals",
+    DIGITS: "adaptive quadrature in {} digits",
 }
 
 LEFT = {"p": "p(r)", "w": "w(r)", "Fd": r"F_{\mathrm N}(d)"}
@@ -43,33 +45,49 @@ Row = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Timing:
-    """The panels, the meaning of their letters, and what the numbers say of each formula."""
+class Strip:
+    """The panels of one contact, and what the numbers say of each formula."""
 
     figure: Figure
-    methods: tuple[tuple[str, str], ...]
     sentences: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Timing:
+    """What was measured of a profile, contact by contact, and the meaning of the letters."""
+
+    strips: tuple[Strip, ...]
+    methods: tuple[tuple[str, str], ...]
 
 
 def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
     """What was measured of these keys; None if nothing was."""
     everything = plots(record)
-    found = {
-        key: {method: points for method, points in everything[key].items() if method in FEW}
-        for key in keys
-        if key in everything
-    }
+    wide = widely_measured(everything)
+    found: dict[str, Plots] = {}
+    for key in keys:
+        if key in everything:
+            own = everything[key].items()
+            shown = {method: points for method, points in own if _on_page(method, problem_of(key) in wide)}
+            found.setdefault(problem_of(key), {})[key] = shown
     if not found:
         return None
-    rows = [row for row in record["rows"] if row["key"] in found and row["method"] in FEW]
     letters = lettered(everything)
-    figure = drawn(found, letters, frozenset(keys), WIDTH, HEIGHT)
-    shown = [method for method in letters if any(method in plot for plot in found.values())]
-    return Timing(
-        figure,
-        tuple((letters[method], KEY[method].format(_settings(method, rows))) for method in shown),
-        tuple(_sentence([row for row in rows if row["key"] == key]) for key in found),
+    members = {method for contact in found.values() for plot in contact.values() for method in plot}
+    rows = [row for row in record["rows"] if row["method"] in found.get(problem_of(row["key"]), {}).get(row["key"], {})]
+    strips = tuple(
+        Strip(
+            drawn(contact, letters, frozenset(keys), WIDTH, HEIGHT),
+            tuple(_sentence([row for row in rows if row["key"] == key]) for key in contact),
+        )
+        for contact in found.values()
     )
+    meanings = tuple((letters[one], KEY[one].format(_settings(one, rows))) for one in letters if one in members)
+    return Timing(strips, meanings)
+
+
+def _on_page(method: str, wide: bool) -> bool:
+    return method in FEW or (method == DIGITS and not wide)
 
 
 def _settings(method: str, rows: Sequence[Row]) -> str:
@@ -80,13 +98,14 @@ def _settings(method: str, rows: Sequence[Row]) -> str:
 
 
 def _count(row: Row) -> int:
-    return int(row["setting"].removeprefix("N = "))
+    """Of N = 16 or 15 digits."""
+    return int(row["setting"].removeprefix("N = ").removesuffix(" digits"))
 
 
 def _sentence(rows: Sequence[Row]) -> str:
     """Error of the function, nodes of its rule, and the fastest other way to GOAL."""
     own = rows[0]
-    text = f"${LEFT[own['key'].rpartition('.')[2]]}$: worst error ${_error(own)}$ at {own['points']} points"
+    text = f"{_named(own['key'])}: worst error ${_error(own)}$ at {own['points']} points"
     enough = [_count(row) for row in rows if row["method"] == "generated rule" and _reaches(row, REACHED)]
     if enough:
         text += rf"; {min(enough)} nodes of the rule reach ${_power(REACHED)}$"
@@ -97,6 +116,14 @@ def _sentence(rows: Sequence[Row]) -> str:
     best = min(others, key=lambda row: row["ratio"])
     name = NAMED[best["method"]].format(_whole(_count(best)) if best["setting"] else "")
     return rf"{text}. The fastest other way to ${goal}$, {name}, takes ${_times(best['ratio'])}$ times as long."
+
+
+def _named(key: str) -> str:
+    """What stands on the left of the formula, and the half-space where it is not the homogeneous one."""
+    problem, _, suffix = key.rpartition(".")
+    if problem.startswith("plane."):
+        return f"${LEFT[suffix].replace('(r)', '(x)')}$"
+    return f"Graded half-space, ${LEFT[suffix]}$" if problem.endswith(".fgm") else f"${LEFT[suffix]}$"
 
 
 def _reaches(row: Row, goal: float) -> bool:
