@@ -106,6 +106,13 @@ class Entry:
         rows = [f"{' < '.join(map(sp.sstr, c.chain)) or 'always'}: {sp.sstr(c.expr)}" for c in self.cases]
         return f"{self.key} [{self.status}]\n  " + "\n  ".join(rows)
 
+    def _repr_markdown_(self) -> str:
+        """What Jupyter shows: key, label and formula as the handbook prints them."""
+        # late: print knows entries, an entry knows nothing of print until it is shown
+        from .notebook import markdown
+
+        return markdown(self)
+
 
 def _distinguish(own: list[Case], others: list[Case]) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The smallest set of comparisons that all of `own` fulfil and each of `others` violates somewhere."""

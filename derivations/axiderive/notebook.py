@@ -1,8 +1,6 @@
-"""Entries in Jupyter: after `%load_ext axiderive.notebook` an entry shows its formula as the handbook prints it."""
+"""Entries in Jupyter, which show their formulas as the handbook prints them."""
 
 from __future__ import annotations
-
-from typing import Any
 
 from .emit.rows import row
 from .entry import Entry
@@ -20,8 +18,3 @@ def markdown(entry: Entry) -> str:
         behind = f" `{entry.key.removesuffix(entry.suffix)}{found.uses}`" if found.uses else ""
         lines.append(found.remark + behind)
     return "\n\n".join(lines)
-
-
-def load_ipython_extension(shell: Any) -> None:
-    """What `%load_ext` calls: the representation is registered from here, so that an entry knows nothing of print."""
-    shell.display_formatter.formatters["text/markdown"].for_type(Entry, markdown)

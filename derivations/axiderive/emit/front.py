@@ -42,7 +42,7 @@ def notation_rows(used: set[str]) -> list[dict[str, str]]:
     """The symbols that are used, in order of the notation."""
     skip = {"j", "N", "stiffness"}
     return [
-        {"latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": domain(n)}
+        {"name": n.name, "latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": domain(n)}
         for n in nt.all_notation()
         if n.name in used - skip
     ]

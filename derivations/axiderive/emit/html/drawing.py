@@ -58,7 +58,7 @@ class Figure:
     curves: list[Shape] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
     anchor: str = ""
-    """Id of the figure on its page."""
+    """Id of the figure on its page; its caption has the same with .caption behind it."""
 
     def add(self, element: str, kind: str, **attributes: Any) -> None:
         self.shapes.append((element, kind, {name.rstrip("_"): f"{value}" for name, value in attributes.items()}))

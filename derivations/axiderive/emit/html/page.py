@@ -11,7 +11,7 @@ from typing import Any
 from ...contact.systems import Problem
 from ...entry import Entry
 from ..blocks import TITLES, ending, ending_of, rows_of
-from ..calls import Signatures, called, imported, signatures
+from ..calls import Signatures, Values, assigned, called, examples, imported, signatures
 from ..prose import prose
 from ..rows import Row
 from ..spread import problems_of
@@ -84,10 +84,12 @@ class Known:
     agreed: Mapping[str, Any]
     """Digits and points by the end of the key."""
     functions: Signatures
+    values: Values
 
     def formula(self, entry: Entry) -> Formula:
         suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
-        python = f"{imported(self.problem)}\n\n{called(self.problem, entry, self.functions)}"
+        lines = imported(self.problem), assigned(entry, self.values), called(self.problem, entry, self.functions)
+        python = "\n\n".join(lines)
         certified = bool(record.get("certified"))
         if suffix not in self.agreed:
             return Formula(suffix, certified, "not verified in this edition", [], python)
@@ -162,7 +164,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
             continue
         problem, (title, note) = problems[name], TITLES[name]
         records = evidence.get(problem.key, {}).get("entries", {})
-        known = Known(problem, records, agreed, signatures(modules[problem.module]))
+        source = modules[problem.module]
+        known = Known(problem, records, agreed, signatures(source), examples(source))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
         further = _apart([_further(one, model["name"]) for line in block["further"] for one in line])
         shown = [known.row(one) for one in rows]

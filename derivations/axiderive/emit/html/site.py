@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import json
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import jinja2
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from ...contact.systems import ROUND, SYSTEMS
-from ...entry import Entry
 from .. import book, spread
 from ..handbook import Model, page_models, ruled, summary
 from ..matrix import LEFT_OUT, LEGEND
@@ -20,6 +19,7 @@ from ..modules import package_sources
 from . import study
 from .assets import assets
 from .page import Derived, page
+from .search import PARTS, anchor_of, has_shape, search_index
 from .words import formula, slug, words
 
 
@@ -58,22 +58,24 @@ def html_sources(
     modules = package_sources(derived) if modules is None else modules
     ids = list(models)
     keys = frozenset(e.key for entries in derived.values() for e in entries.values())
-    site = Site(frozenset(ids), keys, bool(studies))
+    equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
+    site = Site(frozenset(ids), keys, equations, bool(studies))
     front = book.model([summary(model) for model in models.values()], chapter11, studies)
     measured = (studies or {}).get("error")
     files = {}
     for i in ids:
         timing = study.timing(measured, ruled(models[i])) if measured else None
-        files[f"{i}.html"] = site.render("page", page(models[i], derived, evidence, modules) | {"timing": timing}, i)
+        shown = page(models[i], derived, evidence, modules)
+        files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
     files["index.html"] = site.render(
-        "index", front | {"columns": COLUMNS, "rows": _matrix(ids, models), "legend": LEGEND}
+        "index", front | {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
     )
-    files["reading.html"] = site.render("reading", front)
+    files["reading.html"] = site.render("reading", front | {"parts": [part[:2] for part in PARTS]})
     if studies:
         files["study.html"] = site.render("study", study.model(front["studies"]))
     if chapter11 is not None:
-        files["chapter11.html"] = site.render("chapter11", front)
-    files["assets/keys.js"] = search_index(ids, models, derived)
+        files["chapter11.html"] = site.render("chapter11", {"chapter11": _with_errata(front["chapter11"])})
+    files["assets/keys.js"] = search_index(models, derived, front, bool(studies))
     return files | assets()
 
 
@@ -81,63 +83,33 @@ COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
 """Systems of the matrix; the other profiles have one system each."""
 
 
-def _matrix(ids: Sequence[str], models: Mapping[str, Model]) -> list[dict[str, Any]]:
-    """Profile by physics: the cells of `emit.matrix`, or that of the only system a profile has."""
+def _matrix(
+    chapters: Sequence[tuple[str, Sequence[Mapping[str, Any]]]], models: Mapping[str, Model]
+) -> list[tuple[str, list[dict[str, Any]]]]:
+    """Profile by physics: the cells of `emit.matrix`, or that of the only system a profile has, by chapter."""
+    return [(title, [_cells(member["name"], models) for member in members]) for title, members in chapters]
+
+
+def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
+    title, status = models[profile_id]["title"], models[profile_id]["status"]
+    own = COLUMNS if spread.pool_of(profile_id) is ROUND else list(status)
+    cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]
+    return {"name": profile_id, "title": title, "cells": cells, "span": len(COLUMNS) // len(cells)}
+
+
+def _with_errata(chapter: Mapping[str, Any]) -> dict[str, Any]:
+    """The chapter, each misprinted equation with the address of its erratum."""
+    known = {erratum["place"] for erratum in chapter["errata"]}
     rows = []
-    for i in ids:
-        status = models[i]["status"]
-        own = COLUMNS if spread.pool_of(i) is ROUND else list(status)
-        cells = [(name, status.get(name, LEFT_OUT)) for name in own]
-        rows.append({"name": i, "title": models[i]["title"], "cells": cells, "span": len(COLUMNS) // len(cells)})
-    return rows
+    for row in chapter["rows"]:
+        wrong = row["verdict"] == "misprint" and f"({row['name']})" in known
+        rows.append({**row, "misprint": f"erratum.{row['name']}" if wrong else ""})
+    return {**chapter, "rows": rows}
 
 
-def search_index(ids: Sequence[str], models: Mapping[str, Model], derived: Derived) -> str:
-    """The index behind the search, as a script, because a page opened from a folder may load nothing else."""
-    profiles = {i: [_plain(models[i]["title"]), _other_names(i)] for i in ids}
-    numbers = {system.name: number for number, system in enumerate(SYSTEMS)}
-    rows = [
-        [entry.key, i, numbers[problem.system.name], entry.quantity.label, _names(entry)]
-        for i in ids
-        for problem in spread.problems_of(i)
-        for entry in derived.get(problem.key, {}).values()
-    ]
-    record = {
-        "profiles": profiles,
-        "systems": [[system.title, SEARCHED.get(system.name, "")] for system in SYSTEMS],
-        "keys": rows,
-    }
-    return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
-
-
-def _names(entry: Entry) -> str:
-    return f"{entry.quantity.function} {entry.quantity.symbol}"
-
-
-def _plain(text: str) -> str:
-    return text.replace("$", "").replace("\\", "")
-
-
-def _other_names(profile_id: str) -> str:
-    """What else a profile is called, and whose work it is."""
-    pool, name = spread.pool_of(profile_id), profile_id.rpartition(".")[2]
-    profile = pool.load(name)
-    return ", ".join([*profile.synonyms, *profile.sources])
-
-
-SEARCHED = {
-    "normal": "indentation",
-    "adhesive": "adhesion JKR Johnson Kendall Roberts Hess pull-off",
-    "tangential": "friction partial slip Cattaneo Mindlin Ciavarella Jäger traction",
-    "viscoelastic": "creep relaxation Lee Radok rheology",
-    "graded.normal": "FGM functionally graded gradient",
-    "graded.adhesive": "FGM functionally graded gradient adhesion JKR pull-off",
-    "graded.tangential": "FGM functionally graded gradient friction partial slip Cattaneo Mindlin",
-    "plane": "two-dimensional line contact roller strip",
-    "loads": "prescribed pressure loaded circle",
-    "materials": "effective modulus Young Poisson",
-}
-"""Words by which a physics is looked for and that its title does not have."""
+def _digits_below(cell: str) -> Markup:
+    """2 √50 reads like a product; the digits stand lower, as in the book."""
+    return Markup(re.sub(r"([○∫√])(\d+)", r"\1<sub>\2</sub>", str(escape(cell))))
 
 
 @dataclass(frozen=True)
@@ -146,16 +118,20 @@ class Site:
 
     profiles: frozenset[str]
     keys: frozenset[str]
+    equations: frozenset[str] = frozenset()
+    """Of chapter 11, by number."""
     studied: bool = False
 
     def render(self, name: str, model: Model, profile_id: str = "") -> str:
         environment = _environment()
 
         def link(label: str, text: str) -> Markup:
-            return self.link(label, words(text, link), profile_id)
+            # the words of the number of an equation are that number again
+            shown = escape(text) if label.startswith("chapter:") else words(text, link)
+            return self.link(label, shown, profile_id)
 
         environment.globals["studied"] = self.studied
-        environment.filters.update(words=partial(words, link=link), tex=formula, slug=slug)
+        environment.filters.update(words=partial(words, link=link), tex=formula, slug=slug, anchor_of=anchor_of)
         return environment.get_template(f"{name}.html.j2").render(model)
 
     def link(self, label: str, text: Markup, profile_id: str) -> Markup:
@@ -163,10 +139,11 @@ class Site:
         kind, _, target = label.partition(":")
         if kind == "own":
             kind, target = "eq", f"{profile_id}.{target}"
-        known = {"eq": self.keys, "sec": self.profiles}.get(kind)
+        known = {"eq": self.keys, "sec": self.profiles, "chapter": self.equations}.get(kind)
         if known is not None and target not in known:
             return text
         places = {"ref": f"reading.html#ref:{target}", "part": f"reading.html#{target}"}
+        places["chapter"] = f"chapter11.html#eq.{target}"
         place = places.get(kind) or self.place(target)
         name = Markup(' class="key"') if kind == "eq" else ""
         return Markup('<a{} href="{}">{}</a>').format(name, place, text)

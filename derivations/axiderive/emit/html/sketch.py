@@ -22,7 +22,7 @@ def sketch(model: Mapping[str, Any]) -> Figure | None:
 
 
 def _frame(words: str) -> tuple[Figure, Scale]:
-    figure = Figure(2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", words))
+    figure = Figure(2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", words), anchor="sketch")
     return figure, Scale(WIDE * UNIT, HIGH * UNIT, UNIT, UNIT)
 
 

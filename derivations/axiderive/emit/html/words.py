@@ -12,8 +12,11 @@ from html import escape
 
 from markupsafe import Markup
 
+from ..book import BACK, FRONT
+
 Link = Callable[[str, str], Markup]
-"""Label of the book (`sec:cone`, `eq:cone.p`, `part:laws`, `ref:Hertz1882`) and words, as a link or the bare words."""
+"""Label of the book (`sec:cone`, `eq:cone.p`, `part:laws`, `ref:Hertz1882`) or `chapter:11.29`, and words: a link
+or the bare words."""
 
 _GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
 _TOKEN = re.compile(
@@ -26,9 +29,10 @@ _TOKEN = re.compile(
     |\\textcolor\{{note\}}{_GROUP.replace("(", "(?P<aside>", 1)}
     |\\rule(?:\[[^\]]*\])?\{{[^}}]*\}}\{{[^}}]*\}}
     |(?P<macro>\\(?:[a-zA-Z]+(?:\{{\}}|\\?[ ])?|.))
+    |\((?P<numbered>11\.\d+)\)
     |(?P<dash>---?)
     |(?P<tie>~)
-    |(?P<plain>[^\\$~-]+|.)""",
+    |(?P<plain>[^\\$~(-]+|.)""",
     re.VERBOSE | re.DOTALL,
 )
 _MACROS = {
@@ -37,6 +41,8 @@ _MACROS = {
     r"\textasciitilde": "~", r"\textasciicircum": "^", r"\&": "&", r"\%": "%", r"\#": "#", r"\_": "_", r"\$": "$",
     r"\{": "{", r"\}": "}",
 }  # fmt: skip
+PARTS = {label: title for title, label in (*FRONT, *BACK)}
+"""Titles of the parts of the book."""
 _DASHES = {"--": "–", "---": "—"}
 
 
@@ -54,8 +60,8 @@ def slug(text: str) -> str:
 
 
 def words(text: str, link: Link) -> Markup:
-    """Running text of the page model as HTML."""
-    return Markup("").join(_pieces(text, link))
+    """Running text of the page model as HTML; a part is named by its title, for there are no pages."""
+    return Markup("").join(_pieces(text.replace(r"on page \pageref", r"under \pageref"), link))
 
 
 def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
@@ -70,7 +76,9 @@ def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
         elif found["equation"]:
             yield link(f"eq:{found['equation']}", found["equation"])
         elif found["part"]:
-            yield link(f"part:{found['part']}", found["part"])
+            yield link(f"part:{found['part']}", PARTS[found["part"]])
+        elif found["numbered"]:
+            yield link(f"chapter:{found['numbered']}", f"({found['numbered']})")
         elif found["aside"]:
             yield Markup('<span class="note">{}</span>').format(words(found["aside"], link))
         elif found["macro"]:
