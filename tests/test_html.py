@@ -16,7 +16,6 @@ import pytest
 from markupsafe import Markup
 from web_page import Page
 
-from axiderive import notebook
 from axiderive.contact.systems import problems
 from axiderive.emit.blocks import rows_of
 from axiderive.emit.html import html_sources
@@ -195,12 +194,8 @@ def test_figures_keep_the_coordinates() -> None:
 
 
 def test_an_entry_shows_itself_in_a_notebook(derived: dict[str, dict[str, Entry]]) -> None:
-    """By the way an IPython extension registers, for entries of every kind."""
-    registered: dict[type, Any] = {}
-    formatter = SimpleNamespace(for_type=registered.__setitem__)
-    shell = SimpleNamespace(display_formatter=SimpleNamespace(formatters={"text/markdown": formatter}))
-    notebook.load_ipython_extension(shell)
-    shown = {e.key: registered[type(e)](e) for entries in derived.values() for e in entries.values()}
+    """By the method that Jupyter calls, for entries of every kind."""
+    shown = {entry.key: entry._repr_markdown_() for entries in derived.values() for entry in entries.values()}
     assert (
         shown["cone.d"] == "`cone.d` Indentation depth\n\n" + r"$\displaystyle d=g(a)=\tfrac{\pi}{2} \, a \tan \theta$"
     )
