@@ -90,9 +90,9 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
             "half": True,
             "comment": f"rule {entries[suffix].key}",
             "label": "Evaluated as",
-            "small": "by Gauss rules",
+            "small": _reach(chosen(entries[suffix].key).beyond, profile),
             "tex": integral(suffix, start),
-            "remark": _split(chosen(entries[suffix].key).beyond, profile),
+            "remark": "",
         }
         for suffix in suffixes
     ]
@@ -121,9 +121,9 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
     return rows
 
 
-def _split(beyond: float, profile: Profile) -> str:
-    """Where the rule gives way to the closed form; empty if it does not."""
-    return rf"For $a>{beyond:g}\,{Printer()(profile.breaks[0])}$ as printed." if beyond else ""
+def _reach(beyond: float, profile: Profile) -> str:
+    """How the entry is evaluated, up to the multiple of the break from which on its closed form is."""
+    return rf"Gauss rules, $a<{beyond:g}\,{Printer()(profile.breaks[0])}$" if beyond else "by Gauss rules"
 
 
 def integral(suffix: str, start: str) -> str:

@@ -37,7 +37,11 @@ FAMILIES = {
     "normal": Family(python.bodies, python.bodies_source),
     "plane": Family(plane.bodies, plane.bodies_source),
 }
-"""The systems whose functions are written by the rules of `stable`; those of all others call them, or shapes."""
+"""The systems whose functions are written by the rules of `stable`.
+
+All others call them or the shapes of the runtime; the radius of pull-off of a power law and the depth and force of a
+flat face have one text in every variant.
+"""
 
 
 def written(entries: Mapping[str, Entry], suffixes: Collection[str] | None = None) -> dict[str, tuple[Written, ...]]:
