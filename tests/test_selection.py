@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cache
 from itertools import permutations
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from flint import arb
 import axicontact
 from axiderive import index
 from axiderive.contact.normal import derive
+from axiderive.contact.systems import problem
+from axiderive.emit.plane import module_source
 from axiderive.emit.selected import forms
 from axiderive.emit.variants import written
 from axiderive.entry import Entry
@@ -27,6 +30,7 @@ from axiderive.stable.drift import better, drift, settled
 from axiderive.stable.measure import Sample
 from axiderive.stable.records import record
 from axiderive.stable.selection import MARGIN, TOLERANCE, Candidate, Points, choose
+from axiderive.stable.slopes import RATE, rate
 from axiderive.stable.variants import FULL
 from axiderive.stable.written import Written, modules
 
@@ -111,6 +115,75 @@ def selected(own: dict[str, Sequence[Written]]) -> dict[str, Any]:
     return record("truncated_cone", texts, entries, ["d"], variants=own)["d"]
 
 
+@cache
+def strips(name: str) -> tuple[dict[str, Entry], dict[str, tuple[Written, ...]]]:
+    entries = problem(f"plane.{name}").derive()
+    return entries, written(entries)
+
+
+def selected_strip(name: str, suffix: str, *more: Written) -> dict[str, Any]:
+    """What is recorded of one function of a plane contact, with planted variants."""
+    entries, own = strips(name)
+    path = f"axicontact/plane/{name}.py"
+    some = {suffix: (*own[suffix], *more)}
+    others = modules(some)
+    texts = closure(RUNTIME | {path: module_source(entries)} | others, path, *others)
+    asked = "P" if suffix == RATE.suffix else suffix
+    return record(f"plane.{name}", texts, entries, [asked], variants=some)[suffix]
+
+
+def test_a_plane_form_is_chosen_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A wrong load of a rounded wedge is not, whatever it costs; where all rules stand, the frozen form is found."""
+    _, own = strips("rounded_wedge")
+    for line, wrong in (("root + a**2 * angle / b", "root + a**2 * angle / a"), (") / 2\n", ") / 4\n")):
+        planted = replace(own["P"][0], variant="wrong", source=own["P"][0].source.replace(line, wrong), cost=1)
+        assert planted.source != own["P"][0].source
+        assert "better" not in selected_strip("rounded_wedge", "P", planted)["selection"]
+    monkeypatch.setitem(own, "P", own["P"][1::-1])
+    assert [one.variant for one in own["P"]] == ["all rules", "angles of quotients"]
+    assert selected_strip("rounded_wedge", "P")["selection"]["better"] == "angles of quotients"
+
+
+def test_the_rate_of_growth_is_chosen_by_itself() -> None:
+    """All rules call it; with a wrong coefficient it loses."""
+    row = selected_strip("rounded_wedge", RATE.suffix)
+    assert row["selection"]["chosen"]["form"] == "angles of quotients"
+    assert "better" not in row["selection"]
+    assert row["extreme"]["worst_ulp"] <= TOLERANCE
+    (own, *_) = strips("rounded_wedge")[1][RATE.suffix]
+    wrong = replace(
+        own, variant="wrong", source=own.source.replace("(theta) / b * t * angle", "(theta) / b * t"), cost=1
+    )
+    assert wrong.source != own.source
+    assert "better" not in selected_strip("rounded_wedge", RATE.suffix, wrong)["selection"]
+
+
+def test_a_rule_below_and_a_closed_form_beyond() -> None:
+    """Neither keeps its digits everywhere; and where one gives way to the other is measured as well."""
+    row = selected_strip("truncated_wedge", "d")
+    assert row["selection"]["chosen"]["form"] == "angles of quotients, beyond 128 b"
+    assert "better" not in row["selection"]
+    assert row["extreme"]["worst_ulp"] <= TOLERANCE
+    own = strips("truncated_wedge")[1]["d"]
+    alone = {one.variant: one for one in own}
+    for form in ("all rules", "angles of quotients"):
+        assert forms_of(own[0], alone[form])["extreme"]["worst_ulp"] > 10 * TOLERANCE
+    source = own[0].source.replace("a < 128.0 * b", "a < 1.00001 * b")
+    assert source != own[0].source
+    early = forms_of(own[0], replace(own[0], variant="too early", source=source, cost=own[0].cost + 1))
+    assert early["bench"]["worst_ulp"] > 2 * TOLERANCE
+
+
+def forms_of(*own: Written) -> dict[str, Any]:
+    """The errors of the second of two forms of the depth of a truncated wedge."""
+    entries, _ = strips("truncated_wedge")
+    path = "axicontact/plane/truncated_wedge.py"
+    others = modules({"d": own})
+    texts = closure(RUNTIME | {path: module_source(entries)} | others, path, *others)
+    found: dict[str, Any] = record("plane.truncated_wedge", texts, entries, ["d"], variants={"d": own})["d"]
+    return dict(found["selection"]["runner_up"])
+
+
 def test_planted_variants_of_a_real_function() -> None:
     """The depth of a truncated cone: half of it costs less, and so would the same text."""
     entries, _ = cone()
@@ -140,8 +213,9 @@ def test_the_choice_is_measured_anew(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_frozen_choices_are_functions_and_variants() -> None:
     for key in chosen.CHOSEN:
-        name, suffix = key.split(".")
-        assert suffix in derive(load(name))
+        name, _, suffix = key.rpartition(".")
+        entries = problem(name).derive()
+        assert suffix in entries or suffix == RATE.suffix and rate(entries) is not None
         assert chosen.chosen(key) is not FULL
 
 

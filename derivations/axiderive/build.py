@@ -171,9 +171,10 @@ def _measured(
 
 
 def _around(package: Mapping[str, str], problem: Problem) -> dict[str, str]:
-    """What a problem rests on; in normal contact with all that variants of its functions may import."""
+    """What a problem rests on; where its functions have variants with all that these may import."""
     from .stable.closure import closure
+    from .stable.records import OWN
 
-    if problem.system.name != "normal":
+    if problem.system.name not in OWN:
         return closure(package, problem.module)
     return closure(package, problem.module, *(path for path in package if path.startswith("axicontact/_")))

@@ -73,7 +73,7 @@ def _drift(
     sources = {path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*.py")}
     if problem.module not in sources:
         return [{"key": problem.key, "message": f"there is no {package / problem.module}; run axicontact build"}]
-    own = written(entries, suffixes) if problem.system.name == "normal" else {}
+    own = written(entries, suffixes)
     others = modules(own)
     texts = closure(sources | others, problem.module, *others)
     found = records.record(problem.key, texts, entries, suffixes, variants=own)

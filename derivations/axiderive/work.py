@@ -144,11 +144,12 @@ def evaluation(
 
 
 def _variants(problem: Problem, entries: dict[str, Any], cache: Cache) -> Variants:
-    """The functions of a normal contact in the variants of their forms; writing them takes as long as measuring."""
+    """The functions of a problem in the variants of their forms; writing them takes as long as measuring."""
     from .emit.variants import written
+    from .stable.records import OWN
     from .stable.written import Written
 
-    if problem.system.name != "normal":
+    if problem.system.name not in OWN:
         return {}
     key = digest([FORMAT, "variants", installed("sympy"), source_digest(*WRITING), problem.key, entries])
     found = cache.get(key)

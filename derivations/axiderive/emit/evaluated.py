@@ -15,6 +15,7 @@ from ..stable import opaque
 from ..stable.chosen import chosen
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
+from ..stable.slopes import rate_key, slope_form
 from .compact import Compact
 from .naming import LEFT
 from .printer import Printer
@@ -56,7 +57,7 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
 def form_of(entry: Entry, expr: sp.Expr, chain: tuple[sp.Expr, ...]) -> EvaluationForm:
     """The evaluation form of a case, from what is known of its lengths."""
     facts = facts_of(chain, *((rule.left, rule.right) for rule in entry.profile.rules))
-    return _short(evaluation_form(expr, facts, chosen(entry.key)), entry.profile)
+    return _short(evaluation_form(expr, facts, chosen(entry.key).below), entry.profile)
 
 
 def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:
@@ -197,8 +198,8 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
         }
         for suffix in suffixes
     ]
-    for key, (_, form) in compact.slopes.items():
-        case = compact.regimes("d")[key]
+    for key, case in compact.regimes("d").items():
+        form = slope_form(case.expr, compact.facts(case), chosen(rate_key(entries["d"])))
         chain = tuple(nt.t if x == nt.a else x for x in case.chain)
         lines = printed("g'(t)", _short(form, profile), chain)
         if max(map(width, lines)) > LINE:

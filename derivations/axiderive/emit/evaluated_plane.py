@@ -11,9 +11,10 @@ from ..contact.plane import PRESSURE, SURFACE
 from ..entry import Entry
 from ..profiles.profile import Profile
 from ..stable import opaque
+from ..stable.chosen import chosen
 from ..stable.forms import EvaluationForm
 from ..stable.signs import facts_of
-from ..stable.slopes import slope_form
+from ..stable.slopes import rate_key, slope_form
 from .evaluated import Rows, evaluated, evaluation_row, printed
 from .naming import PLANE
 from .plane.complete import excess_over_threshold, parts
@@ -58,7 +59,7 @@ def _concave(entries: Mapping[str, Entry]) -> Rows:
             where = f"{PLANE['Pmin']}={Printer()(entries['Pmin'].cases[0].expr)}"
             lines = [rf"p(x)=\frac{{1}}{{\pi \sqrt{{(a-x) (a+x)}}}} \, \Bigl({carried}\Bigr),\qquad {where}"]
         else:
-            _, forms = parts(entry, concave=True)
+            _, forms = parts(entry, True, chosen(entry.key).below)
             steps = dict(step for form in forms for step in form.steps)
             value = sp.Add(*(form.value for form in forms))
             lines = printed(PLANE[suffix], EvaluationForm(tuple(steps.items()), value, False), chain)
@@ -71,7 +72,7 @@ def _closed(entry: Entry) -> Rows | None:
     rows = []
     for pairs, expr in regions(entry):
         case = next(case for case in entry.cases if case.expr == expr)
-        form = form_of(case)
+        form = form_of(case, chosen(entry.key).below)
         if form.cancels:
             return None
         chain = chain_of(entry, expr)
@@ -89,7 +90,7 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
             "half": True,
             "comment": f"rule {entries[suffix].key}",
             "label": "Evaluated as",
-            "small": "by Gauss rules",
+            "small": _reach(chosen(entries[suffix].key).beyond, profile),
             "tex": integral(suffix, start),
             "remark": "",
         }
@@ -98,7 +99,8 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
     own = regions(entries["P"])
     for pairs, expr in own:
         chain = tuple(nt.t if length == nt.a else length for length in chain_of(entries["P"], expr))
-        form = slope_form(expr / nt.E_star, facts_of(chain_of(entries["P"], expr)))
+        facts = facts_of(chain_of(entries["P"], expr))
+        form = slope_form(expr / nt.E_star, facts, chosen(rate_key(entries["P"])))
         value = nt.E_star * form.value
         for name, definition in form.steps:  # sqrt(root^2 + b^2) is t
             if isinstance(definition, opaque.Root) and definition.args[0] == nt.t:
@@ -117,6 +119,11 @@ def _by_rules(profile: Profile, entries: Mapping[str, Entry], suffixes: list[str
             }
         )
     return rows
+
+
+def _reach(beyond: float, profile: Profile) -> str:
+    """How the entry is evaluated, up to the multiple of the break from which on its closed form is."""
+    return rf"Gauss rules, $a<{beyond:g}\,{Printer()(profile.breaks[0])}$" if beyond else "by Gauss rules"
 
 
 def integral(suffix: str, start: str) -> str:

@@ -14,7 +14,7 @@ from ..contact import systems
 from .matrix import matrix
 from .ranges import regions
 from .rows import row
-from .selected import forms
+from .selected import all_forms
 
 if TYPE_CHECKING:
     from ..contact.systems import Problem, System
@@ -103,7 +103,7 @@ def _rows(
     signatures = _signatures(modules[problem.module])
     found, measured = evidence[problem.key]["entries"], evidence[problem.key].get("evaluation", {})
     return [
-        _entry(problem, entry, found.get(suffix, {}), signatures) | {"forms": forms(measured.get(suffix, {}))}
+        _entry(problem, entry, found.get(suffix, {}), signatures) | {"forms": all_forms(measured, suffix)}
         for suffix, entry in derived[problem.key].items()
     ]
 

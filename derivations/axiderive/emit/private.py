@@ -13,6 +13,7 @@ from ..stable.chosen import chosen
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.opaque import Root, SineRoot, named
 from ..stable.signs import Facts
+from ..stable.slopes import rate_key
 from ..stable.variants import FULL, Variant
 from .code import printable, python
 
@@ -51,8 +52,16 @@ class PrivateFunctions:
     common: Variant | None = None
     """The variant of all entries; where there is none each has the chosen one."""
 
-    def variant(self, entry: Entry) -> Variant:
+    def own(self, entry: Entry) -> Variant:
         return self.common or chosen(entry.key)
+
+    def variant(self, entry: Entry) -> Variant:
+        """How the body is written before it is split."""
+        return self.own(entry).below
+
+    def rate_variant(self, entry: Entry) -> Variant:
+        """That of the rate of growth of the problem with this entry."""
+        return self.common or chosen(rate_key(entry))
 
     def form(self, entry: Entry, expr: sp.Expr, facts: Facts) -> EvaluationForm:
         """The form of a case of an entry in its variant; by all rules where NumPy lacks a function of that."""

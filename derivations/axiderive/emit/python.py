@@ -25,6 +25,7 @@ from .kernels import kernels_source
 from .nodes import nodes_source
 from .private import Private, PrivateFunctions
 from .public import PACKAGE, check, public, shown_example
+from .splits import split
 
 if TYPE_CHECKING:
     import jinja2
@@ -100,6 +101,7 @@ def _module(entries: Mapping[str, Entry]) -> ModuleText:
 def _private_functions(profile: Profile, entries: Mapping[str, Entry]) -> PrivateFunctions:
     functions = PrivateFunctions(profile)
     compact = bodies(functions, entries)
+    split(functions, entries, bodies)
     if compact is not None:
         Inverses(compact).add_all()
     return functions

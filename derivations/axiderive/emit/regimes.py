@@ -15,7 +15,7 @@ from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.opaque import Arctan2, Root
 from ..stable.signs import Facts, facts_of
 from ..stable.slopes import ROOT, slope_form
-from .code import python
+from .code import printable, python
 from .private import Private, PrivateFunctions, without_subtraction
 
 SMOOTH = 32
@@ -76,15 +76,18 @@ class Regimes:
         return ("waves", None) if form.value.has(masters.StruveH) else ("", None)
 
     def _slope(self, key: str, case: Case) -> tuple[Private, EvaluationForm]:
-        form = slope_form(case.expr, self.facts(case))
-        rooted = any(str(name) == ROOT for name, _ in form.steps)
+        """The function in its variant, and the form by all rules, which tells its singularities."""
+        plain = slope_form(case.expr, self.facts(case))
+        form = slope_form(case.expr, self.facts(case), self.functions.rate_variant(self.entries["d"]))
+        form = form if printable(form) else plain
+        rooted = any(str(name) == ROOT for name, _ in plain.steps)
         fields = ("t", "root") if rooted or key == "beyond" else ("t",)
         lines = self.functions.steps(form, fields)
         text = self.functions.value_lines(form.value, lines)
         lines.append(f"return {text}")
         name = "slope_beyond" if key == "beyond" else "slope"
         doc = "Rate g'(t) of the indentation depth g(t)" + (f" for t > {self.b}." if key == "beyond" else ".")
-        return self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc), form
+        return self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc), plain
 
     def _summed_slope(self, depth: sp.Expr) -> None:
         """Term by term for a polynomial."""

@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ..stable.slopes import RATE
+
 DOMAINS = {"bench": "usual lengths", "extreme": "extreme ones"}
+
+
+def all_forms(measured: Mapping[str, Any], suffix: str) -> list[str]:
+    """Those of one function of a problem, and of the rate of growth beside the result it is the rate of."""
+    lines = forms(measured.get(suffix, {}))
+    if suffix == ("P" if "P" in measured else "d"):
+        lines += [f"rate of growth: {line}" for line in forms(measured.get(RATE.suffix, {}))]
+    return lines
 
 
 def forms(measured: Mapping[str, Any]) -> list[str]:

@@ -1,45 +1,100 @@
-"""The functions of a normal contact in every variant of their evaluation forms, as modules to be measured."""
+"""The functions of a problem in every variant of their evaluation forms, as modules to be measured."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
 
+from ..contact.systems import problem
 from ..entry import Entry
 from ..stable.chosen import chosen
 from ..stable.cost import cost
-from ..stable.variants import VARIANTS
+from ..stable.slopes import RATE, rate
+from ..stable.variants import FULL, SPLITS, VARIANTS
 from ..stable.written import Written
+from . import plane, python
+from .plane.compact import Compact as Strips
 from .private import Private, PrivateFunctions
-from .python import bodies, bodies_source
+from .rates import add_rate
+from .regimes import Regimes
+from .splits import join, split
 
-PARTS = ("", "_at", "_beyond")
+PARTS = ("", "_at", "_beyond", "_below", "_above")
 """What the names of the functions of one quantity end on."""
+RATES = ("slope", "slope_beyond", "growth", "growth_beyond")
+"""Those of the rate of growth, which `rate` joins."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """How the modules of a system are written."""
+
+    bodies: Callable[[PrivateFunctions, Mapping[str, Entry]], Regimes | Strips | None]
+    source: Callable[[PrivateFunctions, str], str]
+
+
+FAMILIES = {
+    "normal": Family(python.bodies, python.bodies_source),
+    "plane": Family(plane.bodies, plane.bodies_source),
+}
+"""The systems whose functions are written by the rules of `stable`.
+
+All others call them or the shapes of the runtime; the radius of pull-off of a power law and the depth and force of a
+flat face have one text in every variant.
+"""
 
 
 def written(entries: Mapping[str, Entry], suffixes: Collection[str] | None = None) -> dict[str, tuple[Written, ...]]:
     """The distinct ways of these functions, all if none are named, that are no iterations along others.
 
-    The one that the published module has comes first.
+    The one that the published module has comes first; the rate of growth goes with the result it is the rate of.
     """
+    first = next(iter(entries.values()))
+    system = problem(first.key.rpartition(".")[0]).system.name
+    if system not in FAMILIES:
+        return {}
     wanted = {suffix: entry for suffix, entry in entries.items() if suffixes is None or suffix in suffixes}
-    profile = next(iter(entries.values())).profile
-    base = PrivateFunctions(profile)
-    bodies(base, entries)
+    growing = rate(entries)
+    if growing is not None and {"P" if "P" in entries else "d"} <= set(wanted):
+        wanted[RATE.suffix] = growing
+    base = _functions(system, entries, PrivateFunctions(first.profile))
     found: dict[str, dict[tuple[str, ...], Written]] = {suffix: {} for suffix in wanted}
     for suffix, entry in wanted.items():
-        _add(found[suffix], chosen(entry.key).name, base, base, entry)
+        _add(found[suffix], chosen(entry.key).name, system, base, base, entry)
+    ways: dict[str, PrivateFunctions] = {}
     for variant in VARIANTS:
-        functions = PrivateFunctions(profile, common=variant)
-        bodies(functions, entries)
+        functions = _functions(system, entries, PrivateFunctions(first.profile, common=variant))
+        ways[variant.name] = functions
         for suffix, entry in wanted.items():
-            _add(found[suffix], variant.name, base, functions, entry)
+            _add(found[suffix], variant.name, system, base, functions, entry)
+    for suffix, entry in wanted.items():
+        cheap = _cheap(found[suffix].values())
+        for variant in (one for one in SPLITS if one.above.name in cheap):
+            functions = replace(ways[FULL.name], functions=dict(ways[FULL.name].functions))
+            if join(functions, ways[variant.above.name], entry.quantity.function, variant.beyond):
+                _add(found[suffix], variant.name, system, base, functions, entry)
     return {suffix: tuple(own.values()) for suffix, own in found.items() if own}
+
+
+def _cheap(found: Collection[Written]) -> set[str]:
+    """The ways that cost less than half of the one by all rules: that is a rule, which they could relieve."""
+    full = next((own.cost for own in found if own.variant == FULL.name), 0)
+    return {own.variant for own in found if 2 * own.cost < full}
+
+
+def _functions(system: str, entries: Mapping[str, Entry], functions: PrivateFunctions) -> PrivateFunctions:
+    bodies = FAMILIES[system].bodies
+    compact = bodies(functions, entries)
+    split(functions, entries, bodies)
+    if compact is not None:
+        add_rate(compact)
+    return functions
 
 
 def _add(
     found: dict[tuple[str, ...], Written],
     name: str,
+    system: str,
     base: PrivateFunctions,
     functions: PrivateFunctions,
     entry: Entry,
@@ -49,10 +104,10 @@ def _add(
     lines = tuple(line for private in own.values() for line in private.lines)
     if lines and lines not in found:
         rest = {key: private for key, private in base.functions.items() if key not in _own(base, function)}
-        source = bodies_source(replace(base, functions=rest | own), name)
+        source = FAMILIES[system].source(replace(base, functions=rest | own), name)
         fields = [str(argument) for argument in entry.quantity.arguments]
         found[lines] = Written(
-            name, source, f"_{function}", _formula(own, function), cost(source, f"_{function}", fields)
+            name, source, f"_{function}", _formula(own, function), cost(source, f"_{function}", fields), system
         )
 
 
@@ -64,5 +119,6 @@ def _formula(own: Mapping[str, Private], function: str) -> str:
 
 
 def _own(functions: PrivateFunctions, function: str) -> dict[str, Private]:
-    names = [f"{function}{part}" for part in PARTS]
+    names = RATES if function == RATE.function else ()
+    names = (*(f"{function}{part}" for part in PARTS), *names)
     return {name: functions.functions[name] for name in names if name in functions.functions}

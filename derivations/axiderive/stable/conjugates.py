@@ -7,24 +7,30 @@ X + Y z with z = sqrt(hi^2 - lo^2) becomes (X^2 - Y^2 z^2)/(X - Y z).
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from .forms import EvaluationForm, evaluation_form
 from .opaque import Arctan2, Root, named
 from .signs import Facts, cancels, sign, squares
+from .variants import FULL, Variant
 
 ROOT, CONJUGATE = named("root"), named("conjugate")
 
 
-def plane_form(expr: sp.Expr, facts: Facts) -> EvaluationForm:
-    """The evaluation form after both rewritings."""
-    angles = exact_angles(expr, facts)
-    form = evaluation_form(angles, facts)
-    return _conjugated(angles, facts) or form if form.cancels else form
+def plane_form(expr: sp.Expr, facts: Facts, variant: Variant = FULL) -> EvaluationForm:
+    """The evaluation form after both rewritings, as far as the variant has them."""
+    angles = exact_angles(expr, facts, variant) if "angles" in variant.rules else expr
+    form = evaluation_form(angles, facts, replace(variant, closed=False))
+    if form.cancels and "conjugates" in variant.rules:
+        form = _conjugated(angles, facts) or form
+    return replace(form, cancels=form.cancels and not variant.closed)
 
 
-def exact_angles(expr: sp.Expr, facts: Facts) -> sp.Expr:
+def exact_angles(expr: sp.Expr, facts: Facts, variant: Variant = FULL) -> sp.Expr:
     """Inverse functions of a quotient of roots through the root of the exact difference."""
+    tangent = (lambda y, x: sp.atan(y / x)) if variant.quotients else Arctan2
 
     def opened(angle: sp.Expr) -> sp.Expr:
         top, bottom = sp.fraction(angle.args[0])
@@ -35,7 +41,7 @@ def exact_angles(expr: sp.Expr, facts: Facts) -> sp.Expr:
             return angle
         if isinstance(angle, sp.atanh):
             return sp.asinh(top / side)
-        return Arctan2(top, side) if isinstance(angle, sp.asin) else Arctan2(side, top)
+        return tangent(top, side) if isinstance(angle, sp.asin) else tangent(side, top)
 
     return expr.replace(lambda e: isinstance(e, (sp.asin, sp.acos, sp.atanh)), opened)
 

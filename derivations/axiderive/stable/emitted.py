@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 PACKAGE = "axicontact"
 RULES = ("integral", "panels")
+STRIPS = frozenset(("depth_beyond", "load_beyond", "slope_beyond"))
+"""Rules of the plane problem; private functions of other modules end on the same words."""
 ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_over_waves"))
 KERNELS = frozenset(
     (
@@ -82,15 +84,20 @@ def form(source: str, function: str) -> tuple[str, list[int]]:
         nodes |= _stated(body)
         pending += [name for name in names & set(bodies) if name not in seen and name not in pending]
     kernels = names & KERNELS
-    if any(word in name for name in names for word in RULES) or kernels & ARRAYS:
+    if any(map(is_rule, names)) or kernels & ARRAYS:
         kind = "rule"
     else:
         kind = "kernel" if kernels else "closed"
     return ("root" if names & ITERATIONS else kind), sorted(nodes)
 
 
+def is_rule(name: str) -> bool:
+    """Whether a function of the runtime sums an integrand."""
+    return name in STRIPS or any(word in name for word in RULES)
+
+
 def _stated(body: ast.FunctionDef) -> set[int]:
     calls = (node for node in ast.walk(body) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name))
-    rules = (call for call in calls if any(word in call.func.id for word in RULES))  # type: ignore[attr-defined]
+    rules = (call for call in calls if is_rule(call.func.id))  # type: ignore[attr-defined]
     last = (call.args[-1] for call in rules if call.args)
     return {arg.value for arg in last if isinstance(arg, ast.Constant) and isinstance(arg.value, int)}

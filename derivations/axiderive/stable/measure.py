@@ -65,8 +65,8 @@ def value(function: Callable[..., float], point: Sample) -> float:
 
 
 def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
-    """Raise depth and force above the threshold of complete contact, by their own size over that of the contact."""
-    for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F)):
+    """Raise depth, force and load above the threshold of complete contact, a depth by its own size over the contact."""
+    for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F), ("Pmin", nt.P)):
         if suffix in entries and symbol in values:
             least = float(of_contact(entries, suffix, values))
             if not SMALLEST < least < LARGEST:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
 
+from .. import notation as nt
 from ..contact.systems import problem
 from ..entry import Entry
 from .emitted import form, loaded
@@ -16,13 +18,16 @@ from .measure import Sample, count_for, samples, ulps, value
 from .naive import naive
 from .reference import UnknownError, condition
 from .samples import DOMAINS
-from .written import Variants, modules, selection
+from .slopes import RATE, rate
+from .written import Variants, call, modules, selection
 
 COUNT, SEED = 30, 17
-SYSTEMS = ("normal", "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
+OWN = ("normal", "plane")
+"""Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
+SYSTEMS = (*OWN, "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
 """Systems whose functions are measured."""
 DIRECT = ("d", "F", "p", "w", "k", "pm", "Dl", "tau", "u", "us")
-"""Quantities of the compact contacts beyond the first system whose printed formulas are enclosed as they stand."""
+"""Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
 TOLERANCE = 5.0
 CHECKED = 4
 """Points above the tolerance whose condition is found."""
@@ -40,6 +45,8 @@ def record(
     seed: int = SEED,
 ) -> dict[str, Record]:
     """Errors of the functions of a problem, by suffix: of all in normal contact, elsewhere of the closed formulas.
+
+    Where the rate of growth has `variants` it has a row too.
 
     Parameters
     ----------
@@ -68,27 +75,38 @@ def record(
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
     """
     found = problem(key)
-    normal = found.system.name == "normal"
+    system = found.system.name
     wanted = [suffix for suffix in entries if suffixes is None or suffix in suffixes]
+    wanted = [suffix for suffix in wanted if system == "normal" or _direct(entries[suffix], system)]
+    growing = rate(entries) if len(variants.get(RATE.suffix, ())) > 1 else None
+    if growing is not None:
+        entries, wanted = {**entries, RATE.suffix: growing}, [*wanted, RATE.suffix]
     rows: dict[str, Record] = {}
     with loaded({**sources, **modules(variants)}, found.module) as module:
         package = module.__name__.partition(".")[0]
-        for suffix in (suffix for suffix in wanted if normal or _direct(entries[suffix])):
-            function = getattr(module, entries[suffix].quantity.function)
-            row = _form(sources[found.module], entries[suffix]) if normal else {}
-            row["sample"] = {"seed": seed, "count": max(1, count_for(entries[suffix], count))}
-            points = _points(entries, suffix, function, row["sample"])
-            row |= _errors(entries, suffix, function, points)
-            if suffix in variants:
-                row["selection"] = selection(package, entries, suffix, variants[suffix], points, _summary)
+        for suffix in wanted:
+            entry, own = entries[suffix], variants.get(suffix, ())
+            if suffix == RATE.suffix:
+                evaluate, row = call(package, entry, own, 0), {}
+            else:
+                evaluate = partial(value, getattr(module, entry.quantity.function))
+                row = _form(sources[found.module], entry) if system in OWN else {}
+            row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
+            points = _points(entries, suffix, evaluate, row["sample"])
+            row |= _errors(entries, suffix, evaluate, points)
+            if own:
+                row["selection"] = selection(package, entries, suffix, own, points, _summary)
             rows[suffix] = row
     return rows
 
 
-def _direct(entry: Entry) -> bool:
+def _direct(entry: Entry, system: str) -> bool:
     """Whether the exact value is an enclosure of the printed formula, without an integral in it."""
-    closed = entry.status == "closed" and not any(case.expr.has(sp.Integral) for case in entry.cases)
-    return closed and entry.suffix in DIRECT and entry.profile.contact == "compact"
+    if entry.status != "closed" or any(case.expr.has(sp.Integral) for case in entry.cases):
+        return False
+    # the load of an eccentric punch acts on either side: no length that could be drawn
+    own = system in OWN and nt.e not in entry.parameters
+    return own or entry.suffix in DIRECT and entry.profile.contact == "compact"
 
 
 def _form(source: str, entry: Entry) -> Record:
@@ -97,29 +115,29 @@ def _form(source: str, entry: Entry) -> Record:
 
 
 def _points(
-    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], sample: Record
+    entries: Mapping[str, Entry], suffix: str, evaluate: Callable[[Sample], float], sample: Record
 ) -> dict[str, list[Sample]]:
     drawn = {domain.name: samples(entries, suffix, domain, sample["count"], sample["seed"]) for domain in DOMAINS}
-    return {name: [point for point in some if _accepted(function, point)] for name, some in drawn.items()}
+    return {name: [point for point in some if _accepted(evaluate, point)] for name, some in drawn.items()}
 
 
 def _errors(
-    entries: Mapping[str, Entry], suffix: str, function: Callable[..., float], points: Mapping[str, list[Sample]]
+    entries: Mapping[str, Entry], suffix: str, evaluate: Callable[[Sample], float], points: Mapping[str, list[Sample]]
 ) -> Record:
     row: Record = {}
-    printed = naive(entries[suffix])
+    printed = naive(entries[suffix]) if suffix != RATE.suffix else None
     for domain, some in points.items():
-        errors = [ulps(value(function, point), point.exact) for point in some]
+        errors = [ulps(evaluate(point), point.exact) for point in some]
         row[domain] = _summary(errors) | _conditioned(entries, suffix, some, errors)
         if printed is not None:
             row[domain]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in some])
     return row
 
 
-def _accepted(function: Callable[..., float], point: Sample) -> bool:
+def _accepted(evaluate: Callable[[Sample], float], point: Sample) -> bool:
     """Whether the point keeps the rules of the function: the waves of a graded contact have one with k."""
     try:
-        value(function, point)
+        evaluate(point)
     except ValueError:
         return False
     return True

@@ -21,6 +21,10 @@ CURVES = {"ad": ("d", None), "aF": ("F", None), "Fd": ("d", "F"), "dF": ("F", "d
 """Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
 
 
+RINGS = {"rz": nt.r_zero, "xz": nt.x_zero}
+"""Where the pressure of a complete contact vanishes first, round and plane."""
+
+
 class UnknownError(ArithmeticError):
     """No enclosure, or no region of the entry that surely holds the point."""
 
@@ -59,21 +63,22 @@ def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: C
 def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted: int = WANTED) -> arb:
     """The value of an entry, with the ring on which the pressure vanishes first where it depends on that."""
     entry = entries[suffix]
-    if suffix == "rz" and entry.status == "root":
+    if suffix in RINGS and entry.status == "root":
         return _ring(entry, values)
-    rests = any(case.expr.has(nt.r_zero) for case in entry.cases)
-    return enclosed(entry, values, ((nt.r_zero, _ring(entries["rz"], values)),) if rests else (), wanted)
+    rests = [(place, own) for own, place in RINGS.items() if any(case.expr.has(place) for case in entry.cases)]
+    return enclosed(entry, values, tuple((place, _ring(entries[own], values)) for place, own in rests), wanted)
 
 
 def _ring(entry: Entry, values: Floats) -> arb:
-    """Zero, or the root of the equation of `rz`."""
+    """Zero, or the root of the equation of the place."""
     with _precision(4 * BITS):
         equation = _case(entry, _balls(entry, values)).expr
         if not isinstance(equation, sp.Equality):
             return arb(0)
         n = values[nt.n]
         find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
-        return arb(values[nt.a]) * find(_plain(equation.lhs - equation.rhs), n)
+        rest = (equation.lhs - equation.rhs).subs(RINGS[entry.suffix], nt.r_zero)
+        return arb(values[nt.a]) * find(_plain(rest), n)
 
 
 @lru_cache(maxsize=256)

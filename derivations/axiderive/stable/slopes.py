@@ -2,27 +2,52 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 
 import sympy as sp
 
-from ..notation import a, t
+from ..entry import Case, Entry, Quantity
+from ..notation import E_star, a, d, t
 from .forms import EvaluationForm
 from .ratios import gamma_ratios
 from .rewriting import Rewriting
 from .signs import Facts, cancels, squares
+from .variants import FULL, Variant
 
 ROOT = "root"
+RATE = Quantity("slope", "rate", "Rate of growth", d, (a,))
+"""What the choice of its form is recorded as: it is no result of its own, but all rules and iterations call it."""
+NEEDED = frozenset(("conjugates", "log1p"))
+"""Rules without which logarithms have no derivative here."""
+
+
+def rate(entries: Mapping[str, Entry]) -> Entry | None:
+    """g'(a) of a compact contact, in the plane P'(a)/E_star beside a break; None where no function evaluates it."""
+    base = entries.get("P", entries.get("d"))
+    if base is None or base.profile.contact != "compact" or base.suffix == "P" and not base.profile.breaks:
+        return None
+    if base.status != "closed" or any(case.expr.has(sp.Sum, sp.Integral) for case in base.cases):
+        return None
+    unit = E_star if base.suffix == "P" else sp.S.One
+    cases = tuple(Case(case.chain, sp.diff(case.expr / unit, a)) for case in base.cases)
+    return replace(base, key=rate_key(base), quantity=RATE, cases=cases)
+
+
+def rate_key(entry: Entry) -> str:
+    """The key under which the form of the rate is chosen, from that of any entry of the problem."""
+    return f"{entry.key.rpartition('.')[0]}.{RATE.suffix}"
 
 
 @lru_cache(maxsize=512)
-def slope_form(depth: sp.Expr, facts: Facts) -> EvaluationForm:
+def slope_form(depth: sp.Expr, facts: Facts, variant: Variant = FULL) -> EvaluationForm:
     """g'(t) with t for the radius; a root of t and a length of the profile is called `root`.
 
     The algebraic part is brought to a form without cancellation: first by writing
     t**2 as root**2 + b**2 over a root, then by clearing the roots from its denominator.
     """
-    work = Rewriting(facts)
+    work = Rewriting(facts, variant if variant.rules >= NEEDED else FULL)
     start = work.with_named_logarithms(work.named(gamma_ratios(depth)))
     kept = work.fixed_differences(start)
     slope = _derivative(work, start.subs(kept))

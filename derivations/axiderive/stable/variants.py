@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 RULES = frozenset(("angles", "conjugates", "gaps", "lengths", "log1p"))
 """Angles by atan2 and asinh of roots, sums over their conjugates, x - atan(x) and atanh(x) - x as functions, those
 and cubes of a root from its lengths, and logarithms as log1p; a root of an exact difference stands in every form."""
+
+
+BEYOND = ", beyond"
 
 
 @dataclass(frozen=True)
@@ -21,15 +24,34 @@ class Variant:
     """Products of sums multiplied out."""
     closed: bool = True
     """Whether it is taken for free of cancellation; else that must be proved, or a rule stands in for the form."""
+    beyond: float = 0.0
+    """From how many times the break of the profile on; the form by all rules below."""
+
+    @property
+    def below(self) -> Variant:
+        """The way below the split, or everywhere."""
+        return FULL if self.beyond else self
+
+    @property
+    def above(self) -> Variant:
+        """The same way everywhere."""
+        return replace(self, name=self.name.partition(BEYOND)[0], beyond=0.0)
 
 
 FULL = Variant("all rules", closed=False)
+CLOSED, QUOTIENTS = Variant("all rules, closed"), Variant("angles of quotients", quotients=True)
 VARIANTS = (
     FULL,
-    Variant("all rules, closed"),
-    Variant("angles of quotients", quotients=True),
+    CLOSED,
+    QUOTIENTS,
     *(Variant(f"without {rule}", RULES - {rule}) for rule in sorted(RULES)),
     Variant("roots alone", frozenset()),
     Variant("expanded sums", expanded=True),
     Variant("expanded sums without lengths", RULES - {"lengths"}, expanded=True),
 )
+
+PLACES = (2.0, 16.0, 128.0)
+SPLITS = tuple(
+    replace(way, name=f"{way.name}{BEYOND} {at:g} b", beyond=at) for way in (CLOSED, QUOTIENTS) for at in PLACES
+)
+"""A rule next to the break, where a closed form cancels, and that form where the strips of the rule become too long."""

@@ -29,6 +29,8 @@ class Written:
     function: str
     formula: str
     cost: int
+    system: str = "normal"
+    """Whose package the module belongs to."""
 
 
 Variants = Mapping[str, Sequence[Written]]
@@ -38,7 +40,7 @@ Variants = Mapping[str, Sequence[Written]]
 def modules(variants: Variants) -> dict[str, str]:
     """The texts by path, where there is something to choose from."""
     return {
-        f"axicontact/normal/{_name(suffix, i)}.py": written.source
+        f"axicontact/{written.system}/{_name(suffix, i)}.py": written.source
         for suffix, own in variants.items()
         for i, written in enumerate(own)
         if len(own) > 1
@@ -72,9 +74,8 @@ def selection(
 
     candidates = [Candidate(w.variant, w.formula, w.cost, lambda point: math.nan) for w in own]
     if len(own) > 1:
-        for i, (candidate, written) in enumerate(zip(candidates, own, strict=True)):
-            module = import_module(f"{package}.normal.{_name(suffix, i)}")
-            candidate.call = _call(package, getattr(module, written.function), entries[suffix])
+        for i, candidate in enumerate(candidates):
+            candidate.call = call(package, entries[suffix], own, i)
     best, second = choose(candidates, fresh, draw)
     standing = candidates[0]
     row: Record = {"chosen": _described(standing), "candidates": len(own)}
@@ -94,8 +95,10 @@ def _name(suffix: str, i: int) -> str:
     return f"_{suffix}_{i}"
 
 
-def _call(package: str, body: Callable[..., Any], entry: Entry) -> Callable[[Sample], float]:
-    """The value of a private function at a point, by the array machinery of its package."""
+def call(package: str, entry: Entry, own: Sequence[Written], i: int) -> Callable[[Sample], float]:
+    """The value of a variant at a point, by the array machinery of its package."""
+    module = import_module(f"{package}.{own[i].system}.{_name(entry.suffix, i)}")
+    body: Callable[..., Any] = getattr(module, own[i].function)
     elementwise = import_module(f"{package}._elementwise").elementwise
     names, fields = list(inspect.signature(body).parameters), {str(symbol) for symbol in entry.quantity.arguments}
 

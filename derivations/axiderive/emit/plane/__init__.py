@@ -13,6 +13,7 @@ from ..physics import text
 from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
 from ..public import PACKAGE, check
+from ..splits import split
 from ..vocabulary import HELPERS
 from . import document, eccentric, shown
 from .compact import Compact
@@ -49,6 +50,27 @@ def module_source(entries: Mapping[str, Entry]) -> str:
     return "\n".join(line.rstrip() for line in whole.split("\n"))
 
 
+def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
+    """Add the private functions."""
+    if nt.e in functions.profile.parameters:
+        eccentric.add_all(entries, functions)
+        return None
+    if functions.profile.contact == "complete":
+        Complete(entries, functions).add_all()
+        return None
+    compact = Compact(entries, functions)
+    compact.add_all()
+    return compact
+
+
+def bodies_source(functions: PrivateFunctions, title: str) -> str:
+    """A module of private functions alone: to be measured, not to be published."""
+    private = (
+        text.private(own.name, own.fields, own.needs, own.lines, own.doc) for own in functions.functions.values()
+    )
+    return text.module(functions.profile.title, title, IMPORTS, [], list(private))
+
+
 @dataclass
 class _Module:
     """The functions of one profile."""
@@ -62,12 +84,10 @@ class _Module:
         known = PLANE
         if self.eccentric:
             known = PLANE_ECCENTRIC
-            eccentric.add_all(self.entries, self.functions)
         elif self.profile.contact == "complete":
             known = PLANE_COMPLETE
-            Complete(self.entries, self.functions).add_all()
-        else:
-            Compact(self.entries, self.functions).add_all()
+        bodies(self.functions, self.entries)
+        split(self.functions, self.entries, bodies)
         shape = [] if self.eccentric else [SHAPE]
         self.quantities = shape + [quantity for suffix, quantity in known.items() if suffix in self.entries]
 

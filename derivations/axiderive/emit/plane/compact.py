@@ -13,7 +13,7 @@ from ...notation import E_star, a, x
 from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
-from ..code import python
+from ..code import printable, python
 from ..private import Private, PrivateFunctions
 from .exponents import exponents
 from .forms import form_of, lines_of, moved, regions, told_apart
@@ -50,7 +50,9 @@ class Compact:
             return
         for case in self.entries["P"].cases:
             beyond = case.below(self.b, a)
-            form = slope_form(case.expr / E_star, facts_of(case.chain))
+            variant = self.functions.rate_variant(self.entries["P"])
+            form = slope_form(case.expr / E_star, facts_of(case.chain), variant)
+            form = form if printable(form) else slope_form(case.expr / E_star, facts_of(case.chain))
             fields = ("t", "root") if beyond else ("t",)
             lines = self.functions.steps(form, fields)
             lines.append(f"return {python(form.value)}")
@@ -59,9 +61,9 @@ class Compact:
             self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc)
 
     def _closed(self, suffix: str) -> tuple[list[str], set[str]] | None:
-        """Lines that end with `value = ...`, or None where a region loses digits."""
-        own = regions(self.entries[suffix])
-        if any(region.form.cancels for region in own):
+        """Lines that end with `value = ...`, or None where a region loses digits or there are more than two."""
+        own = regions(self.entries[suffix], self.functions.variant(self.entries[suffix]))
+        if len(own) > 2 or any(region.form.cancels for region in own):
             return None
         forms = told_apart(tuple(region.form for region in own))
         lines: list[str] = []
@@ -81,7 +83,7 @@ class Compact:
         lines, needs, parts = [], {str(self.b), *growth.needs}, []
         tip = self.tip(suffix)
         if tip is not None:
-            form = moved(form_of(tip), a, "inner")
+            form = moved(form_of(tip, self.functions.variant(self.entries[suffix])), a, "inner")
             lines.append(f"inner = np.minimum(a, {self.b})")
             lines_of(self.functions, "tip", form, lines)
             needs |= self.functions.needs(form, ("inner",))
@@ -104,13 +106,14 @@ class Compact:
 
     def _load(self) -> None:
         closed = self._closed("P")
-        if closed is None:
+        if closed is None or self.profile.truncated and self.entries["aP"].status == "root":
             growth, b = self.functions.functions["growth_beyond"], str(self.b)
             lines = [f"return E_star * load_beyond({growth.growth('t', 'root')}, root, {b})"]
             inner = self.functions.add(
                 "load_at", ("root",), lines, {"E_star", b, *growth.needs}, f"Line load at a = sqrt({b}**2 + root**2)."
             )
-            closed = [f"root = np.sqrt((a - {b}) * (a + {b}))", f"value = {inner.call('root')}"], {*inner.needs}
+            by_rule = [f"root = np.sqrt((a - {b}) * (a + {b}))", f"value = {inner.call('root')}"], {*inner.needs}
+            closed = closed or by_rule
         self._add("P", [*closed[0], "return value"], closed[1])
 
     def _within(self, lines: list[str], needs: set[str], value: str) -> tuple[list[str], set[str]]:
@@ -144,7 +147,7 @@ class Compact:
     def _half_width(self) -> None:
         entry = self.entries["aP"]
         if entry.status == "closed":
-            form = evaluation_form(entry.cases[0].expr, facts_of(()))
+            form = self.functions.form(entry, entry.cases[0].expr, facts_of(()))
             self._add("aP", self.functions.returned(form), self.functions.needs(form, ()))
             return
         beyond = self.functions.functions["growth_beyond"]

@@ -10,9 +10,10 @@ import sympy as sp
 from ...contact.plane import PRESSURE
 from ...entry import Case, Entry
 from ...notation import P, a, x, x_zero
-from ...stable.forms import EvaluationForm, evaluation_form
+from ...stable.forms import EvaluationForm
 from ...stable.opaque import named
 from ...stable.signs import facts_of
+from ...stable.variants import Variant
 from ..code import python
 from ..private import Private, PrivateFunctions
 from .compact import add_profile
@@ -57,7 +58,8 @@ class Complete:
         most, since P >= P_min; depth and pressure do change their signs.
         """
         needs: set[str] = set()
-        exprs, forms = parts(self.entries[suffix], self.concave)
+        entry = self.entries[suffix]
+        exprs, forms = parts(entry, self.concave, self.functions.variant(entry))
         for name, form in zip(exprs, forms, strict=True):
             if name == "face" and form.value.could_extract_minus_sign():
                 form = type(form)(form.steps, -form.value, form.cancels)  # noqa: PLW2901
@@ -80,7 +82,7 @@ class Complete:
 
     def _minimum_load(self) -> None:
         expr = self.entries["Pmin"].cases[0].expr
-        form = evaluation_form(expr, facts_of(()))
+        form = self.functions.form(self.entries["Pmin"], expr, facts_of(()))
         lines, needs, value = self.functions.steps(form), self.functions.needs(form, ()), python(form.value)
         if expr.has(x_zero):
             place = self.functions.functions["zero_distance"]
@@ -120,13 +122,13 @@ class Complete:
         self._add("d", lines, needs | {"a"}, "np.where(a <= L, value, np.nan)")
 
 
-def parts(entry: Entry, concave: bool) -> tuple[tuple[str, ...], tuple[EvaluationForm, ...]]:
+def parts(entry: Entry, concave: bool, variant: Variant) -> tuple[tuple[str, ...], tuple[EvaluationForm, ...]]:
     """What the load does and what the face does, by name; one value without a hollow face."""
     case = entry.cases[0]
     whole = sp.expand(case.expr)
     load = whole.coeff(P) * P
     exprs = {"strip": load, "face": whole - load} if concave else {"value": case.expr}
-    return tuple(exprs), told_apart(tuple(form_of(Case(case.chain, expr)) for expr in exprs.values()))
+    return tuple(exprs), told_apart(tuple(form_of(Case(case.chain, expr), variant) for expr in exprs.values()))
 
 
 def excess_over_threshold(entries: Mapping[str, Entry]) -> sp.Expr | None:

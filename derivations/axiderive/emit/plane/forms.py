@@ -13,6 +13,8 @@ from ...stable.conjugates import plane_form
 from ...stable.forms import EvaluationForm
 from ...stable.opaque import PowerPunches, PowerStrips, Root, named
 from ...stable.signs import facts_of
+from ...stable.variants import FULL, Variant
+from ..code import printable
 from ..private import PrivateFunctions
 
 
@@ -24,20 +26,27 @@ class Region:
     form: EvaluationForm
 
 
-def regions(entry: Entry) -> tuple[Region, ...]:
+def regions(entry: Entry, variant: Variant = FULL) -> tuple[Region, ...]:
     """The distinct formulas of an entry as evaluation forms; those that are roots of an equation are not asked for."""
     first = {case.expr: case for case in reversed(entry.cases)}
-    return tuple(Region(comparisons, form_of(first[expr])) for comparisons, expr in entry.regions())
+    return tuple(Region(comparisons, form_of(first[expr], variant)) for comparisons, expr in entry.regions())
 
 
-def form_of(case: Case) -> EvaluationForm:
-    """The evaluation form of a case; incomplete Beta functions as integrals over the growing contact."""
+def form_of(case: Case, variant: Variant = FULL) -> EvaluationForm:
+    """The evaluation form of a case in a variant; by all rules where NumPy lacks a function of that."""
+    form = _form_of(case, variant)
+    return form if printable(form) else _form_of(case, FULL)
+
+
+def _form_of(case: Case, variant: Variant) -> EvaluationForm:
+    """Incomplete Beta functions as integrals over the growing contact."""
     lengths = case.chain if all(length.is_Symbol for length in case.chain) else ()
     point = L if case.expr.has(L) else x
     if not case.expr.has(IncompleteBeta):
-        return plane_form(case.expr, facts_of(lengths))
+        return plane_form(case.expr, facts_of(lengths), variant)
     in_r = case.expr.subs(point, r)
-    form = plane_form(in_r, facts_of(tuple(r if length == point else length for length in lengths)))
+    facts = facts_of(tuple(r if length == point else length for length in lengths))
+    form = plane_form(in_r, facts, variant)
     steps = tuple((name, strips(expr).subs(r, point)) for name, expr in form.steps)
     return EvaluationForm(steps, strips(form.value).subs(r, point), form.cancels)
 
