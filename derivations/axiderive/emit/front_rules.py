@@ -65,4 +65,5 @@ def _rule_row(system: str, suffix: str) -> dict[str, Any]:
     tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
     label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
     group = BY_NAME[system].group
+    small = f"${found.where}$" if found.where else small
     return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
