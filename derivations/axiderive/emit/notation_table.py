@@ -16,6 +16,7 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
     ":least_load": (r"P_{\mathrm{min}}", "N/m", "least line load of a complete contact"),
     ":kappa": (r"\kappa,\;\kappa_j", "1", "factor of a power of the radius, stated in the panel of its profile"),
     ":coefficients": ("A_j", "m^(1-j)", "coefficients of a polynomial profile"),
+    ":index": ("j", "1", "index of a sum"),
     ":adhesive_depth": (r"d_{\mathrm{adh}},\;w_{\mathrm{adh}}", "m", "depth and displacement with adhesion"),
     ":adhesive_force": (r"F_{\mathrm{adh}}", "N", "normal force with adhesion at a given contact radius"),
     ":adhesive_pressure": (r"p_{\mathrm{adh}}", "Pa", "pressure with adhesion, tensile at the edge"),
@@ -41,7 +42,7 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
         "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", "r_zero", ":least_depth", ":least_force",
     )),
     ("Profile", (
-        "theta", "R", "R1", "R2", "b", "n", "A", ":kappa", ":coefficients", "j", "N", "h", "s", "wavelength", "C",
+        "theta", "R", "R1", "R2", "b", "n", "A", ":kappa", ":coefficients", ":index", "N", "h", "s", "wavelength", "C",
     )),
     ("Half-space", (
         "E_star", "G_star", "young_1", "young_2", "nu_1", "nu_2", "k", "H", "H_x", "E_0", "c_0", "nu", "beta", "h_N",
@@ -59,13 +60,13 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Prescribed pressure", ("p_0", "sigma")),
 )  # fmt: skip
 """Names of records in the order of the table; those with a colon are of `IN_PRINT`."""
-INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding"}
+INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
 
 def by_subject(used: AbstractSet[str]) -> list[tuple[str, list[Row]]]:
     """The rows of the table by subject, for a book whose formulas use the symbols of these names."""
-    known = used | {*IN_PRINT}
+    known = used | {"N", *IN_PRINT}
     return [(title, [_row(name) for name in names if name in known]) for title, names in SUBJECTS]
 
 

@@ -49,7 +49,7 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
         "Dl": Rule(rf"\Delta\ell={printer(adhesive.hess_rule(medium))}"),
         "d": Rule(rf"d{ADH}(a)=g(a)-\Delta\ell"),
         "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
-        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where=INSIDE),
+        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where="r<a"),
         "w": Rule(rf"w{ADH}(r)=w(r)-{surface}", where=OUTSIDE),
         "ad": Rule(rf"d{ADH}(a)=d", r"for $a\ge a_{\mathrm m}$"),
         "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
