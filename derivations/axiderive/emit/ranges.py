@@ -45,7 +45,7 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         return _flat(length, printer)
 
     if ascending is None:
-        return ",\\; ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
+        return ",\\; \\allowbreak ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
     out = text(ascending[0])
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
