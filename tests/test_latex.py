@@ -53,7 +53,7 @@ INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}
             sp.sinh(sp.asinh(F * (sp.log((a + b) * r + R) + 1) / b) / 3) ** 2,
             (),
             r"\sinh^{2}\Bigl[\tfrac{1}{3} \, \operatorname{arsinh}\Bigl(\frac{F_{\mathrm N}}{b} \, "
-            r"\bigl\{\ln\bigl[r \, (a+b)+R\bigr]+1\bigr\}\Bigr)\Bigr]",
+            r"\bigl\{1+\ln\bigl[r \, (a+b)+R\bigr]\bigr\}\Bigr)\Bigr]",
         ),
     ],
 )

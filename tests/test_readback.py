@@ -98,7 +98,9 @@ def test_the_source_is_searched_to_its_end() -> None:
         told += text.count("\n\\frow") + 2 * text.count("\n\\fpair")
         displayed = text.count(r"\displaystyle")
         shown = [one for one in formulas(text) if one.kind in ("definition", "function", "cell")]
-        panels = sum(line.count(r"\displaystyle") for line in text.splitlines() if line[:6] in (" Short", " Press"))
+        panels = sum(
+            line.count(r"\displaystyle") for line in text.splitlines() if line[:6] in (" Profi", " Short", " Press")
+        )
         assert displayed == len(shown) + panels, path
     assert count["row"] == told > 900
     assert count["definition"] == len(front.definition_rows())

@@ -13,7 +13,7 @@ from axiderive.notation import A, E_star, R, a, c, d, k, mu, r
 
 CASES = {
     r"\bigl[(k+1) d R\bigr]^{(k+3)/2}": (sp.sqrt(R) * sp.sqrt(d) * sp.sqrt(k + 1)) ** (k + 3),
-    r"\Bigl(\frac{\sqrt{2} a}{R}\Bigr)^{k+3}": (sp.sqrt(2) * a / R) ** (k + 3),
+    r"\biggl(\frac{\sqrt{2} a}{R}\biggr)^{k+3}": (sp.sqrt(2) * a / R) ** (k + 3),
     r"(k+1) a^{2}+2 r^{2}": a**2 * k + a**2 + 2 * r**2,
     r"\tfrac{64}{15} \, \mu E^{*} A \, (a^{5}-c^{5})": mu * (
         sp.Rational(64, 15) * A * E_star * a**5 - sp.Rational(64, 15) * A * E_star * c**5

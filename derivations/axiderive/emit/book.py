@@ -7,7 +7,7 @@ from collections.abc import Set as AbstractSet
 from typing import Any
 
 from .. import __version__
-from . import front, front_rules, laws, references, study
+from . import front, front_rules, laws, notation_table, references, study
 from .evidence import power_of_ten
 from .prose import escaped
 from .symbol_index import symbol_index
@@ -50,8 +50,8 @@ def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple
 
 FRONT = (
     ("How to read an entry", "howto"), ("Notation", "notation"), ("Definitions", "definitions"),
-    ("Rules for every profile", "rules"), ("Viscoelastic laws", "laws"), ("Which profile?", "chart"),
-    ("All profiles", "master"),
+    ("Rules for every profile", "rules"), ("Viscoelastic laws", "laws"), ("All profiles", "master"),
+    ("Which profile?", "chart"),
 )  # fmt: skip
 BACK = (
     ("Profile and physics", "matrix"), ("Error against run time", "study"), ("What a call costs", "speed"),
@@ -98,9 +98,10 @@ def model(
     left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
     return {
         "chapters": chapters,
+        "summaries": summaries,
         "contents": _contents(chapters, left_out),
         "suffixes": front.suffixes(),
-        "notation": front.notation_rows({s for m in summaries for s in m["symbols"]}),
+        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),

@@ -16,7 +16,7 @@ from ..profiles.profile import Profile
 from .evaluated import Rows
 from .evaluated_fields import ROOT_INSIDE, ROOT_OUTSIDE
 from .evaluated_slip import packed
-from .order import bracket
+from .height import bracket
 from .printer import Printer
 from .rows import Region
 from .rules import ADH, radius_name

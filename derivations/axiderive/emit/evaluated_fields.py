@@ -20,6 +20,7 @@ from ..stable.signs import facts_of
 from .compact import monomial
 from .complete import excess_over_threshold, sunk_power
 from .evaluated import SPELLED, Rows, evaluation_row, form_of, printed
+from .height import bracket
 from .kernels import beside_power
 from .naming import LEFT
 from .printer import Printer
@@ -116,7 +117,7 @@ def _concave(profile: Profile, entries: Mapping[str, Entry]) -> Iterator[dict[st
         inside = f"d-{LEFT['dmin']}+{Printer()(face)}"
         scale = rf"\frac{{{Printer()(E_star)}}}{{\pi {ROOT_INSIDE}}}"
         where = f"{LEFT['dmin']}={Printer()(entries['dmin'].cases[0].expr)}"
-        tex = rf"{LEFT['p']}={scale} \, \Bigl({inside}\Bigr),\qquad {where}"
+        tex = rf"{LEFT['p']}={scale} \, {bracket(inside)},\qquad {where}"
         yield evaluation_row(entries["p"], Region(condition(entries["p"], pairs, chain, Printer(chain)), (tex,)))
     ((pairs, expr),) = regions(entries["w"])
     chain = chain_of(entries["w"], expr)

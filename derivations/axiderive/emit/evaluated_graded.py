@@ -12,7 +12,7 @@ from ..entry import Entry
 from ..notation import k, r
 from .evaluated import Rows
 from .evaluated_slip import packed
-from .order import bracket
+from .height import bracket
 from .printer import Printer
 from .rows import Region
 from .universal import power_of_depth
@@ -40,7 +40,7 @@ def outside_row(key: str) -> dict[str, Any]:
     """The displacement beside any contact, from the gap that the half-space closes inside it."""
     scale, root = Printer()(GRADED.displacement_scale), r"\sqrt{(r-a) (r+a)}"
     share = r"\frac{g(a)-f(s)}{q^{2}+z^{2}}"
-    integral = rf"w(r)={scale} q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
+    integral = rf"w(r)={scale}\, q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
     return _row(f"{key}.w", r"r\ge a", [integral, r"s=\sqrt{(a-z) (a+z)}", f"q={root}"])
 
 

@@ -16,6 +16,7 @@ from ..stable.forms import EvaluationForm
 from ..stable.signs import facts_of
 from ..stable.slopes import rate_key, slope_form
 from .evaluated import Rows, evaluated, evaluation_row, printed
+from .height import bracket
 from .naming import PLANE
 from .plane.complete import excess_over_threshold, parts
 from .plane.forms import form_of
@@ -57,7 +58,7 @@ def _concave(entries: Mapping[str, Entry]) -> Rows:
         if suffix == "p" and face is not None:
             carried = f"P-{PLANE['Pmin']}+{Printer()(face)}"
             where = f"{PLANE['Pmin']}={Printer()(entries['Pmin'].cases[0].expr)}"
-            lines = [rf"p(x)=\frac{{1}}{{\pi \sqrt{{(a-x) (a+x)}}}} \, \Bigl({carried}\Bigr),\qquad {where}"]
+            lines = [rf"p(x)=\frac{{1}}{{\pi \sqrt{{(a-x) (a+x)}}}} \, {bracket(carried)},\qquad {where}"]
         else:
             _, forms = parts(entry, True, chosen(entry.key).below)
             steps = dict(step for form in forms for step in form.steps)

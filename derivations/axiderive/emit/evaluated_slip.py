@@ -13,8 +13,8 @@ from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..entry import Entry
 from ..notation import a, r
 from .evaluated import Rows
+from .height import bracket
 from .naming import LEFT
-from .order import bracket
 from .physics import RUNTIME
 from .printer import Printer
 from .rows import Region, broken

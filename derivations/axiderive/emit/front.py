@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .. import notation as nt
 from ..abel import masters
 from ..contact import adhesive, complete, normal, tangential, viscoelastic
 from ..contact.medium import HOMOGENEOUS
@@ -17,7 +15,6 @@ from . import matrix
 from .naming import LEFT, label_of
 from .printed_functions import MASTER_NAMES
 from .printer import Printer
-from .prose import domain, prose
 from .shorthand import with_kappa
 from .width import width
 
@@ -36,21 +33,6 @@ def _cell(entry: Entry, room: float) -> str:
     short = with_kappa(case.expr)
     text = Printer(case.chain, short.names)(short.expr)
     return rf"$\displaystyle {text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
-
-
-def notation_rows(used: set[str]) -> list[dict[str, str]]:
-    """The symbols that are used, in order of the notation."""
-    skip = {"j", "N", "stiffness"}
-    return [
-        {"name": n.name, "latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": domain(n)}
-        for n in nt.all_notation()
-        if n.name in used - skip
-    ]
-
-
-def _unit(unit: str) -> str:
-    text = re.sub(r"\^\(([^()]*)\)", lambda m: f"$^{{{m[1]}}}$", unit)
-    return re.sub(r"\^(\d+)", lambda m: f"$^{{{m[1]}}}$", text)
 
 
 def master_rows() -> list[dict[str, str]]:

@@ -50,7 +50,7 @@ def _paired(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
     """Neighbours that are short go on one line."""
     lines: list[list[dict[str, Any]]] = []
     for row in rows:
-        behind = 10 + 2.0 * len(row["remark"]) if row["remark"] else 0
+        behind = 10 + 0.6 * width(row["remark"]) if row["remark"] else 0
         row["narrow"] = width(row["tex"]) + behind <= HALF
         if row["narrow"] and lines and len(lines[-1]) == 1 and lines[-1][0]["narrow"]:
             lines[-1].append(row)
@@ -65,4 +65,5 @@ def _rule_row(system: str, suffix: str) -> dict[str, Any]:
     tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
     label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
     group = BY_NAME[system].group
+    small = f"${found.where}$" if found.where else small
     return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}

@@ -94,7 +94,15 @@ SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_r
 
 def summary(model: Model) -> Summary:
     """The part of a page model that the front of the book uses."""
-    return {name: model[name] for name in SUMMARISED}
+    return {name: model[name] for name in SUMMARISED} | {"shape": miniature(model)}
+
+
+def miniature(model: Model) -> dict[str, str]:
+    """Outline of the body and line of contact of its sketch, or the prescribed pressure, for the table of shapes."""
+    drawn = model["picture"] or model["tilted_picture"]
+    if drawn:
+        return {"body": drawn.body, "contact": drawn.contact}
+    return {"pressure": model["load_picture"].pressure} if model["load_picture"] else {}
 
 
 def book_sources(

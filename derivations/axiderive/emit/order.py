@@ -1,8 +1,7 @@
-"""Order and brackets of print: which factor is scale, which term comes first, which bracket fits."""
+"""Order of print: which factor is scale, which term comes first."""
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 from typing import Any
 
@@ -17,31 +16,9 @@ ORDER = (
     "F_x", "dgamma", "d", "A", "C", "h", "v", "time", "t_0", "L", "a", "a_c", "c", "r", "r_zero", "t", "x", "x_zero",
     "e", "b", "R", "R1", "R2", "s", "wavelength", "N", "retraction", "k", "u", "psi", "theta",
 )  # fmt: skip
-_BRACKETS = re.compile(r"\\[{}]|[()\[\]]")
-_LETTERS = re.compile(r"\\sqrt\[\d+\]|\(t\)")
 TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 RAISED = (*TRIGONOMETRIC, sp.sinh, sp.cosh, sp.tanh)
 """Functions whose powers are printed behind the name: sinh^2 x."""
-
-
-def brackets_around(text: str) -> tuple[str, str]:
-    """The pair that fits around the text: () around none, then [], {}, and () again; J(t) counts as a letter."""
-    depth = deepest = 0
-    for mark in _BRACKETS.findall(_LETTERS.sub("", text)):
-        depth += 1 if mark in ("(", "[", r"\{") else -1
-        deepest = max(deepest, depth)
-    return (("(", ")"), ("[", "]"), (r"\{", r"\}"))[deepest % 3]
-
-
-def bracket(text: str) -> str:
-    r"""The text in brackets that fit, with \Bigl where a fraction stands."""
-    tall = r"\frac" in text or r"\int" in text or r"\sum" in text or r"\Bigl" in text
-    left, right = brackets_around(text)
-    if tall:
-        return rf"\Bigl{left}{text}\Bigr{right}"
-    if r"\tfrac" in text or "(" in text or r"\sqrt" in text:
-        return rf"\bigl{left}{text}\bigr{right}"
-    return left + text + right
 
 
 def is_one_group(text: str) -> bool:

@@ -105,7 +105,8 @@ def shape_tex(profile: Profile, place: str = "r") -> str:
             texts.append(f"$f({place})={expr}$ for ${place}>{Printer()(lower)}$")
         lower = piece.upper
     if len(texts) == 1:
-        return texts[0]
+        built_up = r"\frac" in texts[0] or r"\sum" in texts[0]
+        return rf"\rule[-3.6mm]{{0pt}}{{8.4mm}}$\displaystyle {texts[0][1:]}" if built_up else texts[0]
     return r",\newline ".join(rf"\rule[-2mm]{{0pt}}{{6mm}}{text}" for text in texts).replace(r"\frac", r"\tfrac")
 
 

@@ -8,7 +8,8 @@ from typing import Any
 import sympy as sp
 
 from ..abel import masters
-from .order import bracket, is_one_group
+from .height import bracket
+from .order import is_one_group
 
 FUNCTIONS = {
     sp.sin: r"\sin", sp.cos: r"\cos", sp.tan: r"\tan", sp.asin: r"\arcsin", sp.acos: r"\arccos", sp.atan: r"\arctan",

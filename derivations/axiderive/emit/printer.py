@@ -14,10 +14,10 @@ import sympy as sp
 
 from .. import notation as nt
 from .factors import Factor, Product, Root, common_out, common_power, taken_apart
+from .height import bracket
 from .order import (
     RAISED,
     TRIGONOMETRIC,
-    bracket,
     factor_key,
     has_fraction,
     is_function,
@@ -27,6 +27,9 @@ from .order import (
 )
 from .printed_functions import MASTER_NAMES, FunctionPrinter
 
+NAMED = (r"\sin", r"\cos", r"\tan")
+COUNTED = {nt.n, nt.k, nt.sigma, nt.alpha, nt.j, nt.N, sp.Symbol("m", positive=True)}
+"""What a plain number is added to behind, as in n + 1; to everything else it is added in front: 1 + x."""
 EXPONENTS_OF_GRADING = (sp.Rational(-99, 100), sp.Rational(99, 100))
 
 
@@ -56,7 +59,8 @@ class Printer(FunctionPrinter):
         """Sign and text of each term, the first one positive if any is."""
         rows = [(*self.product(term), term) for term in sp.Add.make_args(expr)]
         if len(rows) > 1:
-            rows.sort(key=lambda row: (row[0] < 0, term_key(row[2])))
+            counted = expr.free_symbols <= COUNTED
+            rows.sort(key=lambda row: (row[0] < 0, counted or not row[2].is_number, term_key(row[2])))
         return [(sign, text) for sign, text, _ in rows]
 
     def sum(self, expr: sp.Expr) -> str:
@@ -133,11 +137,15 @@ class Printer(FunctionPrinter):
             out += top
         tail = ([root_above] if root_above else []) + [self._bracketed(b, e) for b, e in behind if b.is_Add]
         for text in (self._power(b, e) for b, e in sorted(behind, key=factor_key) if not b.is_Add):
-            tail += [r"\,", text] if tail and tail[-1][-1] in ")]" and text.startswith(r"\math") else [text]
+            apart = tail and (tail[-1][-1] in ")]" or tail[-1].startswith(NAMED)) and text.startswith(r"\math")
+            tail += [r"\,", text] if apart else [text]
         if (
             out
             and tail
-            and (tail[0][-1:] in ")]" or tail[0].startswith((r"\Bigl", r"\bigl", r"\operatorname", r"\mathrm", "{}_")))
+            and (
+                tail[0][-1:] in ")]"
+                or tail[0].startswith((r"\Bigl", r"\bigl", r"\biggl", r"\Biggl", r"\operatorname", r"\mathrm", "{}_"))
+            )
         ):
             out.append(r"\,")
         return " ".join(out + tail) or "1"

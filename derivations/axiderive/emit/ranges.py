@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import F, L, a, d, e, n, r, x
-from .order import bracket
+from .height import bracket
 from .printer import Printer
 
 Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -45,7 +45,7 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         return _flat(length, printer)
 
     if ascending is None:
-        return ",\\; ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
+        return ",\\; \\allowbreak ".join(f"{text(lo)}{signs[lo, hi]} {text(hi)}" for lo, hi in steps)
     out = text(ascending[0])
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
@@ -53,12 +53,13 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
 
 
 def _flat(expr: sp.Expr, printer: Printer) -> str:
-    """A length on one line, as it stands in the grey under a label: a/2."""
+    """A length as it stands in the grey under a label, without a built-up fraction: a/2."""
     above, below = sp.fraction(sp.together(expr))
     if below == 1:
         return printer.small(expr)
     divisor = printer.small(below)
-    return f"{printer.small(above)}/" + (bracket(divisor) if below.is_Mul else divisor)
+    # a range that is too long for the column ends its line behind the solidus, and not within the bracket
+    return f"{printer.small(above)}/" + (rf"\allowbreak {{{bracket(divisor)}}}" if below.is_Mul else divisor)
 
 
 def _always(entry: Entry) -> Pairs:

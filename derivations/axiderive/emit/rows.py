@@ -11,8 +11,8 @@ import sympy as sp
 from ..contact.systems import BODIES
 from ..entry import Entry
 from ..notation import a_c, c
+from .height import brackets_around, size_around
 from .naming import LEFT, label_of, left_of, system_of
-from .order import brackets_around
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
@@ -150,7 +150,7 @@ def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
     if found is None:
         message = f"{entry.key} follows from no rule; add one to emit.rules"
         raise LookupError(message)
-    return Row(entry, "rule", (Region("", (found.tex,)),), found.remark, listed=listed)
+    return Row(entry, "rule", (Region(found.where, (found.tex,)),), found.remark, listed=listed)
 
 
 ALWAYS_RULED = ("p", "w", "tau")
@@ -219,8 +219,9 @@ def broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
         return [whole]
     sign, scale, terms = parts
     start = left + ("-" if sign < 0 else "") + (scale + r"\," if scale else "")
-    left_one, right_one = brackets_around("()".join(text for _, text in terms))  # square ones at least
-    opening, closing = (rf"\Bigl{left_one}", rf"\Bigr{right_one}") if scale or sign < 0 else ("", "")
+    inside = "()".join(text for _, text in terms)
+    (left_one, right_one), size = brackets_around(inside), size_around(rf"\Bigl({inside}")  # square ones at least
+    opening, closing = (rf"\{size}l{left_one}", rf"\{size}r{right_one}") if scale or sign < 0 else ("", "")
     lines, current = [], start + opening
     for i, (sign_of, text) in enumerate(terms):
         piece = ("-" if sign_of < 0 else "+" if i else "") + text

@@ -19,13 +19,15 @@ from .printer import Printer
 
 @dataclass(frozen=True)
 class Rule:
-    """A rule as LaTeX, with the words behind it."""
+    """A rule as LaTeX, with the words behind it and the range of a field."""
 
     tex: str
     remark: str = ""
+    where: str = ""
 
 
 ADH = r"_{\mathrm{adh}}"
+INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
 PULL_OFF = {"c": "force", "m": "depth"}
 """Subscripts of pull-off under force and under depth control."""
 
@@ -47,8 +49,8 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
         "Dl": Rule(rf"\Delta\ell={printer(adhesive.hess_rule(medium))}"),
         "d": Rule(rf"d{ADH}(a)=g(a)-\Delta\ell"),
         "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
-        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}"),
-        "w": Rule(rf"w{ADH}(r)=w(r)-{surface}"),
+        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where="r<a"),
+        "w": Rule(rf"w{ADH}(r)=w(r)-{surface}", where=OUTSIDE),
         "ad": Rule(rf"d{ADH}(a)=d", r"for $a\ge a_{\mathrm m}$"),
         "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
     }
@@ -99,9 +101,13 @@ def _normal(medium: Medium) -> dict[str, Rule]:
     outside = printer(medium.displacement_scale)
     return {
         "pm": Rule(r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}"),
-        "p": Rule(rf"p(r)={scale}\int_{{0}}^{{y}} \frac{{g'(t)}}{{t}}\,\mathrm{{d}}u,\qquad t={radius},\quad y={span}"),
+        "p": Rule(
+            rf"p(r)={scale}\int_{{0}}^{{y}} \frac{{g'(t)}}{{t}}\,\mathrm{{d}}u,\qquad t={radius},\quad y={span}",
+            where=INSIDE,
+        ),
         "w": Rule(
             rf"w(r)={outside}\int_{{0}}^{{y}} \bigl[g(a)-g(r\sin\psi)\bigr]\tan^{{{printer(k)}}}\psi"
-            rf"\,\mathrm{{d}}\psi,\qquad y={printer(sp.asin(a / r))}"
+            rf"\,\mathrm{{d}}\psi,\qquad y={printer(sp.asin(a / r))}",
+            where=OUTSIDE,
         ),
     }

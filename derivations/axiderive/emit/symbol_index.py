@@ -7,6 +7,9 @@ from typing import Any
 
 from .. import notation as nt
 
+NAMES = {"u_0": "u"}
+"""Symbols that the rows print under another name than that of their record."""
+
 
 def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str]]]]:
     """The symbols with the runs of sections whose formulas hold them: the name of the first, 1.1--1.5."""
@@ -14,7 +17,7 @@ def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list
     for symbol in nt.all_notation():
         places = [(m["name"], m["number"]) for m in summaries if symbol.name in m["symbols"]]
         if places and symbol.name not in ("j", "N", "stiffness") and 2 * len(places) <= len(summaries):
-            found.append((symbol.latex, _runs(places)))
+            found.append((NAMES.get(symbol.name, symbol.latex), _runs(places)))
     return found
 
 

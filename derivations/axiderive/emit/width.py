@@ -11,6 +11,7 @@ _WIDE = {
     r"\,": 1.7, r"\;": 2.8, r"\quad": 10.0, r"\qquad": 20.0, r"\pi": 7.3, r"\psi": 6.8, r"\varphi": 6.7,
     "R": 7.1, "E": 6.2, "F": 5.6, "A": 7.6, "H": 8.4, r"\int": 10.0, r"\sum": 16.0,
     r"\Bigl": 1.9, r"\Bigr": 1.9, r"\bigl": 0.5, r"\bigr": 0.5,
+    r"\biggl": 3.1, r"\biggr": 3.1, r"\Biggl": 4.3, r"\Biggr": 4.3,
 }  # fmt: skip
 _FUNCTION = {
     r"\sin": 3, r"\cos": 3, r"\tan": 3, r"\ln": 2, r"\exp": 3, r"\sinh": 4,

@@ -11,7 +11,7 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..contact import general
-from ..emit import front
+from ..emit import notation_table
 from ..emit.arrangement import ordered
 from ..emit.laws import laws
 from ..emit.page import symbols
@@ -90,7 +90,7 @@ def page_sources(
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & "
         f"{meant.get(n['latex'], n['meaning'])}{here.get(n['latex'], '')}\\\\"
-        for n in front.notation_rows(used)
+        for n in notation_table.recorded(used)
     ]
     main = MAIN % {
         "title": escaped(request.title.strip() or "Scene"),

@@ -1,4 +1,4 @@
-"""Plots of a contact on a graded half-space for a few exponents: pressure, and force over depth where that is free."""
+"""Plots of a contact on a graded half-space for a few exponents: pressure, and force over depth or the surface."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ DIGITS = 10
 PLACES = (0.004, 0.02, *(i / 20 for i in range(1, 18)), 0.88, 0.91, 0.94, 0.965, 0.98, 0.99, 0.996, 0.9995)
 BESIDE = tuple(sign * gap for gap in (2e-4, 1e-3, 3e-3, 7e-3, 0.015, 0.03) for sign in (-1, 1))
 """Places around a break, at which the slope of the pressure is infinite."""
+BESIDE_FACE = (1.0, 3.0)
+"""Radii over that of a face between which the surface is drawn."""
 DEPTHS = ("1", "1.5", "2", "3", "4", "6")
 """Multiples of the depth of the sketch, of which the first is drawn at which every pressure is one."""
 
@@ -41,7 +43,8 @@ def frames(profile: Profile, main: Entries, graded: Entries) -> tuple[Axes, ...]
             continue
         if all(y > 0 for rows in pressures for _, y in rows):
             share = f"{float(depth / family[0].values[nt.a]):g}"
-            return (_pressures(pressures, rf"{names}, at $d={share}\,a$"),)
+            surfaces = [_surface(one.at(d=depth)) for one in family]
+            return (_pressures(pressures, rf"{names}, at $d={share}\,a$"), _surfaces(surfaces, names))
     message = f"{profile.name}: no depth of {', '.join(DEPTHS)} times that of the sketch presses the whole face"
     raise LookupError(message)
 
@@ -62,6 +65,21 @@ def _pressure(numbers: Numbers) -> Rows:
     places = {*PLACES, *(b + gap for b in breaks for gap in BESIDE)}
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in sorted(places) if 0 < x < 1]
     return cut(rows)
+
+
+def _surfaces(family: list[Rows], words: str) -> Axes:
+    """The surface beside a face whose edge is fixed, where force over depth is a straight line."""
+    words = f"{words}, over that of the edge."
+    return axes(("$r/a$", "$w/w(a)$"), BESIDE_FACE, 1.0, family, list(EXPONENTS), ("Graded displacement", words))
+
+
+def _surface(numbers: Numbers) -> Rows:
+    """Displacement over that of the edge, dense where the surface is steep."""
+    radius = numbers["a"]
+    edge = numbers.depth - numbers.shape(radius)
+    start, end = BESIDE_FACE
+    places = [start + (end - start) * (i / 32) ** 2 for i in range(1, 33)]
+    return [(start, 1.0), *((x, float(numbers("w", mp.mpf(x) * radius) / edge)) for x in places)]
 
 
 def _forces(profile: Profile, family: list[Numbers], words: str) -> Axes:

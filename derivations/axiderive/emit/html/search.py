@@ -99,7 +99,7 @@ def _of_front(front: Mapping[str, Any]) -> Iterator[Place]:
         yield title, f"reading.html#{anchor}", also, 0
     for law in front["laws"]:
         yield plain(law.name), "reading.html#laws", f"{law.suffix} viscoelastic law creep relaxation", 0
-    for one in front["notation"]:
+    for one in (row for _, rows in front["notation"] for row in rows):
         names = f"{one['name']} {symbol(one['latex'])} {ALSO.get(one['name'], '')}"
         yield plain(one["meaning"]), f"reading.html#symbol.{one['name']}", names, 3
     for one in front["masters"]:

@@ -164,7 +164,9 @@ def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
         return [_pressure(profile_id, profile)]
     place = nt.x if profile_id.startswith("plane.") else nt.r
     found = []
-    texts = re.findall(r"\$(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place)))
+    texts = re.findall(
+        r"\$(?:\\displaystyle )?(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place))
+    )
     for piece, (tex, condition) in zip(profile.pieces, texts, strict=True):
         values = _panel_point(profile, place, piece is profile.pieces[-1])
         found.append(_at(f"{profile_id}.f", tex, values, piece.expr, f"f({place})", condition))

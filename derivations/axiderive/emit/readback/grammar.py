@@ -44,9 +44,22 @@ def read(tex: str) -> list[Statement]:
     return found
 
 
+def names(tex: str) -> set[str]:
+    """What a reader has to know to read a printed row: its symbols and functions that it does not define itself."""
+    parser = _Parser(tex)
+    found = [parser.statement()]
+    while parser.separator():
+        found.append(parser.statement())
+    defined = {one.members[0].name for one in found[1:]}
+    return parser.used - parser.bound - defined
+
+
 class _Parser(Tokens):
     def __init__(self, tex: str) -> None:
         super().__init__(tex)
+        self.used: set[str] = set()
+        self.bound: set[str] = set()
+        """Variables of integration and summation."""
         self.differentials: list[list[str]] = []
         """Variables of integration met so far, in a list for every integral that is open."""
 
@@ -130,6 +143,7 @@ class _Parser(Tokens):
             return self.integral()
         if token == r"\sum":
             lower, upper, variable = self.limits()
+            self.bound.add(variable)
             return nodes.series(lower, upper, self.product(), variable)
         return self.named(token)
 
@@ -183,6 +197,7 @@ class _Parser(Tokens):
 
     def differential(self) -> Node:
         self.differentials[-1].append(self.take().lstrip("\\"))
+        self.bound.add(self.differentials[-1][-1])
         return Node(lambda env: mp.mpf(1), _DIFFERENTIAL)
 
     def named(self, token: str) -> Node:
@@ -217,6 +232,7 @@ class _Parser(Tokens):
         primes = ""
         while self.peek() == "'":
             primes += self.take()
+        self.used.add(name)
         if name in CALLABLE and self.peek() == "(":
             return self.called(name, f"{name}{primes}()")
         return nodes.symbol(name)
@@ -253,6 +269,7 @@ class _Parser(Tokens):
         r"""E^{*}, and its powers E^{*2}."""
         self.take("^"), self.take("{"), self.take("*")
         base = nodes.symbol(name + "*")
+        self.used.add(base.name)
         if self.peek() == "}":
             self.take("}")
             return base

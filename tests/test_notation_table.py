@@ -1,0 +1,57 @@
+"""The table of the notation in front of the book: nothing that a formula says is missing from it."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+from stored_book import HANDBOOK, PROFILES
+
+from axiderive import notation as nt
+from axiderive.emit import notation_table
+from axiderive.emit.readback.grammar import names
+from axiderive.emit.readback.source import Formula, formulas
+
+ENTRIES = tuple(f"profiles/{name}.tex" for name in PROFILES)
+
+
+@cache
+def _text(path: str) -> str:
+    return (HANDBOOK / path).read_text(encoding="utf-8")
+
+
+def _told(text: str) -> set[str]:
+    """The names of the first column of the table."""
+    table = text.partition(r"\parthead{Notation}")[2].partition(r"\end{longtable}")[0]
+    return {name for cell in re.findall(r"^\$(.*?)\$ &", table, re.MULTILINE) for name in _names(cell)}
+
+
+def _names(tex: str) -> set[str]:
+    """The names of a cell or a row; an approach has a formula on both sides."""
+    return {name for part in re.split(r",\\;|\\to(?![a-z])", tex) if part.strip() for name in names(part)}
+
+
+def _missing(rows: list[Formula], told: set[str]) -> set[str]:
+    return {name for one in rows if one.kind != "function" for name in _names(one.tex)} - told
+
+
+@pytest.mark.parametrize("path", ("handbook.tex", *ENTRIES))
+def test_every_symbol_of_a_formula_is_in_the_table_or_defined_beside_it(path: str) -> None:
+    assert _missing(formulas(_text(path)), _told(_text("handbook.tex"))) == set()
+
+
+def test_a_row_left_out_of_the_table_is_missed() -> None:
+    rows = [one for path in ENTRIES for one in formulas(_text(path))]
+    text = _text("handbook.tex")
+    for latex in (r"\kappa,\;\kappa_j", r"F_{\mathrm c},\;F_{\mathrm m}", r"E^{*}", "J(t)", r"\mu"):
+        assert (line := f"${latex}$ &") in text
+        assert _missing(rows, _told(text.replace(line, "$r$ &")))
+
+
+def test_every_record_has_its_place() -> None:
+    placed = [name for _, members in notation_table.SUBJECTS for name in members]
+    assert len(placed) == len(set(placed))
+    integrated = {"stiffness", "u", "psi"}  # written out, or defined in the row that integrates over it
+    assert {n.name for n in nt.all_notation()} - set(placed) == {*notation_table.INSTEAD, *integrated}
+    assert set(notation_table.INSTEAD.values()) < set(notation_table.IN_PRINT) < set(placed)
