@@ -10,7 +10,7 @@ from typing import Any
 
 from ...contact.systems import Problem
 from ...entry import Entry
-from ..blocks import TITLES, ending, ending_of, rows_of
+from ..blocks import ending, ending_of, heading, rows_of
 from ..calls import Signatures, called, imported, signatures
 from ..prose import prose
 from ..rows import Row
@@ -160,7 +160,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         if block["words"]:
             sections.append(Section(anchor, block["title"], "", [], block["words"]))
             continue
-        problem, (title, note) = problems[name], TITLES[name]
+        problem = problems[name]
+        title, note = heading(problem.system, derived[problem.key])
         records = evidence.get(problem.key, {}).get("entries", {})
         known = Known(problem, records, agreed, signatures(modules[problem.module]))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)

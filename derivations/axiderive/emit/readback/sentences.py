@@ -19,7 +19,9 @@ from ... import notation as nt
 from ...abel.masters import MASTERS
 from ...contact import viscoelastic
 from ...entry import Entry
+from ...profiles.loads import LOADS
 from ...proof.evaluate import evaluate
+from ..printer import Printer
 from .compare import DIGITS, difference
 from .grammar import read
 from .printed import holds, name_in_print, named
@@ -167,6 +169,10 @@ def derivations(entries: Mapping[str, Entries]) -> Iterator[Said]:
         known = named(strip)
         yield Said(r"P/(\pi\sqrt{t^2-x^2})", _equal(flat, {"P": known["P"], "t": known["a"], "x": known["x"]}))
         yield _sunk_profile()
+    for load in LOADS:
+        if load.exponent != nt.sigma:
+            exponent = mp.mpf(load.exponent.p) / load.exponent.q
+            yield Said(f"s={Printer()(load.exponent)}", _equal(exponent, {"s": exponent}))
 
 
 def _sunk_profile() -> Said:
