@@ -79,7 +79,7 @@ def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
     """A row as the template sees it."""
     label, small = one.label
-    if small.startswith("of ") and one.regions[0].condition:  # the range stands where the words would
+    if small.startswith("of first") and one.regions[0].condition:  # the range stands where the words would
         label = f"{label} {small}"
     return {
         "key": one.key,

@@ -160,7 +160,7 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
 
 
 WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
-SHOWN = re.compile(r"\\parbox\[t\]\{27mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 
 
@@ -211,7 +211,7 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
         contact = Contact(entries, given)
         shown = SHOWN.findall(match[2])
         radius = _radius(contact, shown)
-        depth = None if contact.plane else _depth(contact, radius)
+        depth = _depth(contact, radius)
         known = {"a": radius} | ({"d": depth} if "dF" in entries and "d" not in entries else {})
         load = given["P" if contact.plane else "F_N"]
         wanted: dict[str, Callable[[], Any]] = {
