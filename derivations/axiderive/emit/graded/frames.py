@@ -1,4 +1,4 @@
-"""Plots of a contact on a graded half-space for a few exponents: pressure, and force over depth where that is free."""
+"""Plots of a contact on a graded half-space for a few exponents: pressure, and the force or the displacement."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ DIGITS = 10
 PLACES = (0.004, 0.02, *(i / 20 for i in range(1, 18)), 0.88, 0.91, 0.94, 0.965, 0.98, 0.99, 0.996, 0.9995)
 BESIDE = tuple(sign * gap for gap in (2e-4, 1e-3, 3e-3, 7e-3, 0.015, 0.03) for sign in (-1, 1))
 """Places around a break, at which the slope of the pressure is infinite."""
+OUTSIDE = ("1.000001", "1.001", "1.005", "1.015", "1.03", "1.06", *(str(1 + i / 10) for i in range(1, 21)))
+"""Places beside a complete contact, dense at its edge, where the slope is infinite."""
 DEPTHS = ("1", "1.5", "2", "3", "4", "6")
 """Multiples of the depth of the sketch, of which the first is drawn at which every pressure is one."""
 
@@ -35,13 +37,14 @@ def frames(profile: Profile, main: Entries, graded: Entries) -> tuple[Axes, ...]
         return (_pressures(pressures, names), _forces(profile, family, names))
     for factor in map(sp.Rational, DEPTHS):
         depth = family[0].values[nt.d] * factor
+        pressed = [one.at(d=depth) for one in family]
         try:
-            pressures = [_pressure(one.at(d=depth)) for one in family]
+            pressures = [_pressure(one) for one in pressed]
         except LookupError:  # part of the face is not in contact yet
             continue
         if all(y > 0 for rows in pressures for _, y in rows):
             share = f"{float(depth / family[0].values[nt.a]):g}"
-            return (_pressures(pressures, rf"{names}, at $d={share}\,a$"),)
+            return (_pressures(pressures, rf"{names}, at $d={share}\,a$"), _displacements(pressed, names))
     message = f"{profile.name}: no depth of {', '.join(DEPTHS)} times that of the sketch presses the whole face"
     raise LookupError(message)
 
@@ -62,6 +65,15 @@ def _pressure(numbers: Numbers) -> Rows:
     places = {*PLACES, *(b + gap for b in breaks for gap in BESIDE)}
     rows = [(x, float(numbers("p", mp.mpf(x) * radius) / mean)) for x in sorted(places) if 0 < x < 1]
     return cut(rows)
+
+
+def _displacements(pressed: list[Numbers], words: str) -> Axes:
+    """Displacement beside the face over the depth, which is free."""
+    rows = [
+        [(float(x), float(one("w", x * one["a"]) / one.depth)) for x in map(mp.mpf, OUTSIDE)] for one in pressed
+    ]
+    words = f"{words}, beside the face at the same depth."
+    return axes(("$r/a$", "$w/d$"), (1.0, 3.0), 1.25, rows, list(EXPONENTS), ("Graded displacement", words))
 
 
 def _forces(profile: Profile, family: list[Numbers], words: str) -> Axes:

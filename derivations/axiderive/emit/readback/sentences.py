@@ -53,7 +53,7 @@ LISTED = {
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
     "an axis, a legend or a case of a study": (
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
-        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"k\to -1", r"k\to 0", r"k\to 1",
+        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"n\to \infty", r"k\to -1", r"k\to 0", r"k\to 1",
     ),
     "what a function takes the place of, and a root as it is computed": (r"x-\arctan x", "x^2-y^2", "(x-y)(x+y)"),
     "a condition of the derivation": (r"g' \ge  0", "g'=0"),
