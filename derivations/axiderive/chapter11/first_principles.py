@@ -59,7 +59,10 @@ def _inside() -> Iterator[Step]:
         _in_angle(radicand),
     )
     yield Step(
-        "(11.5)", "the square of the derivative of arcsin((s + beta)/sqrt(alpha^2 + beta^2))", sp.diff(angle, s) ** 2, 1 / radicand
+        "(11.5)",
+        "the square of the derivative of arcsin((s + beta)/sqrt(alpha^2 + beta^2))",
+        sp.diff(angle, s) ** 2,
+        1 / radicand,
     )
     yield Step("(11.5)", "upper end, arcsin(1) = pi/2", angle.args[0].subs(s, reach - beta), sp.S.One)
     yield Step("(11.5)", "lower end, sin/cos = beta/alpha (squared)", lower**2 / (1 - lower**2), (beta / alpha) ** 2)

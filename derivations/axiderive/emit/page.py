@@ -99,7 +99,8 @@ def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
 
 STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "
 PLANE_START = STRIP + (
-    r"A contact grows by strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one algebraic integral each."
+    r"A contact grows by strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one "
+    r"algebraic integral each."
 )
 FLAT_START = STRIP + "The punch is such a strip; slope and depth are one integral of its pressure each."
 CONCAVE_START = STRIP + (
@@ -108,7 +109,8 @@ CONCAVE_START = STRIP + (
 )
 LOAD_START = (
     r"Equation (11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}$ "
-    r"with the exponent %s of $1-r^2/a^2$ in the pressure; (11.105) is then one moment, over $(0,r)$ inside and over $(0,a)$ outside."
+    r"with the exponent %s of $1-r^2/a^2$ in the pressure; (11.105) is then one moment, over $(0,r)$ "
+    r"inside and over $(0,a)$ outside."
 )
 TILTED_START = (
     r"The strip carries $p=(\alpha+\beta x)/\sqrt{a^2-x^2}$. Load and moment fix $\alpha$ and $\beta$; the contact "

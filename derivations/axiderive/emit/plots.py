@@ -76,7 +76,7 @@ def _force_references(force: Curve, plane: bool) -> tuple[Curve, ...]:
 
 
 def _cylinder() -> Rows:
-    """Load of a cylinder over its depth, as fractions of the frame: both over those of the half-width that REACH counts."""
+    """Load of a cylinder over its depth, both over those of the half-width that REACH counts; depths over WIDEST."""
     reach = float(REACH)
 
     def depth(width: float) -> float:

@@ -19,12 +19,12 @@ def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list
     return sorted(found, key=lambda one: _alphabetical(one[0]))
 
 
-GREEK = "alpha beta gamma Delta eta theta kappa lambda mu nu sigma tau varphi psi".split()
+GREEK = ("alpha", "beta", "gamma", "Delta", "eta", "theta", "lambda", "mu", "nu", "sigma", "tau", "varphi", "psi")
 
 
 def _alphabetical(latex: str) -> tuple[int, str, str]:
     """Latin letters before Greek ones, small letters before their capitals, a bar and a type for nothing."""
-    first = re.match(r"\\(\w+)", latex)
+    first = re.match(r"\\([A-Za-z]+)", latex)
     greek = GREEK.index(first[1]) + 1 if first and first[1] in GREEK else 0
     letters = re.sub(r"\\(?:bar|frac|mathrm)(?![a-z])|[^\w*]|_", "", latex)
     return greek, letters.lower(), letters.swapcase()

@@ -69,9 +69,7 @@ def _pressure(numbers: Numbers) -> Rows:
 
 def _displacements(pressed: list[Numbers], words: str) -> Axes:
     """Displacement beside the face over the depth, which is free."""
-    rows = [
-        [(float(x), float(one("w", x * one["a"]) / one.depth)) for x in map(mp.mpf, OUTSIDE)] for one in pressed
-    ]
+    rows = [[(float(x), float(one("w", x * one["a"]) / one.depth)) for x in map(mp.mpf, OUTSIDE)] for one in pressed]
     words = f"{words}, beside the face at the same depth."
     return axes(("$r/a$", "$w/d$"), (1.0, 3.0), 1.25, rows, list(EXPONENTS), ("Graded displacement", words))
 
