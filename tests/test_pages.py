@@ -110,7 +110,7 @@ def test_the_matrix_of_the_book_says_what_the_matrix_says() -> None:
         [{"name": "cone", "title": "Cone", "number": "1.1", "status": cells["profiles"]["cone"]}]
     )
     first, *_, last = row["cells"]
-    assert first == r"1\,\ok\;1\,$\int_{46}$\;1\,$\surd_{50}$"
+    assert first == r"1\,\ok\;1\,$\int_{46}$\;1\,$\surd$"  # nearly all have fifty digits
     assert last == r"\textcolor{note}{not verified}"
     assert row["cells"][1] == r"\textcolor{note}{left out}"
     assert len(front.matrix_legend()) == len(matrix.LEGEND)

@@ -14,7 +14,7 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive.contact.systems import Problem, problem
 from axiderive.emit.readback import sentences, statements
-from axiderive.emit.readback.examples import further_examples
+from axiderive.emit.readback.examples import body_constants, further_examples
 from axiderive.emit.readback.further import ENDS, KINDS, Further, further, wrong
 from axiderive.emit.readback.inline import Inline, inline
 from axiderive.emit.readback.numbers import Printout, number
@@ -168,6 +168,14 @@ def test_printed_numbers_follow_from_the_printed_formulas(name: str) -> None:
         for at in (digits[0], digits[-1]):
             changed = one.tex[:at] + str(int(one.tex[at]) % 9 + 1) + one.tex[at + 1 :]
             assert changed == one.tex or one.wrong(changed), changed
+
+
+def test_the_elastic_constants_follow_from_the_printed_formulas() -> None:
+    found = list(body_constants(text_of("profiles/materials.tex"), stored("materials")))
+    assert len(found) == 4
+    for one in found:
+        assert not one.wrong(one.tex), f"{one.place}: {one.tex}, and not {one.want}"
+        assert one.wrong(re.sub(r"\d(?=\\|$)", lambda m: str((int(m[0]) + 1) % 10), one.tex, count=1)), one.tex
 
 
 @pytest.mark.parametrize(

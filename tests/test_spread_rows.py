@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import re
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -13,9 +14,13 @@ from stored_book import evidence, stored
 from axiderive.emit.blocks import blocks
 from axiderive.emit.evidence import evidence_rows
 from axiderive.emit.given import axes_of
+from axiderive.emit.graded.frames import frames
 from axiderive.emit.limits import limit_rows
+from axiderive.emit.plots import plots
 from axiderive.emit.readback.further import Further, wrong
+from axiderive.emit.strips import StripNumbers
 from axiderive.emit.universal import power_of_depth, universal_rows
+from axiderive.emit.values import sketch_values
 from axiderive.profiles import NAMES, load
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
@@ -152,3 +157,40 @@ def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None
     slope = [y / x for x, y in _points(tilt.curves[0]) if 0 < x < 0.5]
     assert max(slope) == pytest.approx(4.0, rel=1e-4) == min(slope)
     assert _points(tilt.curves[0])[-1][1] > 4.0
+
+
+def test_the_cylinder_beside_a_line_load_is_the_parabola() -> None:
+    """Drawn from its own two lines; the plot of the parabola is drawn from its entries."""
+    entries = stored("plane.parabola")
+    profile = entries["P"].profile
+    shown = plots(profile, StripNumbers(profile, entries, sketch_values(profile), 16))
+    cylinder, strip = map(_points, shown.force_references)
+    own = _points(shown.force)
+    for x, y in cylinder[1::9]:
+        (x0, y0), (x1, y1) = next(pair for pair in pairwise(own) if pair[0][0] <= x <= pair[1][0])
+        assert y == pytest.approx(y0 + (y1 - y0) * (x - x0) / (x1 - x0), abs=4e-3)
+    assert all(y == pytest.approx(x) for x, y in strip)
+
+
+def test_the_displacement_beside_a_graded_punch_is_that_of_its_formula() -> None:
+    """Homogeneous: 2/pi arcsin(a/r), one at the edge; a medium that is softer at its surface sinks less around."""
+    entries = stored("flat_punch")
+    _, beside = frames(entries["F"].profile, entries, stored("flat_punch.fgm"))
+    plain, softer = (dict(_points(curve)) for curve in beside.curves[1:])
+    for r in (1.1, 2.0, 3.0):
+        assert plain[r] == pytest.approx(2 / math.pi * math.asin(1 / r), rel=1e-4)
+        assert softer[r] < plain[r]
+
+
+def test_evidence_has_columns_for_what_was_found_and_a_residual_in_every_cell() -> None:
+    """A residual of nothing is a nought and no empty place; several identities have the worst of theirs."""
+    flat = evidence_rows("flat_punch", {"flat_punch": stored("flat_punch")}, {"flat_punch": evidence("flat_punch")})
+    assert flat["heads"] == ["defining integral", "ball arithmetic", "identities", "units"]
+    assert {row["suffix"]: row["cells"][2] for row in flat["table"]}["k"] == r"50\,/\,2\enspace$0$"
+    wedge = evidence_rows(
+        "plane.wedge", {"plane.wedge": stored("plane.wedge")}, {"plane.wedge": evidence("plane.wedge")}
+    )
+    assert wedge["heads"] == ["defining integral", "identities", "units"]
+    cells = {row["suffix"]: row["cells"] for row in wedge["table"]}
+    found = [check for check in evidence("plane.wedge")["entries"]["p"]["checks"] if "singular" in check["compared"]]
+    assert cells["p"][1] == rf"40\,/\,8\enspace${found[0]['worst'].replace('e-', chr(92) + 'times10^{-')}}}$"

@@ -59,7 +59,10 @@ def _inside() -> Iterator[Step]:
         _in_angle(radicand),
     )
     yield Step(
-        "(11.5)", "the square of the derivative of arcsin((s + beta)/reach)", sp.diff(angle, s) ** 2, 1 / radicand
+        "(11.5)",
+        "the square of the derivative of arcsin((s + beta)/sqrt(alpha^2 + beta^2))",
+        sp.diff(angle, s) ** 2,
+        1 / radicand,
     )
     yield Step("(11.5)", "upper end, arcsin(1) = pi/2", angle.args[0].subs(s, reach - beta), sp.S.One)
     yield Step("(11.5)", "lower end, sin/cos = beta/alpha (squared)", lower**2 / (1 - lower**2), (beta / alpha) ** 2)
@@ -82,7 +85,7 @@ def _outside() -> Iterator[Step]:
     )
     yield Step(
         "(11.9), (11.10)",
-        "the square of the derivative of arcsin((s - beta)/reach)",
+        "the square of the derivative of arcsin((s - beta)/sqrt(alpha^2 + beta^2))",
         sp.diff(sp.asin(sine), s) ** 2,
         1 / (alpha + 2 * beta * s - s**2),
     )
@@ -136,7 +139,7 @@ def _graded_inside() -> Iterator[Step]:
     half = HALF * sp.beta((1 - k) / 2, (1 + k) / 2)
     yield Step(
         "(11.38)",
-        "even part: int over u = v^2 is a Beta function, times 2F1(1, (1-k)/2; 1; q^2)",
+        "even part: the integral over u = v^2 is a Beta function, times 2F1(1, (1-k)/2; 1; q^2)",
         half,
         sp.pi / (2 * sp.sin(sp.pi * (1 + k) / 2)),
     )
@@ -149,7 +152,7 @@ def _graded_inside() -> Iterator[Step]:
     )
     yield Step(
         "(11.38)",
-        "odd part: int over u = v^2 is a Beta function",
+        "odd part: the integral over u = v^2 is a Beta function",
         HALF * sp.beta(1 - k / 2, (1 + k) / 2),
         sp.gamma(1 - k / 2) * sp.gamma((1 + k) / 2) / sp.sqrt(sp.pi),
     )

@@ -28,8 +28,7 @@ TITLES = {
     "normal": ("Normal contact", ""),
     "adhesive": (
         "Adhesive contact",
-        r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$; "
-        r"pull-off under force control, $a_{\mathrm c}$, and under depth control, $a_{\mathrm m}$",
+        r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$",
     ),
     "tangential": (
         "Tangential contact",
@@ -49,6 +48,7 @@ TITLES = {
     "loads": ("Displacement", ""),
     "materials": ("Elastic constants", ""),
 }
+PULL_OFF = r"pull-off under force control, $a_{\mathrm c}$, and under depth control, $a_{\mathrm m}$"
 
 
 @dataclass(frozen=True)
@@ -66,9 +66,21 @@ class Block:
     """Lines of rows without a key: evaluation forms, limits, the universal curve."""
 
 
+def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
+    """Title and note of a block; a note speaks of what the block has rows for only."""
+    title, note = TITLES[system.name]
+    if system.name == "adhesive" and "am" in entries:
+        return title, f"{note}; {PULL_OFF}"
+    if system.name == "plane" and "d" not in entries:
+        return title, "load $P$ per length at $x=e$"
+    return title, note
+
+
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
     """A row as the template sees it."""
     label, small = one.label
+    if small.startswith("of first") and one.regions[0].condition:  # the range stands where the words would
+        label = f"{label} {small}"
     return {
         "key": one.key,
         "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
@@ -77,7 +89,7 @@ def printed(one: Row, profile_id: str) -> dict[str, Any]:
         "shown": ", ".join([ending(one.entry, profile_id), *(e.suffix.partition("_")[2] for e in one.also)]),
         "label": label,
         "small": small,
-        "regions": [{"condition": r.condition, "tex": r.tex} for r in one.regions],
+        "regions": [{"condition": r.condition, "tex": r.tex, "remark": r.remark} for r in one.regions],
         "remark": one.remark,
         "uses": one.uses and ending_of(one.uses, one.entry, profile_id),
     }
@@ -112,9 +124,8 @@ def blocks(
             continue
         problem = Problem(system, name)
         if problem.key in derived:
-            found[system.name] = _block(
-                system, profile_id, rows_of(system, derived[problem.key], derived, problem.name)
-            )
+            rows = rows_of(system, derived[problem.key], derived, problem.name)
+            found[system.name] = _block(system, profile_id, rows, heading(system, derived[problem.key]))
             further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
             found[system.name].further.extend(_halved(further))
         else:
@@ -179,11 +190,12 @@ def _kind(one: Mapping[str, Any]) -> str:
 
 def _reason(message: str) -> str:
     """The message of the refusal without the name of the profile and without the call to use instead."""
-    return message.partition(" is ")[2].partition(": use ")[0] or message
+    text = message.partition(" is ")[2].partition(": use ")[0] or message
+    return text.replace("complete contact and knows", "complete contact knows")
 
 
 def _silent(system: System, words: str) -> Block:
-    title, note = TITLES[system.name]
+    title, _ = TITLES[system.name]
     return Block(title, "", [], [], words)
 
 
@@ -196,13 +208,11 @@ def rows_of(
     return laws.rows(entries, derived[Problem(BY_NAME["normal"], name).key])
 
 
-def _block(system: System, profile_id: str, rows: list[Row]) -> Block:
-    title, note = TITLES[system.name]
+def _block(system: System, profile_id: str, rows: list[Row], head: tuple[str, str]) -> Block:
     shown = [one for one in rows if not one.listed]
     pairs = [(one,) for one in shown] if system.name == "viscoelastic" else lines(shown)
     return Block(
-        title,
-        note,
+        *head,
         [[printed(one, profile_id) for one in pair] for pair in pairs],
         [ending(one.entry, profile_id) for one in rows if one.listed],
     )

@@ -109,6 +109,7 @@ def model(
         "chart": _chart(summaries),
         "matrix": front.matrix_rows(summaries),
         "signs": front.matrix_legend(),
+        "full": front.FULL,
         "chapter11": chapter11 and _chapter(chapter11),
         "studies": drawn,
         "works": [

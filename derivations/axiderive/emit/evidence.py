@@ -13,10 +13,11 @@ from .prose import prose
 
 def evidence_rows(
     profile_id: str, own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
-) -> dict[str, list[dict[str, Any]]]:
+) -> dict[str, Any]:
     """Certificate and checks of every entry; nothing is claimed that is not recorded.
 
-    Those of the problem the spread begins with as a table, the others in short: the fewest digits that agreed.
+    Those of the problem the spread begins with as a table without empty columns, the others in short: the fewest
+    digits that agreed.
     """
     table: list[dict[str, Any]] = []
     grid: list[dict[str, Any]] = []
@@ -28,7 +29,10 @@ def evidence_rows(
                 continue
             found = _evidence(entry, records[suffix], measured.get(suffix, {}), profile_id)
             (table if key == profile_id else grid).append(found)
-    return {"table": table, "grid": grid}
+    used = [i for i, _ in enumerate(KINDS) if any(row["cells"][i] != NOTHING for row in table)]
+    for row in table:
+        row["cells"] = [row["cells"][i] for i in used]
+    return {"heads": [list(KINDS.values())[i] for i in used], "table": table, "grid": grid}
 
 
 def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
@@ -61,7 +65,12 @@ def approach_summary(lines: Sequence[Sequence[Mapping[str, Any]]]) -> dict[str, 
     }
 
 
-KINDS = ("quadrature", "enclosure", "identity", "units")
+KINDS = {
+    "quadrature": "defining integral", "enclosure": "ball arithmetic", "identity": "identities", "units": "units",
+}  # fmt: skip
+"""Heads of the columns of the evidence table by the kind of check."""
+NOTHING = "--"
+"""The cell of a kind of check that an entry has not passed."""
 
 
 def kind_of(compared: str) -> str:
@@ -85,7 +94,10 @@ def missing_certificates(
             reason = record.get("certificate", {}).get("reason", "")
             if not record.get("certified") and reason:
                 groups.setdefault(_reason(reason, entry.key, profile_id), []).append(entry.key[len(profile_id) + 1 :])
-    return [(suffixes, reason) for reason, suffixes in groups.items()]
+    return [
+        (suffixes, reason.replace("as they rest", "as it rests") if len(suffixes) == 1 else reason)
+        for reason, suffixes in groups.items()
+    ]
 
 
 _RESTS = re.compile(r"rests on (\S+), which is not proved|(\S+) is ((?:the root|an integral).*)")
@@ -93,7 +105,7 @@ _RESTS = re.compile(r"rests on (\S+), which is not proved|(\S+) is ((?:the root|
 
 def _reason(text: str, key: str, profile_id: str) -> str:
     """The reason in words; another entry of the spread by the end of its key."""
-    plain = text.removeprefix(f"{key} is ")
+    plain = text.removeprefix(f"{key} is ").removeprefix(f"{key.rpartition('.')[2]} is ")
     found = _RESTS.fullmatch(plain)
     base = (found[1] or found[2]) if found else ""
     if not base.startswith(f"{profile_id}."):
@@ -102,18 +114,16 @@ def _reason(text: str, key: str, profile_id: str) -> str:
 
 
 def _agreement(checks: list[Any]) -> str:
-    """Digits / points and the worst residual; the fewest digits / all points of several identities."""
+    """The fewest digits / all points, and the worst residual of all."""
     if not checks:
-        return "--"
+        return NOTHING
     counted = [check for check in checks if check.get("digits")]
     if not counted:
         return r"\ok"
     least = min(check["digits"] for check in counted)
-    if len(checks) > 1:
-        return rf"{least}\,/\,{sum(check['count'] for check in counted)}"
-    (check,) = counted
-    worst = rf"\enspace${power_of_ten(check['worst'])}$" if check.get("worst") and float(check["worst"]) else ""
-    return rf"{least}\,/\,{check['count']}{worst}"
+    worst = max((check["worst"] for check in counted), key=float)
+    residual = power_of_ten(worst) if float(worst) else "0"
+    return rf"{least}\,/\,{sum(check['count'] for check in counted)}\enspace${residual}$"
 
 
 FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}

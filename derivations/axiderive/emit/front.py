@@ -110,8 +110,10 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     return found
 
 
-SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ_{%s}$", "∫": r"\,$\int_{%s}$", "√": r"\,$\surd_{%s}$"}
+SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ%s$", "∫": r"\,$\int%s$", "√": r"\,$\surd%s$"}
 """The signs of the matrix in print, with the digits of those that have them."""
+FULL = "50"
+"""The digits that are not printed behind a sign, because nearly all have them."""
 
 
 def matrix_rows(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
@@ -129,7 +131,7 @@ def matrix_rows(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
 
 def matrix_legend() -> list[tuple[str, str]]:
     """What the signs of the matrix mean."""
-    return [(_sign_text(f"{sign}").replace("_{}", ""), words) for sign, words in matrix.LEGEND.items()]
+    return [(_sign_text(sign), words) for sign, words in matrix.LEGEND.items()]
 
 
 def _sign_text(cell: str) -> str:
@@ -139,7 +141,8 @@ def _sign_text(cell: str) -> str:
         count, _, found = part.rpartition(" ")
         sign, digits = found[:1], found[1:]
         if sign in SIGNS:
-            parts.append(count + (SIGNS[sign] % digits if digits or "%s" in SIGNS[sign] else SIGNS[sign]))
+            behind = f"_{{{digits}}}" if digits not in ("", FULL) else ""
+            parts.append(count + (SIGNS[sign] % behind if "%s" in SIGNS[sign] else SIGNS[sign]))
         else:
             parts.append(rf"\textcolor{{note}}{{{part.replace('–', '--')}}}")
     return r"\;".join(parts)

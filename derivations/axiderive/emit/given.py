@@ -65,7 +65,7 @@ def _load_axes(load: Load, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
         axes(("$r/a$", "$p/p_0$"), (0.0, 1.0), 2.0, pressures, labels, ("Pressure", f"{words}.")),
         axes(
             ("$r/a$", "$w E^{*}/(p_0 a)$"), (0.0, 3.0), 3.2, displacements, labels,
-            ("Displacement", "of the surface, inside and outside the loaded circle."),
+            ("Displacement", "of the surface, inside and outside the circle."),
         ),
     )  # fmt: skip
 

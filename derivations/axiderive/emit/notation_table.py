@@ -79,11 +79,12 @@ def recorded(used: AbstractSet[str]) -> list[Row]:
 def _row(name: str) -> Row:
     if name in IN_PRINT:
         latex, unit, meaning = IN_PRINT[name]
-        return {
-            "name": name.removeprefix(":"), "latex": latex, "unit": _unit(unit), "meaning": prose(meaning), "domain": "",
-        }  # fmt: skip
-    n = nt.describe(name)
-    return {"name": name, "latex": n.latex, "unit": _unit(n.unit), "meaning": prose(n.meaning), "domain": domain(n)}
+        limits = ""
+    else:
+        n = nt.describe(name)
+        latex, unit, meaning, limits = n.latex, n.unit, n.meaning, domain(n)
+    anchor = name.removeprefix(":")
+    return {"name": anchor, "latex": latex, "unit": _unit(unit), "meaning": prose(meaning), "domain": limits}
 
 
 def _unit(unit: str) -> str:

@@ -12,6 +12,7 @@ from .. import notation as nt
 from ..abel import masters
 from ..contact.systems import BODIES
 from ..entry import Entry
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .printer import Printer
 from .symbols import LETTERS
@@ -112,13 +113,20 @@ def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
     return lines
 
 
-PLANE_START = (
-    r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. A contact grows by "
-    r"strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one algebraic integral each."
+STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "
+PLANE_START = STRIP + (
+    r"A contact grows by strips of the load $P'(t)\,\mathrm dt$; pressure, slope and depth are one "
+    r"algebraic integral each."
+)
+FLAT_START = STRIP + "The punch is such a strip; slope and depth are one integral of its pressure each."
+CONCAVE_START = STRIP + (
+    "The concave face is a sum of strips of negative load; what they leave of the load is carried by the widest "
+    "strip, whose edge is fixed."
 )
 LOAD_START = (
-    r"(11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}$; "
-    r"(11.105) is then one moment, over $(0,r)$ inside and over $(0,a)$ outside."
+    r"Equation (11.104) gives $w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}$ "
+    r"with the exponent %s of $1-r^2/a^2$ in the pressure; (11.105) is then one moment, over $(0,r)$ "
+    r"inside and over $(0,a)$ outside."
 )
 TILTED_START = (
     r"The strip carries $p=(\alpha+\beta x)/\sqrt{a^2-x^2}$. Load and moment fix $\alpha$ and $\beta$; the contact "
@@ -134,10 +142,12 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
         return ""
     if nt.e in profile.parameters:
         return TILTED_START
-    if profile_id.startswith("plane."):
-        start = PLANE_START
-    elif profile_id.startswith("loads."):
-        start = LOAD_START
+    if isinstance(profile, Load):
+        free = profile.exponent == nt.sigma
+        start = LOAD_START % ("$s$" if free else f"$s={Printer()(profile.exponent)}$")
+    elif profile_id.startswith("plane."):
+        face = CONCAVE_START if nt.h in profile.parameters else FLAT_START
+        start = face if profile.contact == "complete" else PLANE_START
     elif profile.contact == "complete":
         start = (
             r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ "

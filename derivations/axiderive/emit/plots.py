@@ -18,7 +18,7 @@ import sympy as sp
 from .. import notation as nt
 from ..profiles.profile import Profile
 from .labels import HIGHEST, Curve, Rows, coordinates, labelled
-from .strips import StripNumbers
+from .strips import REACH, StripNumbers
 from .values import Numbers
 
 TOP = HIGHEST * 1.06
@@ -55,23 +55,36 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
     words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
-    known = () if plane else _force_references(force)
+    known = _force_references(force, plane)
     return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, known, reference, *words)
 
 
-def _force_references(force: Curve) -> tuple[Curve, ...]:
-    """Sphere and flat punch through (1, 1), labelled beside the force of the profile."""
+def _force_references(force: Curve, plane: bool) -> tuple[Curve, ...]:
+    """Sphere and flat punch through (1, 1), of a plane contact cylinder and strip, labelled beside the own curve."""
     own = [(float(x) / WIDEST, float(y)) for x, y in PAIR.findall(force.coordinates)]
     depths = [i / 50 for i in range(51)]
-    family = [own, [(x, (WIDEST * x) ** 1.5) for x in depths], [(x, WIDEST * x) for x in depths]]
+    round_one = _cylinder() if plane else [(x, (WIDEST * x) ** 1.5) for x in depths]
+    family = [own, round_one, [(x, WIDEST * x) for x in depths]]
     found: list[Curve] = []
-    for i, label in ((1, "sphere"), (2, "flat punch")):
+    for i, label in ((1, "cylinder" if plane else "sphere"), (2, "flat strip" if plane else "flat punch")):
         curve = labelled(family, i, label, [(other.x, other.y) for other in found])
         found.append(curve)
     return tuple(
         replace(curve, x=WIDEST * curve.x, coordinates=coordinates([(WIDEST * x, y) for x, y in rows]))
         for curve, rows in zip(found, family[1:], strict=True)
     )
+
+
+def _cylinder() -> Rows:
+    """Load of a cylinder over its depth, both over those of the half-width that REACH counts; depths over WIDEST."""
+    reach = float(REACH)
+
+    def depth(width: float) -> float:
+        return reach**2 + width**2 * math.acosh(reach / width) - reach * math.sqrt(reach**2 - width**2)
+
+    widths = [i / 40 for i in range(1, 81)]
+    rows = [(depth(width) / depth(1.0) / WIDEST, width**2) for width in widths]
+    return [(0.0, 0.0), *((x, y) for x, y in rows if x <= 1)]
 
 
 def _scaled(rows: Rows, factor: float) -> Rows:
@@ -191,6 +204,8 @@ def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
         rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
         unit = "P_1=P(a_1)" if numbers.place("p") == nt.x else r"F_1=F_{\mathrm N}(a_1)"
         reference = f"$d_1=d(a_1)$, ${unit}$" + _reference(profile, numbers)
+        if numbers.place("p") == nt.x and rows[-1][0] < 0.99 * WIDEST:
+            reference += "; to the half-width $L$"
     x, y = rows[int(len(rows) * 0.7)]
     return Curve(coordinates(rows), "", round(x, 3), round(y, 3)), reference
 
@@ -233,7 +248,7 @@ def contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
     elif profile.largest is not None:
         highest = numbers.values[nt.s] * mp.mpf("1.5")
     if numbers.place("p") == nt.x:
-        highest = radius * mp.mpf("2.65")
+        highest = mp.mpf(REACH.p) / REACH.q * radius * (1 - mp.mpf("1e-6"))
     if numbers.at(a=highest)("d") <= goal:
         return low, highest
     below, above = radius, highest

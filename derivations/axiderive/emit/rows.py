@@ -32,6 +32,8 @@ class Region:
 
     condition: str
     lines: tuple[str, ...]
+    remark: str = ""
+    """Words that lead from this formula to that of the next range."""
 
     @property
     def tex(self) -> str:
@@ -130,6 +132,8 @@ def _formula(entry: Entry) -> Row:
     for pairs, expr in regions(entry):
         found.append(_region(entry, pairs, expr, left))
         left = left.partition("=")[0]
+    if len(found) > 1 and isinstance(expr, sp.Equality):
+        found[-2] = replace(found[-2], remark=f"and beyond, ${left}$ is the root of")
     return Row(entry, "formula", tuple(found))
 
 

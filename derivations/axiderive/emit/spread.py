@@ -24,7 +24,7 @@ from .sketch_given import load_sketch
 from .sketch_tilted import tilted_sketch
 from .strips import StripNumbers
 from .values import Numbers, sketch_values
-from .worked import worked, worked_given
+from .worked import worked, worked_bodies, worked_given
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
@@ -117,6 +117,8 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
         if isinstance(profile, Load):
             return texts | {"load_picture": load_sketch(profile, main)}
         return texts | {"tilted_picture": tilted_sketch(profile, main)}
+    if "E_star" in main:
+        texts["worked"] = worked_bodies(main)
     if not main or "p" not in main:
         return texts
     values = sketch_values(profile)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -18,7 +19,18 @@ def symbol_index(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list
         places = [(m["name"], m["number"]) for m in summaries if symbol.name in m["symbols"]]
         if places and symbol.name not in ("j", "N", "stiffness") and 2 * len(places) <= len(summaries):
             found.append((NAMES.get(symbol.name, symbol.latex), _runs(places)))
-    return found
+    return sorted(found, key=lambda one: _alphabetical(one[0]))
+
+
+GREEK = ("alpha", "beta", "gamma", "Delta", "eta", "theta", "lambda", "mu", "nu", "sigma", "tau", "varphi", "psi")
+
+
+def _alphabetical(latex: str) -> tuple[int, str, str]:
+    """Latin letters before Greek ones, small letters before their capitals, a bar and a type for nothing."""
+    first = re.match(r"\\([A-Za-z]+)", latex)
+    greek = GREEK.index(first[1]) + 1 if first and first[1] in GREEK else 0
+    letters = re.sub(r"\\(?:bar|frac|mathrm)(?![a-z])|[^\w*]|_", "", latex)
+    return greek, letters.lower(), letters.swapcase()
 
 
 def _runs(places: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:

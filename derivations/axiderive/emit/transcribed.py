@@ -16,7 +16,7 @@ NAMES = {
     "E*": "E^{*}", "w1D": r"w_{\mathrm{1D}}", "p0": "p_0", "c0": "c_0", "u0": "u_0", "h_N": r"h_{\mathrm N}",
     "R_F": r"R_{\mathrm F}", "H_n": "H_n", "dl": r"\Delta\ell", "dgamma": r"\Delta\gamma", "2F1": r"{}_2F_1",
     "drho": r"\,\mathrm d\rho", "dxi": r"\,\mathrm d\xi", "dy": r"\mathrm dy", "dv": r"\mathrm dv",
-    "dg": r"\mathrm dg", "reach": r"\mathrm{reach}", "<=": r"\le", "dr": r"\,\mathrm dr", "Re": r"\operatorname{Re}",
+    "dg": r"\mathrm dg", "<=": r"\le", "dr": r"\,\mathrm dr", "Re": r"\operatorname{Re}",
 }  # fmt: skip
 """Names of the transcription in print; the longest that fits is taken."""
 SYMBOL = "|".join(map(re.escape, sorted(NAMES, key=len, reverse=True)))

@@ -37,8 +37,9 @@ def frames(profile: Profile, main: Entries, graded: Entries) -> tuple[Axes, ...]
         return (_pressures(pressures, names), _forces(profile, family, names))
     for factor in map(sp.Rational, DEPTHS):
         depth = family[0].values[nt.d] * factor
+        pressed = [one.at(d=depth) for one in family]
         try:
-            pressures = [_pressure(one.at(d=depth)) for one in family]
+            pressures = [_pressure(one) for one in pressed]
         except LookupError:  # part of the face is not in contact yet
             continue
         if all(y > 0 for rows in pressures for _, y in rows):

@@ -10,7 +10,7 @@ from typing import Any
 
 from ...contact.systems import Problem
 from ...entry import Entry
-from ..blocks import TITLES, ending, ending_of, rows_of
+from ..blocks import ending, ending_of, heading, rows_of
 from ..calls import Signatures, Values, assigned, called, examples, imported, signatures
 from ..prose import prose
 from ..rows import Row
@@ -162,7 +162,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         if block["words"]:
             sections.append(Section(anchor, block["title"], "", [], block["words"]))
             continue
-        problem, (title, note) = problems[name], TITLES[name]
+        problem = problems[name]
+        title, note = heading(problem.system, derived[problem.key])
         records = evidence.get(problem.key, {}).get("entries", {})
         source = modules[problem.module]
         known = Known(problem, records, agreed, signatures(source), examples(source))

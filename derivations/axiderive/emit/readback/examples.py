@@ -16,7 +16,7 @@ from .grammar import read
 from .nodes import environment
 from .numbers import DIGITS, Contact, Printout, given_in, number
 from .printed import Printed, name_in_print
-from .tables import heading
+from .tables import SHOWN, WORKED, heading
 
 Entries = Mapping[str, Entry]
 Stored = Callable[[str], Entries]
@@ -117,15 +117,36 @@ def _graded(text: str, words: str, shown: dict[str, str], name: str, stored: Sto
     )
 
 
+def body_constants(text: str, constants: Entries) -> Iterator[Printout]:
+    """The numbers of the worked example of the elastic constants, by their printed formulas."""
+    match = WORKED.search(text)
+    if match is None:
+        message = "no worked example among the elastic constants; the spread prints one"
+        raise ValueError(message)
+    with mp.workdps(DIGITS):
+        stated = given_in(match[1])
+        wanted: Wanted = {
+            "E^{*}": lambda: 1 / _value(row(constants["E_star"]), stated),
+            "G^{*}": lambda: 1 / _value(row(constants["G_star"]), stated),
+            r"h_{\mathrm N}": lambda: _with_factor(constants, stated)["h_N"],
+            "H": lambda: _foundation_modulus(constants, stated),
+        }
+        yield from _printouts("constant", dict(SHOWN.findall(match[2])), wanted)
+
+
 def _foundation_modulus(constants: Entries, stated: Mapping[str, Any]) -> Any:
-    """H by its printed formula and that of its factor, whose shorthand stands in the panel of the definitions."""
+    """H by its printed formula."""
+    return _value(row(constants["H"]), _with_factor(constants, stated))
+
+
+def _with_factor(constants: Entries, stated: Mapping[str, Any]) -> dict[str, Any]:
+    """The factor of H by its printed formula, whose shorthand stands in the panel of the definitions."""
     env = {key: value for key, value in stated.items() if key != "H"}
     factor = constants["h_N"]
     for symbol, expr in factor.profile.abbreviations:
         values = {s: sp.Float(str(env[name_in_print(s)]), DIGITS) for s in expr.free_symbols}
         env[name_in_print(symbol)] = mp.mpf(str(expr.subs(values)))
-    env[name_in_print(factor.quantity.symbol)] = _value(row(factor), env)
-    return _value(row(constants["H"]), env)
+    return env | {name_in_print(factor.quantity.symbol): _value(row(factor), env)}
 
 
 def _relaxing(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:

@@ -19,7 +19,9 @@ from ... import notation as nt
 from ...abel.masters import MASTERS
 from ...contact import viscoelastic
 from ...entry import Entry
+from ...profiles.loads import LOADS
 from ...proof.evaluate import evaluate
+from ..printer import Printer
 from .compare import DIGITS, difference
 from .grammar import read
 from .printed import holds, name_in_print, named
@@ -51,7 +53,7 @@ LISTED = {
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
     "an axis, a legend or a case of a study": (
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
-        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"k\to -1", r"k\to 0", r"k\to 1",
+        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"n\to \infty", r"k\to -1", r"k\to 0", r"k\to 1",
     ),
     "what a function takes the place of, and a root as it is computed": (r"x-\arctan x", "x^2-y^2", "(x-y)(x+y)"),
     "a condition of the derivation": (r"g' \ge  0", "g'=0"),
@@ -167,6 +169,10 @@ def derivations(entries: Mapping[str, Entries]) -> Iterator[Said]:
         known = named(strip)
         yield Said(r"P/(\pi\sqrt{t^2-x^2})", _equal(flat, {"P": known["P"], "t": known["a"], "x": known["x"]}))
         yield _sunk_profile()
+    for load in LOADS:
+        if load.exponent != nt.sigma:
+            exponent = mp.mpf(load.exponent.p) / load.exponent.q
+            yield Said(f"s={Printer()(load.exponent)}", _equal(exponent, {"s": exponent}))
 
 
 def _sunk_profile() -> Said:

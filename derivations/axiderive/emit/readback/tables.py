@@ -22,8 +22,8 @@ _CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.
 _COLUMNS = re.compile(r"\$([^$]+)\$\\enspace\\own\{(\w+)\}")
 _HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
 _LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
-_WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
-_SHOWN = re.compile(r"\\parbox\[t\]\{27mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
+SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 
 
@@ -49,7 +49,7 @@ def heading(text: str) -> Heading:
     LookupError
         If the spread has none, or it does not name a material.
     """
-    match = _WORKED.search(text)
+    match = WORKED.search(text)
     words = match[1] if match else ""
     material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
     if not material or not stated:
@@ -81,13 +81,13 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
 
 def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
     """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
-    match = _WORKED.search(text)
+    match = WORKED.search(text)
     if match is None:
         return
     with mp.workdps(DIGITS):
         solid = heading(text)
         yield Printout("worked example E*", solid.stated, solid.given["E*"])
-        contact, shown = Contact(entries, solid.given), _SHOWN.findall(match[2])
+        contact, shown = Contact(entries, solid.given), SHOWN.findall(match[2])
         known = _known(contact)
         wanted = known[0] if known else _loaded(contact, shown, solid.separation, adhesive or {})
         for name, tex in shown:
@@ -115,7 +115,7 @@ def _pressed(contact: Contact) -> tuple[Wanted, Columns]:
 def _loaded(contact: Contact, shown: list[tuple[str, str]], separation: str, adhesive: Entries) -> Wanted:
     """Of a contact under the load that is given."""
     radius = _radius(contact, shown)
-    depth = None if contact.plane else _depth(contact, radius)
+    depth = _depth(contact, radius)
     known = {"a": radius} | ({"d": depth} if "dF" in contact.entries and "d" not in contact.entries else {})
     load = contact.given["P" if contact.plane else "F_N"]
     return {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -32,8 +33,8 @@ def table(record: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 
 def _limit(text: str) -> str:
-    """b -> 0 as mathematics, words as words."""
-    left, arrow, right = text.partition(" -> ")
+    """b -> 0 as mathematics, also where it is said as n large; words as words."""
+    left, arrow, right = re.sub(r"^(\w) large$", r"\1 -> infinity", text).partition(" -> ")
     return rf"${left}\to {right.replace('infinity', chr(92) + 'infty')}$" if arrow else escaped(text)
 
 

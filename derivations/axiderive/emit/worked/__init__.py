@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .given import worked_given
+from .given import worked_bodies, worked_given
 from .normal import worked
 
-__all__ = ["worked", "worked_given"]
+__all__ = ["worked", "worked_bodies", "worked_given"]

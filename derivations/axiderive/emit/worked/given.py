@@ -1,4 +1,4 @@
-"""Worked examples of what has no profile: prescribed pressures, and the punch that an eccentric load tilts."""
+"""Worked examples of what has no profile: prescribed pressures, a punch under an eccentric load, elastic constants."""
 
 from __future__ import annotations
 
@@ -13,11 +13,36 @@ from ...entry import Entry
 from ...profiles.loads import Load
 from ...profiles.profile import Profile
 from ..values import Values, evaluated
-from .cases import BLOCK
+from .cases import BLOCK, CERAMIC
 from .quantities import DIGITS, given_text, quantity_text
 
 PRESSED: Mapping[sp.Symbol, str] = {nt.p_0: "500e6", nt.a: "2e-3", nt.sigma: "2"}
 TILTED: Mapping[sp.Symbol, str] = {nt.P: "1e6", nt.a: "2e-3", nt.e: "5e-4"}
+BODIES: Mapping[sp.Symbol, str] = {nt.young_1: "210e9", nt.nu_1: "0.3", nt.young_2: "70e9", nt.nu_2: "0.33"}
+"""Steel and aluminium."""
+GRADED: Mapping[sp.Symbol, str] = {nt.E_0: CERAMIC.E_0, nt.c_0: CERAMIC.c_0, nt.k: CERAMIC.k, nt.nu: CERAMIC.nu}
+
+
+def worked_bodies(entries: Mapping[str, Entry]) -> dict[str, Any]:
+    """Two bodies in one modulus, and a graded half-space."""
+    values: Values = {symbol: sp.Rational(text) for symbol, text in {**BODIES, **GRADED}.items()}
+    with mp.workdps(DIGITS):
+        for symbol, expr in entries["h_N"].profile.abbreviations:
+            values[symbol] = evaluated(expr, values)
+        normal, shear, modulus, factor = (
+            mp.re(evaluated(entries[suffix].cases[0].expr, values)) for suffix in ("E_star", "G_star", "H", "h_N")
+        )
+        numbers = [
+            ("E^{*}", quantity_text(normal, "Pa"), "E_star"),
+            ("G^{*}", quantity_text(shear, "Pa"), "G_star"),
+            (r"h_{\mathrm N}", mp.nstr(factor, 4, strip_zeros=False), "h_N"),
+            ("H", rf"{quantity_text(modulus, 'Pa')[:-1]}\,m}}^{{-k}}", "H"),
+        ]
+    bodies, graded = (
+        ", ".join(f"${nt.describe(symbol).latex}={given_text(symbol.name, text)}$" for symbol, text in known.items())
+        for known in (BODIES, GRADED)
+    )
+    return {"words": f"steel on aluminium, {bodies}; {CERAMIC.words}, {graded}", "numbers": numbers, "further": []}
 
 
 def worked_given(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:

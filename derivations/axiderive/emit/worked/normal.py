@@ -17,6 +17,9 @@ from .contact import loaded, number, parameters, pull_off
 from .further import further
 from .quantities import given_text, quantity_text, stated_text
 
+DISTANCE = sp.Rational(5, 100)
+"""Of the point that the depth of a plane example is related to, in m."""
+
 
 def worked(
     profile_id: str, profile: Profile, derived: Mapping[str, Mapping[str, Entry]], make: Callable[..., Numbers]
@@ -34,9 +37,10 @@ def worked(
     radius = numbers["a"]
     mean, half = numbers.mean_pressure, numbers("p", radius / 2)
     plane = numbers.place("p") == nt.x
+    depth = numbers("d", number(DISTANCE)) if plane else numbers.depth
     shown = [
-        ("a", radius, "m", ("aP" if plane else "aF") if numbers.compact else ""),
-        *([] if plane else [("d", numbers.depth, "m", "d" if "d" in entries else "dF")]),
+        *([("a", radius, "m", "aP" if plane else "aF")] if numbers.compact else []),
+        ("d", depth, "m", "d" if "d" in entries else "dF"),
         (r"\bar p", mean, "Pa", "pm" if "pm" in entries else ""),
         ("p(a/2)", half, "Pa", "p"),
     ]
@@ -50,9 +54,10 @@ def worked(
     ]
     name, unit = ("P", "N/m") if plane else (r"F_{\mathrm N}", "N")
     load = f"${name}={stated_text(mp.mpf(case.load), unit)}$"
+    distance = [f"$L={stated_text(number(DISTANCE), 'm')}$"] if plane else []
     modulus = rf"$E^{{*}}={quantity_text(number(case.material.modulus), 'Pa')}$"
     return {
-        "words": "; ".join([case.material.words, modulus, *given, load]),
+        "words": "; ".join([case.material.words, modulus, *given, load, *distance]),
         "numbers": [(name, quantity_text(value, unit), key) for name, value, unit, key in shown],
         "further": further(profile_id, derived, case, numbers),
     }
