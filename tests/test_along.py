@@ -45,7 +45,7 @@ def test_the_rule_is_called_at_few_radii() -> None:
 
     def error(edge: float | None) -> float:
         with np.errstate(all="ignore"):
-            got = _along.along(exact, r, [_along.Course(0.0, True, 100.0, True, edge)], 0.0, 10.0)
+            got = _along.along(exact, r, _along.Course(0.0, 100.0, True, edge), 0.0, 10.0)
         return float(np.max(np.abs(got / wanted - 1.0)))
 
     assert error(10.0) <= MOST * EPS
