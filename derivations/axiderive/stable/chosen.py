@@ -8,6 +8,7 @@ CHOSEN = {
     "flat_punch.w": "angles of quotients",
     "hyperboloid.d": "angles of quotients",
     "rounded_cone.d": "angles of quotients",
+    "rounded_cone.F": "angles of quotients",
     "rounded_cone.pm": "angles of quotients",
     "truncated_cone.d": "angles of quotients",
     "truncated_cone.F": "angles of quotients",
