@@ -65,9 +65,9 @@ class Products(np.ndarray[Any, Any]):
     """Arrays whose whole powers are products, as programs have them."""
 
     def __pow__(self, exponent: Any) -> Any:
-        if np.ndim(exponent) or exponent not in (3, 4, 5, 6, 7):
+        if np.ndim(exponent) or exponent not in (3, 4):
             return super().__pow__(exponent)
-        return self * self ** (exponent - 1) if exponent % 2 else (self ** (exponent // 2)) ** 2
+        return self * (self * self) if exponent == 3 else (self * self) * (self * self)
 
 
 def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarray]) -> np.ndarray | None:

@@ -160,12 +160,12 @@ def _force(a, R):
     return R * force_integral(lambda t: _slope(t, R), a, 8)
 
 def _moments(a):
-    return a**3 + a**7 + a**8
+    return a**3 + a**4 + a**8
 """
     assert cost(source, "_depth", ["a"]) == 1 + 1 + 1 + 3 + 2
     assert cost(source, "_depth", ["a", "theta"]) == cost(source, "_depth", ["a"]) + 5 + 1
     assert cost(source, "_force", ["a"]) == 8 * 2 + 1
-    assert cost(source, "_moments", ["a"]) == 2 + 4 + POWER + 2
+    assert cost(source, "_moments", ["a"]) == 2 + 2 + POWER + 2
 
 
 def test_every_variant_has_its_text() -> None:

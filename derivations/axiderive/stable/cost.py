@@ -19,7 +19,7 @@ The root inside `root_gap` is one that the formula holds too, and is found once.
 """
 POWER, KERNEL = 11, 40
 """A power that is not written as products, and any other function of the runtime."""
-WHOLE: dict[object, int] = {2: 1, 3: 2, 4: 2, 5: 3, 6: 3, 7: 4}
+WHOLE: dict[object, int] = {2: 1, 3: 2, 4: 2}
 """Products of a whole power, by squares: what `_trace` makes of it."""
 STEADY = 2
 """What `arctan2` costs more where one of its arguments is a number: its fast loop wants two arrays."""

@@ -44,8 +44,9 @@ NOTE = (
     "Medians over interleaved repeats in one run of ratios of processor times, two digits. scalar: a call with plain "
     "numbers over that of a function with the same signature that returns the printed formula in `math`; steps: over "
     "that of one that takes the steps of the call itself in `math`, without checks; arrays: over the printed formula "
-    "by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; fresh: a copy into a new array over np.copyto; "
-    "imports: over the import of NumPy, in a process of its own. Functions whose printed formula `math` can evaluate."
+    "by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; fresh: a copy into a new array over "
+    "np.copyto; imports: over the import of NumPy, in a process of its own. Functions whose printed formula `math` can "
+    "evaluate."
 )
 
 

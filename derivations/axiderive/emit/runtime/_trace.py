@@ -24,8 +24,8 @@ FUNCTIONS = frozenset(
         "sinh", "cosh", "tanh", "arcsinh", "nextafter",
     )
 )  # fmt: skip
-WHOLE = frozenset((3.0, 4.0, 5.0, 6.0, 7.0))
-"""Exponents of powers that become products."""
+WHOLE = frozenset((3.0, 4.0))
+"""Exponents of powers that become products; the seventh power as products took the force under r**6 to 5.4 units."""
 LONGEST = 2000
 """Operations beyond which a body stays as it is: compiling the text would take longer than it saves."""
 
@@ -85,14 +85,14 @@ class Graph:
         if name == "multiply" and operands[0].value == 1.0:
             return operands[1]
         if name == "power" and operands[1].name == "number" and operands[1].value in WHOLE:
-            return self._whole_power(operands[0], int(operands[1].value))
+            return self._products(operands[0], float(operands[1].value))
         return self._node(name, operands)
 
-    def _whole_power(self, x: Node, exponent: int) -> Node:
-        """Squares and products, none of which leaves the range of doubles before the power does."""
-        if exponent % 2:
-            return x if exponent == 1 else self._node("multiply", (x, self._whole_power(x, exponent - 1)))
-        return self._node("power", (self._whole_power(x, exponent // 2), self.number(2.0)))
+    def _products(self, x: Node, exponent: float) -> Node:
+        """Neither the square nor what follows leaves the range of doubles before the power does."""
+        two = self.number(2.0)
+        square = self._node("power", (x, two))
+        return self._node("multiply", (x, square)) if exponent == 3.0 else self._node("power", (square, two))
 
     def choice(self, condition: Node, x: Node, y: Node) -> Node:
         if not condition.logical or x.logical or y.logical:
