@@ -15,12 +15,21 @@ from .opaque import ArctanGap, Log1p, Root, RootGap
 
 def of_lengths(form: EvaluationForm) -> EvaluationForm:
     """The form with gaps, cubes and hyperbolic angles of its roots taken from their lengths."""
-    value, steps = form.value, form.steps
+    value = form.value
     for name, root in form.steps:
         if isinstance(root, Root):
             x, y = root.args
             value = value.xreplace({ArctanGap(name / y): RootGap(x, y), name**3: name * (x**2 - y**2)})
+    return angles_of_lengths(EvaluationForm(form.steps, value, form.cancels))
+
+
+def angles_of_lengths(form: EvaluationForm) -> EvaluationForm:
+    """The form with the hyperbolic angles alone taken from lengths, and without the roots that nothing else needs."""
+    steps = form.steps
+    for name, root in form.steps:
+        if isinstance(root, Root):
+            x, y = root.args
             angle = {sp.asinh(y / name): Log1p(2 * y / (x - y)) / 2}
             steps = tuple((other, expr.xreplace(angle)) for other, expr in steps)
-    used = value.free_symbols.union(*(expr.free_symbols for _, expr in steps))
-    return EvaluationForm(tuple(step for step in steps if step[0] in used), value, form.cancels)
+    used = form.value.free_symbols.union(*(expr.free_symbols for _, expr in steps))
+    return EvaluationForm(tuple(step for step in steps if step[0] in used), form.value, form.cancels)
