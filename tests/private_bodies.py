@@ -35,6 +35,16 @@ def bodies(name: str) -> Iterator[Callable[..., Any]]:
                 yield function
 
 
+class Products(np.ndarray[Any, Any]):
+    """Arrays whose whole powers are products, as programs have them."""
+
+    def __pow__(self, exponent: Any) -> Any:
+        if np.ndim(exponent) or exponent not in (3, 4):
+            return super().__pow__(exponent)
+        return self * (self * self) if exponent == 3 else (self * self) * (self * self)
+
+
 def body(function: Callable[..., Any], *values: Any) -> np.ndarray:
     with np.errstate(all="ignore"):
-        return np.asarray(function(*(np.asarray(value, dtype=float) for value in np.broadcast_arrays(*values))))
+        arrays = (np.asarray(value, dtype=float).view(Products) for value in np.broadcast_arrays(*values))
+        return np.asarray(function(*arrays))

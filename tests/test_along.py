@@ -34,6 +34,17 @@ def test_polynomials_are_as_good_as_the_rule(name: str, parameters: dict[str, fl
         np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
 
 
+def test_crowds_at_the_ends_of_the_panels() -> None:
+    """On the axis r**2 - b**2 is a whole unit, next to the break it has no panel: the rule itself decides."""
+    module, few = import_module("axicontact.normal.rounded_punch"), np.arange(1.0, 101.0)
+    r = np.concatenate([np.linspace(0.01, 1.99, 3000), 1e-12 * few, 1.0 - 1e-9 * few, 1.0 + 1e-9 * few])
+    radii = np.full(r.size, 2.0)
+    varying = radii.copy()
+    varying[0] = np.nextafter(2.0, 0.0)
+    got, wanted = (module.pressure(r, a, R=3.0, b=1.0, E_star=1.0)[1:] for a in (radii, varying))
+    np.testing.assert_allclose(got, wanted, rtol=MOST * EPS, atol=0.0)
+
+
 def test_the_rule_is_called_at_few_radii() -> None:
     """And the root at the edge, which no polynomial is, has to be taken out."""
     called, r = [], np.linspace(1.0, 9.99, 5000)
@@ -45,7 +56,7 @@ def test_the_rule_is_called_at_few_radii() -> None:
 
     def error(edge: float | None) -> float:
         with np.errstate(all="ignore"):
-            got = _along.along(exact, r, [_along.Course(0.0, True, 100.0, True, edge)], 0.0, 10.0)
+            got = _along.along(exact, r, _along.Course(0.0, 100.0, True, edge), 0.0, 10.0)
         return float(np.max(np.abs(got / wanted - 1.0)))
 
     assert error(10.0) <= MOST * EPS

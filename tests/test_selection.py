@@ -25,7 +25,7 @@ from axiderive.profiles import load
 from axiderive.show import _entry_text
 from axiderive.stable import chosen
 from axiderive.stable.closure import closure
-from axiderive.stable.cost import cost
+from axiderive.stable.cost import POWER, cost
 from axiderive.stable.drift import better, drift, settled
 from axiderive.stable.measure import Sample
 from axiderive.stable.records import record
@@ -232,10 +232,14 @@ def _depth(a, R, theta):
 
 def _force(a, R):
     return R * force_integral(lambda t: _slope(t, R), a, 8)
+
+def _moments(a):
+    return a**3 + a**4 + a**8
 """
     assert cost(source, "_depth", ["a"]) == 1 + 1 + 1 + 3 + 2
     assert cost(source, "_depth", ["a", "theta"]) == cost(source, "_depth", ["a"]) + 5 + 1
     assert cost(source, "_force", ["a"]) == 8 * 2 + 1
+    assert cost(source, "_moments", ["a"]) == 2 + 2 + POWER + 2
 
 
 def test_every_variant_has_its_text() -> None:

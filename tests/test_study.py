@@ -172,7 +172,7 @@ def test_speed_compares_with_the_formula_itself():
     record = speed.measure(("cone", "paraboloid"), quick=True)
     found = {row["key"]: row for row in record["rows"]}
     assert set(found) == {f"{name}.{suffix}" for name in ("cone", "paraboloid") for suffix in ("d", "F", "p", "w")}
-    numbers = [x for row in found.values() for x in (row["scalar"], *row["arrays"], row["copy"])]
+    numbers = [x for row in found.values() for x in (row["scalar"], row["steps"], *row["arrays"], row["copy"])]
     assert min(numbers) > 0.0
     assert all(row["ratio"] > 0.0 for row in (*record["imports"], {"ratio": record["fresh"]}))
     assert "cone.p" in speed.text(record)
@@ -187,9 +187,20 @@ def test_what_speed_compares_with_gives_the_same_number(key, field):
     values = {symbol: PARAMETERS.get(symbol, RADIUS) for symbol in (*entry.parameters, *entry.quantity.arguments)}
     x = 3.0 if suffix == "w" else 1.25
     bare = speed.in_math(entry, values | {field: x})
-    own = getattr(importlib.import_module(f"axicontact.normal.{name}"), entry.quantity.function)
-    got, expected = (speed.called(function, entry, values)(x) for function in (bare, own))
+    module = importlib.import_module(f"axicontact.normal.{name}")
+    own = getattr(module, entry.quantity.function)
+    got, steps, expected = (
+        speed.called(function, entry, values)(x) for function in (bare, speed.in_steps(entry, module), own)
+    )
     assert got == pytest.approx(expected, rel=1e-13)
+    assert steps == expected
+
+
+def test_the_same_steps_check_nothing():
+    """A negative depth, from a radius that the function itself refuses."""
+    entry, module = subject("cone").entries["d"], importlib.import_module("axicontact.normal.cone")
+    assert math.isnan(module.depth(-1.0, theta=0.3))
+    assert speed.in_steps(entry, module)(-1.0, theta=0.3) < 0.0
 
 
 def test_speed_leaves_out_what_math_cannot_do():

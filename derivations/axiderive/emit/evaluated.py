@@ -14,6 +14,7 @@ from ..profiles.profile import Profile
 from ..stable import opaque
 from ..stable.chosen import chosen
 from ..stable.forms import EvaluationForm, evaluation_form
+from ..stable.gaps import angles_of_lengths
 from ..stable.signs import facts_of
 from ..stable.slopes import rate_key, slope_form
 from .compact import Compact
@@ -57,7 +58,10 @@ def evaluation_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Ma
 def form_of(entry: Entry, expr: sp.Expr, chain: tuple[sp.Expr, ...]) -> EvaluationForm:
     """The evaluation form of a case, from what is known of its lengths."""
     facts = facts_of(chain, *((rule.left, rule.right) for rule in entry.profile.rules))
-    return _short(evaluation_form(expr, facts, chosen(entry.key).below), entry.profile)
+    variant = chosen(entry.key).below
+    form = evaluation_form(expr, facts, variant)
+    of_radius = entry.suffix in ("d", "F") and "lengths" in variant.rules
+    return _short(angles_of_lengths(form) if of_radius else form, entry.profile)
 
 
 def _short(form: EvaluationForm, profile: Profile) -> EvaluationForm:
@@ -143,6 +147,7 @@ def printed(left: str, form: EvaluationForm, chain: tuple[sp.Expr, ...]) -> list
             shown = {own: expr.subs(name, _plain(definition)) for own, expr in shown.items()}
     for gap, difference in GAPS.items():
         value = value.replace(gap, difference)
+        shown = {name: expr.replace(gap, difference) for name, expr in shown.items()}
 
     def opened(x: sp.Expr, y: sp.Expr, root: sp.Expr) -> sp.Expr:
         whole = sp.Symbol(f"{x}-{y}", positive=True)

@@ -33,8 +33,9 @@ class Lumped(Regimes):
         if not self.rooted or suffix == "pm":
             return self._joined(name, self._of_lengths(suffix, forms))
         inner = self._joined(name, forms, ("a", ROOT))
-        if any(form.value.has(ArctanGap) for form in forms.values()):
-            return self._joined(name, self._of_lengths(suffix, forms))
+        lengths = self._of_lengths(suffix, forms)
+        if lengths != forms or any(form.value.has(ArctanGap) for form in forms.values()):
+            return self._joined(name, lengths)
         return self._from_radius(name, inner)
 
     def _of_lengths(self, suffix: str, forms: dict[str, EvaluationForm]) -> dict[str, EvaluationForm]:

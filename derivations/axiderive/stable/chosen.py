@@ -19,6 +19,7 @@ CHOSEN = {
     "plane.rounded_wedge.slope": "angles of quotients",
     "plane.truncated_wedge.d": "angles of quotients, beyond 128 b",
     "rounded_cone.d": "angles of quotients",
+    "rounded_cone.F": "angles of quotients",
     "rounded_cone.pm": "angles of quotients",
     "rounded_cone.slope": "angles of quotients",
     "rounded_curved_punch.slope": "without gaps",

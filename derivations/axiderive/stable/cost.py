@@ -18,7 +18,9 @@ WEIGHTS = {
 The root inside `root_gap` is one that the formula holds too, and is found once.
 """
 POWER, KERNEL = 11, 40
-"""A power beyond the square, and any other function of the runtime."""
+"""A power that is not written as products, and any other function of the runtime."""
+WHOLE: dict[object, int] = {2: 1, 3: 2, 4: 2}
+"""Products of a whole power, by squares: what `_trace` makes of it."""
 STEADY = 2
 """What `arctan2` costs more where one of its arguments is a number: its fast loop wants two arrays."""
 NODES, STEPS = 24, 4
@@ -94,7 +96,7 @@ def _values(line: ast.stmt) -> Iterator[tuple[ast.AST, set[str]]]:
 
 def _operation(node: ast.AST) -> int:
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
-        return 1 if isinstance(node.right, ast.Constant) and node.right.value == 2 else POWER
+        return WHOLE.get(node.right.value, POWER) if isinstance(node.right, ast.Constant) else POWER
     return int(isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Compare)))
 
 

@@ -2,20 +2,34 @@
 
 The root of x**2 - y**2 is rounded twice, its quotient by y once more, and a cube takes all of that up three times:
 6 units of the last place next to x = y.  With q = (x - y)/y the gap is q sqrt(q) times a smooth function of q.
+An angle atanh(y/x) takes half the time as log1p(2 y/(x - y))/2, without the root.
 """
 
 from __future__ import annotations
 
+import sympy as sp
+
 from .forms import EvaluationForm
-from .opaque import ArctanGap, Root, RootGap
+from .opaque import ArctanGap, Log1p, Root, RootGap
 
 
 def of_lengths(form: EvaluationForm) -> EvaluationForm:
-    """The form with gaps and cubes of its roots taken from their lengths."""
+    """The form with gaps, cubes and hyperbolic angles of its roots taken from their lengths."""
     value = form.value
     for name, root in form.steps:
         if isinstance(root, Root):
             x, y = root.args
             value = value.xreplace({ArctanGap(name / y): RootGap(x, y), name**3: name * (x**2 - y**2)})
-    used = value.free_symbols.union(*(expr.free_symbols for _, expr in form.steps))
-    return EvaluationForm(tuple(step for step in form.steps if step[0] in used), value, form.cancels)
+    return angles_of_lengths(EvaluationForm(form.steps, value, form.cancels))
+
+
+def angles_of_lengths(form: EvaluationForm) -> EvaluationForm:
+    """The form with the hyperbolic angles alone taken from lengths, and without the roots that nothing else needs."""
+    steps = form.steps
+    for name, root in form.steps:
+        if isinstance(root, Root):
+            x, y = root.args
+            angle = {sp.asinh(y / name): Log1p(2 * y / (x - y)) / 2}
+            steps = tuple((other, expr.xreplace(angle)) for other, expr in steps)
+    used = form.value.free_symbols.union(*(expr.free_symbols for _, expr in steps))
+    return EvaluationForm(tuple(step for step in steps if step[0] in used), form.value, form.cancels)

@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -42,10 +43,11 @@ print((time.process_time() - between) / (between - start))
 """
 NOTE = (
     "Medians over interleaved repeats in one run of ratios of processor times, two digits. scalar: a call with plain "
-    "numbers over that of a function with the same signature that returns the printed formula in `math`; arrays: over "
-    "the printed formula by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; fresh: a copy into a "
-    "new array over np.copyto; imports: over the import of NumPy, in a process of its own. Functions whose printed "
-    "formula `math` can evaluate."
+    "numbers over that of a function with the same signature that returns the printed formula in `math`; steps: over "
+    "that of one that takes the steps of the call itself in `math`, without checks; arrays: over the printed formula "
+    "by sympy.lambdify for NumPy; copy: over np.copyto of as many numbers; fresh: a copy into a new array over "
+    "np.copyto; imports: over the import of NumPy, in a process of its own. Functions whose printed formula `math` can "
+    "evaluate."
 )
 
 
@@ -80,6 +82,7 @@ def _rows(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> 
         yield {
             "key": entry.key,
             "scalar": rounded(ratio(own, called(bare, entry, values), middle, rounds)),
+            "steps": rounded(ratio(own, called(in_steps(entry, module), entry, values), middle, rounds)),
             "arrays": [rounded(ratio(own, naively, np.resize(points, size), rounds)) for size in sizes],
             "copy": rounded(_copy(own, np.resize(points, largest), rounds)),
         }
@@ -109,10 +112,34 @@ def in_math(entry: Entry, point: dict[sp.Symbol, float]) -> Callable[..., float]
         return None
     if "Not supported" in text:
         return None
+    return _bare(entry, [f"return {text}"], {"math": math})
+
+
+def in_steps(entry: Entry, module: ModuleType) -> Callable[..., float]:
+    """The evaluation form of an emitted function in `math`, as its compiled call takes it, with nothing around it.
+
+    Raises
+    ------
+    LookupError
+        If the form cannot be written for plain numbers.
+    """
+    plain, elementwise = (import_module(f"axicontact.{name}") for name in ("_plain", "_elementwise"))
+    private = getattr(module, f"_{entry.quantity.function}")
+    names = private.__code__.co_varnames[: private.__code__.co_argcount]
+    found = plain.lines(private, dict.fromkeys(names, (elementwise.SMALL, elementwise.LARGE)))
+    if found is None:
+        message = f"{entry.key} has no form for plain numbers; leave it out of the study of calls"
+        raise LookupError(message)
+    text, space = found
+    return _bare(entry, [line for line in text if line.strip() != plain.CHECK], space)
+
+
+def _bare(entry: Entry, lines: Sequence[str], names: dict[str, Any]) -> Callable[..., float]:
+    """These lines of the catalogue as a function with the signature of the emitted one."""
     fields = [str(symbol) for symbol in entry.quantity.arguments]
     keywords = [str(symbol) for symbol in entry.parameters if str(symbol) not in fields]
-    names: dict[str, Any] = {"math": math}
-    exec(f"def bare({', '.join([*fields, '*', *keywords])}):\n    return {text}", names)  # a formula of the catalogue
+    head = f"def bare({', '.join([*fields, '*', *keywords])}):"
+    exec("\n    ".join([head, *lines]), names)
     bare: Callable[..., float] = names["bare"]
     return bare
 
@@ -142,8 +169,8 @@ def _import(module: str, rounds: int) -> float:
 def text(record: Record) -> str:
     """One line for each function, one for each import."""
     sizes = [f"naive, {size} points" for size in record["settings"]["sizes"]]
-    head = ("key", "scalar/math", *sizes, f"np.copyto, {record['settings']['largest']} points")
-    rows = [(row["key"], row["scalar"], *row["arrays"], row["copy"]) for row in record["rows"]]
+    head = ("key", "scalar/math", "own steps", *sizes, f"np.copyto, {record['settings']['largest']} points")
+    rows = [(row["key"], row["scalar"], row["steps"], *row["arrays"], row["copy"]) for row in record["rows"]]
     imports = [f"import {row['module']}: {row['ratio']} of the import of NumPy more" for row in record["imports"]]
     fresh = f"a copy into a new array: {record['fresh']} of np.copyto"
     return "\n".join([table(head, rows), fresh, *imports])

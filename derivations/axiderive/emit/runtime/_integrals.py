@@ -143,16 +143,16 @@ def over_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..
     return decorated
 
 
-def of_pressure(a: float, b: float) -> tuple[list[Course], float, float]:
+def of_pressure(a: float, b: float) -> tuple[Course | None, float, float]:
     """Inside and outside the break at b; next to it where the contact has hardly passed it, r says too little."""
     if not a > b * (1.0 + 1e-6):
-        return [], 0.0, a
-    return [Course(b, False, b * b, True), Course(b, True, (a - b) * (a + b), True, a)], 0.0, a
+        return None, 0.0, a
+    return Course(b, (a - b) * (a + b), True, a, b * b), 0.0, a
 
 
-def of_displacement(a: float, *other: float) -> tuple[list[Course], float, float]:
+def of_displacement(a: float, *other: float) -> tuple[Course, float, float]:
     """Outside the contact."""
-    return [Course(a, True, a * a, False)], a, np.inf
+    return Course(a, a * a, False), a, np.inf
 
 
 def difference_root(x: Array, y: Array) -> Array:

@@ -1,4 +1,4 @@
-"""What a call costs as a table: times of the emitted functions over those of the printed formulas."""
+"""What a call costs as a table: times of the emitted functions over those of the formulas alone."""
 
 from __future__ import annotations
 
@@ -21,10 +21,12 @@ def table(record: Mapping[str, Any], keys: frozenset[str]) -> dict[str, Any]:
 
 
 def _ends(row: Mapping[str, Any]) -> dict[str, str]:
-    return {"scalar": _ratio(row["scalar"]), "copy": _ratio(row["copy"])}
+    return {"scalar": _ratio(row["scalar"]), "steps": _ratio(row.get("steps")), "copy": _ratio(row["copy"])}
 
 
-def _ratio(x: float) -> str:
+def _ratio(x: float | None) -> str:
+    if x is None:
+        return "--"
     return f"${x:.2g}$" if x < 99.5 else f"${x:.0f}$"
 
 
