@@ -177,8 +177,9 @@ def test_the_displacement_beside_a_graded_punch_is_that_of_its_formula() -> None
     entries = stored("flat_punch")
     _, beside = frames(entries["F"].profile, entries, stored("flat_punch.fgm"))
     plain, softer = (dict(_points(curve)) for curve in beside.curves[1:])
-    for r in (1.1, 2.0, 3.0):
-        assert plain[r] == pytest.approx(2 / math.pi * math.asin(1 / r), rel=1e-4)
+    assert max(plain) == 3.0
+    for r in plain.keys() - {1.0}:
+        assert plain[r] == pytest.approx(2 / math.pi * math.asin(1 / r), rel=1e-3)
         assert softer[r] < plain[r]
 
 
