@@ -50,7 +50,9 @@ def inverse(
         left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
         left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
         if share is not None:
-            left = left & ~(np.abs(error) * share(t) <= 4.0 * ROUNDING * slope)
+            # of where the step leads too: far below the root t may stand for nothing
+            moved = np.maximum(share(t), share(np.minimum(t * np.exp(np.minimum(step, 700.0)), largest)))
+            left = left & ~(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
         # not np.any, which `_trace` takes for a question about a rare branch
         if not np.count_nonzero(left):
             break

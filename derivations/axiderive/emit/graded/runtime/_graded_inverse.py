@@ -9,7 +9,7 @@ import numpy as np
 from ._elementwise import Array
 from ._graded_growth import gaussian_rate
 from ._integrals import difference_root
-from ._inverse import ROUNDING, Beyond, Curve, inverse, inverse_across
+from ._inverse import LOST, ROUNDING, Beyond, Curve, inverse, inverse_across
 from ._unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
 
 Load = Callable[..., Array]
@@ -110,7 +110,9 @@ def radius_across(
     value = value + np.zeros(1)
     if end is None and least is None:
         return inverse_across(*_sides(load, rate, b, needs), value, b, tip)
-    base = load(b + np.zeros_like(value), np.zeros_like(value), *needs)
+    # where a steep tip ends, a unit of the radius is thousands of the load, and what is beyond begins at its own
+    first = np.zeros_like(value) if end is None else NEAREST * b + np.zeros_like(value)
+    base = load(b + np.zeros_like(value), first, *needs)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
     radius = b + np.zeros_like(value)
@@ -185,7 +187,8 @@ def _beyond(
     def more_and_rate(t: Array) -> tuple[Array, Array]:
         y, slope = beyond(b * np.sqrt(1.0 + t * t), b * t)
         more = np.maximum(y - base, ROUNDING * base)
-        return more, np.maximum(slope, np.minimum(least, 1.0) * more)
+        # above its rounding the excess may grow by less than its first power, where the load saturates
+        return more, np.where(more > LOST * ROUNDING * base, slope, np.maximum(slope, np.minimum(least, 1.0) * more))
 
     near = CLOSE * np.ones_like(excess)
     more, slope = more_and_rate(near)
