@@ -106,3 +106,16 @@ def test_signs_guarantee_the_root_over_waves(monkeypatch: pytest.MonkeyPatch) ->
         again = _waves._series(found, np.array(1.5), z, power)[0]
         assert calls.count > 2
         np.testing.assert_allclose(again, value, rtol=8 * EPS)
+
+
+def test_a_start_far_below_the_root_is_no_end() -> None:
+    """There t stands for hardly anything, as the radius next to a break: what counts is where the step leads."""
+
+    def share(t: np.ndarray) -> np.ndarray:
+        return t * t / (1.0 + t * t)
+
+    def straight(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return t, np.ones_like(t)
+
+    t = _inverse.inverse(straight, np.ones(1), np.full(1, 1e-9), (0.5, 2.0), share=share)
+    assert t[0] == pytest.approx(1.0, rel=4 * EPS)
