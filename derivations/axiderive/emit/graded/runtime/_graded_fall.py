@@ -7,6 +7,8 @@ A shape is the fall over (z/a)**2, as a function of s and z.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ._elementwise import Array
@@ -33,8 +35,8 @@ def sphere_displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
 
 def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f = sqrt(r**2 + b**2) - b, with a singularity at s = i b, close to the tip where b is small."""
-    gap = _Gap(r, a, k)
-    shape = gap.weighed(lambda s, z: a * (a / (np.hypot(a, b) + np.hypot(s, b))))
+    gap = _gap(r, a, k)
+    shape = _weighed(gap, lambda s, z: a * (a / (np.hypot(a, b) + np.hypot(s, b))), a)
     near = from_edge(shape, a, gap.q, gap.q, np.arcsinh(a / gap.q / 2.0), k)
     ratio = b / a
 
@@ -45,7 +47,7 @@ def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
 
     far = integral(smooth, np.arcsinh((np.pi / 2.0 - SPLIT) / ratio), NODES)
     root = difference_root(a, r)
-    return gap.joined(near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
+    return _joined(gap, near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
 
 
 def gaussian_displacement(r: Array, a: Array, s: Array, k: Array) -> Array:
@@ -61,13 +63,13 @@ def gaussian_displacement(r: Array, a: Array, s: Array, k: Array) -> Array:
 
 def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
     """Of f = 1 - cos(q r)."""
-    gap = _Gap(r, a, k)
+    gap = _gap(r, a, k)
 
     def fall(s: Array, z: Array) -> Array:
         x = q / 2.0 * z * (z / (a + s))
         return q * a * (a / (a + s)) * np.sin(q / 2.0 * (a + s)) * np.where(x > 0.0, np.sin(x) / x, 1.0)
 
-    shape = gap.weighed(fall)
+    shape = _weighed(gap, fall, a)
     first = np.minimum(SPLIT, 2.0 * np.pi / q / a)
     near = from_edge(shape, a, gap.q, gap.q, np.arcsinh(a * np.sin(first) / gap.q), k)
 
@@ -76,7 +78,7 @@ def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
         return shape(a * cosine, a * sine) * kernel(sine, cosine, a / gap.q, k)
 
     far = integral_by_panels(smooth, np.pi / 2.0 - first, first, NODES)
-    return gap.joined(near + far, gap.inside(fall))
+    return _joined(gap, near + far, _fall(fall, r, a))
 
 
 def flank_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -124,47 +126,52 @@ def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: A
     return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, b, k))
 
 
-class _Gap:
+class _Gap(NamedTuple):
     """What weighs the fall, outside with the share of a flat punch and inside, where q is a, for d - f(a) alone."""
 
-    def __init__(self, r: Array, a: Array, k: Array) -> None:
-        self.r, self.a, self.k, self.outside = r, a, k, r > a
-        self.q = np.where(self.outside, difference_root(np.maximum(r, a), a), a)
-        self.reach = self.q / a
-        share = (1.0 - k) * np.where(self.outside, punch_share(r, a, k), 1.0)
-        # in this order: far away the share is small as that power is large
-        self.even = np.where(share > 0.0, share * raised(self.reach, k), 0.0)
-        self.grown = np.where(self.outside, punch_scale(k), 0.0) + share * raised(1.0 / self.reach, -k)
+    outside: Array
+    q: Array
+    even: Array
+    grown: Array
 
-    def weighed(self, shape: Shape) -> Shape:
-        def of(s: Array, z: Array) -> Array:
-            return shape(s, z) * (self.grown * (z / self.a) ** 2 + self.even)
 
-        return of
+def _gap(r: Array, a: Array, k: Array) -> _Gap:
+    outside = r > a
+    q = np.where(outside, difference_root(np.maximum(r, a), a), a)
+    share = (1.0 - k) * np.where(outside, punch_share(r, a, k), 1.0)
+    # in this order: far away the share is small as that power is large
+    even = np.where(share > 0.0, share * raised(q / a, k), 0.0)
+    return _Gap(outside, q, even, np.where(outside, punch_scale(k), 0.0) + share * raised(a / q, -k))
 
-    def inside(self, shape: Shape) -> Array:
-        """The fall at r."""
-        root = difference_root(self.a, self.r)
-        return shape(self.r, root) * (root / self.a) ** 2
 
-    def joined(self, value: Array, fall: Array) -> Array:
-        return np.where(self.outside, value, value + fall)
+def _weighed(gap: _Gap, shape: Shape, a: Array) -> Shape:
+    return lambda s, z: shape(s, z) * (gap.grown * (z / a) ** 2 + gap.even)
+
+
+def _fall(shape: Shape, r: Array, a: Array) -> Array:
+    """That of the profile at r."""
+    root = difference_root(a, r)
+    return shape(r, root) * (root / a) ** 2
+
+
+def _joined(gap: _Gap, value: Array, fall: Array) -> Array:
+    return np.where(gap.outside, value, value + fall)
 
 
 def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.inf) -> Array:
     """Of a profile without singularities near, but for one at z = i c."""
-    gap = _Gap(r, a, k)
-    own, close = gap.weighed(shape), np.minimum(gap.q, c)
+    gap = _gap(r, a, k)
+    own, close = _weighed(gap, shape, a), np.minimum(gap.q, c)
     near = from_edge(own, a, gap.q, close, np.arcsinh(a / close / 2.0), k)
-    return gap.joined(near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), gap.inside(shape))
+    return _joined(gap, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
 
 
 def _broken(beyond: Shape, within: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of a profile with a break at s = b, for a > b; `within` is the fall itself."""
-    gap, end = _Gap(r, a, k), difference_root(a, b)
-    own = gap.weighed(beyond)
+    gap, end = _gap(r, a, k), difference_root(a, b)
+    own = _weighed(gap, beyond, a)
     near = from_edge(own, a, gap.q, gap.q, np.arcsinh(np.minimum(end, a / 2.0) / gap.q), k)
     value = near + over_angle(own, a, gap.q, np.maximum(np.arctan2(end, b), SPLIT), k)
-    value = value + over_cap(gap.weighed(lambda s, z: within(s, z) / (z / a) ** 2), gap.q, a, b, k)
-    fall = np.where(r > b, gap.inside(beyond), within(r, difference_root(a, r)))
-    return np.where(a > b, gap.joined(value, fall), 0.0)
+    value = value + over_cap(_weighed(gap, lambda s, z: within(s, z) / (z / a) ** 2, a), gap.q, a, b, k)
+    fall = np.where(r > b, _fall(beyond, r, a), within(r, difference_root(a, r)))
+    return np.where(a > b, _joined(gap, value, fall), 0.0)
