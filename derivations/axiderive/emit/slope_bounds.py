@@ -77,12 +77,14 @@ def _range(expr: sp.Expr) -> Range | None:
     if expr.free_symbols - {SHARE} or not expr.is_rational_function(SHARE):
         return None
     _, below = sp.fraction(expr)
-    if below.has(SHARE) and sp.Poly(below, SHARE).count_roots(0, 1):
+    turning, _ = sp.fraction(sp.cancel(sp.diff(expr, SHARE)))
+    pole, turn = (sp.Poly(part, SHARE) for part in (below, turning))
+    # exact roots need whole coefficients
+    if not (pole.domain.is_ZZ and turn.domain.is_ZZ) or (pole.degree() > 0 and pole.count_roots(0, 1)):
         return None
     places = [sp.S.Zero, sp.S.One]
-    turning, _ = sp.fraction(sp.cancel(sp.diff(expr, SHARE)))
-    if turning.has(SHARE):
-        places += [x for x, _ in sp.Poly(turning, SHARE).real_roots(multiple=False) if 0 < x < 1]
+    if turn.degree() > 0:
+        places += [x for x, _ in turn.real_roots(multiple=False) if 0 < x < 1]
     values = [expr.subs(SHARE, x) for x in places]
     # a root in print may lie on either side of a whole number
     if any(not value.is_Rational and abs(value - round(value)) < 1e-9 for value in values):
