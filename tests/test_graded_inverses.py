@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, values
+from test_inverse_steps import MISSED, STEPS, arguments, counted, missed
 
 from axiderive import notation as nt
 from axiderive.emit import example
@@ -142,3 +143,28 @@ def test_adhesive_inverses_far_out(name: str, power: int, k: float) -> None:
         else:
             assert control == "force"
             assert abs(power) == 900
+
+
+@pytest.mark.parametrize(
+    ("R", "theta", "k", "beyond"),
+    [
+        (0.3174450131987351, 1.570418062292487, 0.41116877284748965, 2.353672812205332e-14),
+        (52.79464147169762, 1.5707942272547115, 1.188828937296306e-12, 1.865174681370263e-14),
+        (0.0010450104267523135, 1.5707829109038018, -0.9651225609589957, 9.352894445591176e-07),
+    ],
+)
+def test_graded_contact_beside_a_steep_tip(
+    R: float, theta: float, k: float, beyond: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where a unit of the radius is thousands of the depth: 101, 65 and 19 units missed before, in up to 72 steps."""
+    module = emitted("normal.sphere_tipped_cone")
+    calls, known = counted(module, monkeypatch), {"R": R, "theta": theta, "k": k, "H": 0.5}
+    for quantity in ("depth", "force"):
+        forward, inverse = getattr(module, f"_{quantity}"), getattr(module, f"_radius_from_{quantity}")
+        with np.errstate(all="ignore"):
+            value = forward(np.array([R * np.sin(theta) * (1.0 + beyond)]), *arguments(forward, known))
+            calls[0] = 0
+            found = inverse(value, *arguments(inverse, known))
+            steps = calls[0]
+            assert missed(forward, found, value, known) <= MISSED
+        assert steps <= STEPS

@@ -34,7 +34,10 @@ EPS = 2.0**-52
 MISSED = 1.8
 """4e-16 in units of EPS, over 1 + the change of the value by a unit of the radius."""
 NEAR_THE_MAXIMUM = 2.5
-"""Of the depth of a Gaussian bump, whose form rounds more often than that of the others."""
+"""Of a Gaussian bump: no radius is told from another there, and what is missed is the rounding of the form.
+
+Its depth alone is up to 2.34 units off the exact one, the exact depth of the radius that is found up to 2.37.
+"""
 NEAR_A_GRADED_MAXIMUM = 4.0
 """There the load is an integral; 2.9 measured."""
 GAUSSIAN_END = 1.5019752682686114

@@ -12,6 +12,7 @@ import sympy as sp
 from ..notation import a
 from .compact import Compact
 from .example import NUMERIC
+from .slope_bounds import proved
 
 DIGITS = 60
 DEGREE = 8
@@ -72,11 +73,15 @@ class Growth:
 def exponents(compact: Compact, suffix: str) -> tuple[str, str]:
     """Whole numbers between which the slope lies.
 
-    That is proved for sums of powers, whose slope is a mean of the powers with positive weights.  For the others it
-    is measured: the exact formulas at the places of `Growth`, and the range widened to whole numbers.
+    That is proved for sums of powers, whose slope is a mean of the powers with positive weights, and where
+    `slope_bounds` says so.  For the others it is a guess, the range of the exact formulas at the places of `Growth`;
+    what guarantees their brackets are the signs that `inverse` meets.
     """
     if compact.summed:
         return ("1.0", "len(A)") if suffix == "ad" else ("2.0", "len(A) + 1.0")
+    known = proved(compact.profile, suffix)
+    if known is not None:
+        return f"{known[0]}.0", f"{known[1]}.0"
     with mp.workdps(DIGITS):
         growth = Growth(compact, suffix)
         slopes = [float(growth.slope(t)) for t in growth.places]

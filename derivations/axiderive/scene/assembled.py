@@ -57,7 +57,7 @@ ORDER = """def _require_order({names}):
             "{reason}"
         )
 """
-WAVES = "from ._graded_growth import steepest_waves\n\n"
+WAVES = "from ._graded_waves import steepest_waves\n\n"
 PLAIN = frozenset(["_adhesion", "_domain", "_elementwise"])
 """Modules of the runtime that have nothing but formulas for the state of pull-off."""
 REQUIRE_ORDER = "_require_order"

@@ -105,8 +105,8 @@ class _Complete:
         )  # fmt: skip
         self.rule(
             "_displacement", ["r", "d"], self.geometry, state,
-            f"outside = d * punch_share(r, rho, k) - power_sag(r, rho, {order}, k) {shape}",
-            f"return np.where(r > rho, outside, d - {own.shape_of('r')})",
+            f"cap = power_displacement(r, rho, {order}, k) {shape}",
+            "return cap + rest * punch_displacement(r, rho, k)",
         )  # fmt: skip
         self.rule("_stiffness", ["d"], self.material, state, "return punch_stiffness(rho, H, k)")
         self.rule(

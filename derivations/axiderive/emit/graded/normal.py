@@ -139,13 +139,7 @@ class _Normal:
             f"return {self.limited('np.where(r < a, H / np.pi * growth, 0.0)')}",
         ]
         writer.rule("_pressure", ["r", "a"], self.material, pressure)
-        displacement = [
-            f"depth = _depth({', '.join(['a', *self.geometry])})",
-            f"sag = {own.total('sag', 'r', 'a')}",
-            f"return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - {writer.shape_of('r')})",
-        ]
-        if all(term.shape == "power" for term in own.terms):
-            displacement = [f"return {own.total('displacement', 'r', 'a')}"]
+        displacement = [f"return {own.total('displacement', 'r', 'a')}"]
         writer.rule("_displacement", ["r", "a"], self.geometry, displacement)
 
     def inverses(self) -> None:
