@@ -7,7 +7,7 @@ On a panel of length ln 2 polynomials through 12 points are as good as the rule.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cache, wraps
 from typing import Any, NamedTuple
 
@@ -20,31 +20,41 @@ LEAST, POINTS, DEPTH = 1024, 12, 20
 
 DEPTH panels next to the singular radius it is represented too coarsely by r.
 """
+ROWS = 2 * DEPTH + 2
+"""The panels of one side, between one for the radii below and one for those above."""
+BELOW_ONE = np.nextafter(1.0, 0.0)
 
 
 class Course(NamedTuple):
-    """One side of a singular radius.
+    """The sides of a singular radius.
 
-    `unit` is the value of abs(r**2 - centre**2) where a panel ends, the last one if `closed`.  The integral is
-    proportional to sqrt(edge**2 - r**2) next to an `edge`, and to 1/r far out where there is no last panel.
+    `unit` is the value of r**2 - centre**2 where a panel ends, the last one if `closed`, and `within` that of
+    centre**2 - r**2 where the last one does on the inner side, if there is any.  The integral is proportional to
+    sqrt(edge**2 - r**2) next to an `edge`, and to 1/r far out where there is no last panel.
     """
 
     centre: float
-    outside: bool
     unit: float
     closed: bool
     edge: float | None = None
+    within: float | None = None
 
-    def scaled(self, r: Array) -> Array:
-        """abs(r**2 - centre**2)/unit on this side, negative on the other."""
-        past, mean = r - self.centre if self.outside else self.centre - r, r + self.centre
-        mean /= self.unit
+    def sides(self, r: Array) -> Array:
+        """0 inside the centre, 1 outside; one 1 if there is no inner side."""
+        return np.ones(1, dtype=np.intp) if self.within is None else (r > self.centre).astype(np.intp)
+
+    def scaled(self, r: Array, sides: Array) -> Array:
+        """abs(r**2 - centre**2) over the unit of the side, below 1 if there is a last panel."""
+        past, mean = r - self.centre, r + self.centre
+        mean /= self.unit if self.within is None else np.array([-self.within, self.unit]).take(sides)
         past *= mean
-        return past
+        return np.minimum(past, BELOW_ONE, out=past) if self.closed else past
 
-    def radius(self, scaled: Array) -> Array:
+    def radius(self, scaled: Array, sides: Array) -> Array:
         square, distance = self.centre * self.centre, self.unit * scaled
-        return np.sqrt(square + distance if self.outside else square - distance)
+        if self.within is not None:
+            distance = np.where(sides, distance, -self.within * scaled)
+        return np.sqrt(square + distance)
 
     def trend(self, r: Array) -> Array:
         if self.edge is not None:
@@ -54,8 +64,8 @@ class Course(NamedTuple):
         return 1.0 if self.closed else self.centre / r
 
 
-Courses = Callable[..., tuple[Sequence[Course], float, float]]
-"""The courses of an integral for what does not change with r, and between which radii it is wanted."""
+Courses = Callable[..., tuple[Course | None, float, float]]
+"""The course of an integral for what does not change with r, if panels pay, and between which radii it is wanted."""
 
 
 def at_many_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
@@ -85,72 +95,60 @@ def same(*values: Array) -> tuple[Any, ...] | None:
     return tuple(numbers)
 
 
-def along(exact: Callable[[Array], Array], r: Array, courses: Sequence[Course], inner: float, outer: float) -> Array:
+def along(exact: Callable[[Array], Array], r: Array, course: Course | None, inner: float, outer: float) -> Array:
     """Values of `exact` at the radii between `inner` and `outer`, and zero at the others."""
-    value, left = np.zeros_like(r), (r >= inner) & (r < outer)
-    parts = [part for course in courses if (part := _part(course, r, left)) is not None]
-    for part in parts:
-        left[part.chosen] = False
-    rest = np.flatnonzero(left)
-    nodes = [part.course.radius(np.ldexp(2.0 ** (0.5 + 0.5 * _points()[0]), part.panels[:, None])) for part in parts]
+    wanted = (r >= inner) & (r < outer)
+    if not wanted.all():
+        value = np.zeros_like(r)
+        value[wanted] = along(exact, r[wanted], course, inner, outer)
+        return value
+    if course is None:
+        return exact(r)
+    sides = course.sides(r)
+    rows, place = _panels(course.scaled(r, sides))
+    rows += ROWS * sides
+    count = np.bincount(rows, minlength=2 * ROWS)
+    dense = count > POINTS
+    dense[[0, ROWS - 1, ROWS, -1]] = False
+    panels = np.flatnonzero(dense)
+    if not panels.size:
+        return exact(r)
+    side, power = np.divmod(panels[:, None], ROWS)
+    nodes = course.radius(np.ldexp(2.0 ** (0.5 + 0.5 * _points()[0]), power - (DEPTH + 1)), side)
+    rest = np.flatnonzero(~dense.take(rows))
     # all in one call: a rule for few radii costs mostly its steps
-    radii = [*(x.ravel() for x in nodes), r[rest]]
-    *values, value[rest] = np.split(exact(np.concatenate(radii)), np.cumsum([x.size for x in nodes]))
-    for part, x, y in zip(parts, nodes, values, strict=True):
-        found = _polynomials(_table(part, x, y.reshape(-1, POINTS)), part.rows, part.place)
-        found *= part.trend
-        value[part.chosen] = found
-    return value
+    values, others = np.split(exact(np.concatenate([nodes.ravel(), r[rest]])), [nodes.size])
+    table = _table(course, nodes, side, values.reshape(-1, POINTS))
+    found = _polynomials(table, (np.cumsum(dense) - 1).take(rows), place)
+    found *= course.trend(r)
+    found[rest] = others
+    return found
 
 
-class _Part(NamedTuple):
-    """The radii of a course in panels that hold more of them than points."""
+def _panels(scaled: Array) -> tuple[Array, Array]:
+    """The row of each panel from 2**p to 2**(p + 1), p + DEPTH + 1 between the ends, and the place on it, from -1 to 1.
 
-    course: Course
-    panels: Array
-    """Panel p reaches from 2**p to 2**(p + 1) units."""
-    chosen: Array
-    """Where these radii are among all."""
-    trend: Array
-    """The trend of the course there."""
-    rows: Array
-    """To which of the panels each belongs."""
-    place: Array
-    """And where it lies on that, from -1 to 1."""
-
-
-def _part(course: Course, r: Array, left: Array) -> _Part | None:
-    chosen = np.flatnonzero(left & (r > course.centre if course.outside else r < course.centre))
-    if chosen.size <= POINTS:
-        return None
-    radii = r[chosen]
-    power = course.scaled(radii)
-    np.log2(power, out=power)
-    # all panels from -DEPTH, between two rows for the radii below and above
-    last = 0 if course.closed else DEPTH
-    shift, rows = DEPTH + 1.0, last + DEPTH + 2
-    row = np.clip(power + shift, 0.0, rows - 2.0 if course.closed else rows - 1.0).astype(np.intp)
-    dense = np.bincount(row, minlength=rows) > POINTS
-    dense[[0, -1]] = False
-    kept = dense[row]
-    if not kept.all():
-        if not dense.any():
-            return None
-        chosen, radii, power, row = chosen[kept], radii[kept], power[kept], row[kept]
-    starts = np.arange(rows) - shift
-    panels = np.flatnonzero(dense) - (DEPTH + 1)
-    power -= starts[row]
-    power *= 2.0
-    power -= 1.0
-    return _Part(course, panels, chosen, course.trend(radii), (np.cumsum(dense) - 1)[row], power)
+    Both are read off the bits; `scaled` is overwritten.
+    """
+    bits = scaled.view(np.int64)
+    rows = bits >> 52
+    rows -= 1023 - (DEPTH + 1)
+    np.maximum(rows, 0, out=rows)
+    np.minimum(rows, ROWS - 1, out=rows)
+    bits &= (1 << 52) - 1
+    bits |= 1023 << 52
+    place = np.log2(scaled, out=scaled)
+    place *= 2.0
+    place -= 1.0
+    return rows, place
 
 
-def _table(part: _Part, r: Array, values: Array) -> Array:
+def _table(course: Course, r: Array, side: Array, values: Array) -> Array:
     """Coefficients by degree and panel."""
     points, waves, powers, slopes = _points()
-    values = (values / part.course.trend(r)).T
+    values = (values / course.trend(r)).T
     # the radii are rounded: the values belong to places next to the points
-    place = 2.0 * (np.log2(part.course.scaled(r)) - part.panels[:, None]) - 1.0
+    _, place = _panels(course.scaled(r, np.broadcast_to(side, r.shape)))
     values = values - slopes @ (waves @ values) * (place - points).T
     # in two steps: the powers of a Chebyshev polynomial cancel to six digits
     return powers @ (waves @ values)

@@ -95,22 +95,25 @@ def _tip(a: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def tipped_depth(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
-    """g(a) of the sphere R up to r = b, continued by its tangent cone; `end` is sqrt(R**2 - b**2)."""
+    """g(a) of the sphere R up to r = b, continued by its tangent cone; `end` is sqrt(R**2 - b**2).
+
+    Next to b the root says on which side of it a contact is: a radius rounds to b up to t = 1e-8.
+    """
     beyond = a**-k * a * _cap(a, root, b, end, k, lambda below, far: 1.0 / far)
     beyond = beyond + b / end * flank_depth(a, root, b, k)
-    return np.where(a <= b, sphere_depth(*_within(a, R, b), k), beyond)
+    return np.where(root > 0.0, beyond, sphere_depth(*_within(a, R, b), k))
 
 
 def tipped_rate(t: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     beyond = t**-k * _cap(t, root, b, end, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
     beyond = beyond + b / end * sine_integral(np.arctan2(root, b), k)
-    return np.where(t <= b, sphere_rate(*_within(t, R, b), k), beyond)
+    return np.where(root > 0.0, beyond, sphere_rate(*_within(t, R, b), k))
 
 
 def tipped_force(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     beyond = _cap(a, root, b, end, k, lambda below, far: below / far)
     beyond = beyond + b / end * flank_force(a, root, b, k)
-    return np.where(a <= b, sphere_force(*_within(a, R, b), k), beyond)
+    return np.where(root > 0.0, beyond, sphere_force(*_within(a, R, b), k))
 
 
 def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:

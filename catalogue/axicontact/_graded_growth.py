@@ -10,13 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache
 
 import numpy as np
 
 from ._elementwise import Array
 from ._graded_rules import raised, sine_integral, sine_over, sinh_over, weighted
-from ._integrals import integral_by_panels
 
 FAR = 40.0
 
@@ -148,46 +146,3 @@ def _bell(a: Array, s: Array, k: Array, of: Callable[..., Array]) -> Array:
     square = (a / s) ** 2
     one = np.ones_like(np.asarray(square, dtype=np.float64))
     return weighted(lambda x: of((1.0 - x) * (1.0 + x) * square), one, k)
-
-
-def waves_depth(a: Array, q: Array, k: Array) -> Array:
-    """g(a) of f = 1 - cos(q r)."""
-    return q * a * _waves(a, q, k, lambda x, _: np.sin(x))
-
-
-def waves_rate(t: Array, q: Array, k: Array) -> Array:
-    return q * _waves(t, q, k, lambda x, _: np.sin(x) + x * np.cos(x))
-
-
-def waves_force(a: Array, q: Array, k: Array) -> Array:
-    return q * a * a * a**k * _waves(a, q, k, lambda x, cosine: np.sin(x) * cosine * cosine)
-
-
-def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array]) -> Array:
-    """Integral of of(q a cos(y), cos(y)) sin(y)**k over a quarter turn: one panel with the weight, then plain ones."""
-    first = np.minimum(np.pi / 2.0, 8.0 / np.maximum(q * a, 1e-300))
-
-    def smooth(y: Array) -> Array:
-        return of(q * a * np.cos(y), np.cos(y)) * sine_over(y) ** k
-
-    def rest(y: Array) -> Array:
-        return of(q * a * np.cos(first + y), np.cos(first + y)) * np.sin(first + y) ** k
-
-    total = raised(first, k) * weighted(smooth, first, k)
-    return total + integral_by_panels(rest, np.pi / 2.0 - first, first, 64)
-
-
-def steepest_waves(k: Array) -> Array:
-    """The least wavelength**2/(h R) at which g' of a paraboloid with waves of height h nowhere falls below zero."""
-    return np.vectorize(_steepest_waves, otypes=[float])(k)
-
-
-@cache
-def _steepest_waves(k: float) -> float:
-    # with x = q a, g' of the waves is q W(x) and that of the paraboloid 2 x/((1 + k) q R)
-    x = np.arange(1.0, 40.0, 0.02)
-    ratio = -waves_rate(x, 1.0, k) / x
-    place = int(np.argmax(ratio))
-    low, top, high = (float(ratio[place + step]) for step in (-1, 0, 1))
-    largest = top - (high - low) ** 2 / (8.0 * (high - 2.0 * top + low))
-    return float(2.0 * np.pi**2 * (1.0 + k) * largest)

@@ -8,9 +8,8 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_growth import gaussian_rate
-from ._integrals import difference_root
-from ._inverse import ROUNDING, Beyond, Curve, inverse, inverse_across
-from ._unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
+from ._inverse import ROUNDING, Curve, inverse
+from ._unknowns import Unknown, beyond_edge, root_of
 
 Load = Callable[..., Array]
 SLACK = 1e-6
@@ -19,8 +18,6 @@ STEEPEST = 1e8
 """Radius over its root up to which a radius is told from the end of its domain."""
 SHORT = (2.0**-49, 2.0**-35, 2.0**-20, 2.0**-10, 2.0**-5)
 """How far short of the largest radius its load is taken, over it."""
-CLOSE, NEAREST = 1e-4, 1e-12
-"""The t at which the terms of a load beyond a break are read, and one at which a is b."""
 
 
 def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[Array, ...]) -> Array:
@@ -94,129 +91,6 @@ def radius_beyond(
     unit = unknown.of(b * np.sqrt(2.0)) * np.ones_like(value)
     x = inverse(curve, value, unit * (value / curve(unit)[0]), (SLACK, np.inf), smooth=True)
     return unknown.back(x)[0]
-
-
-def radius_across(
-    load: Load,
-    rate: Load,
-    value: Array,
-    b: Array,
-    needs: tuple[Array, ...],
-    tip: Array,
-    least: Array | None = None,
-    end: Array | None = None,
-) -> Array:
-    """The same for a profile with a break at b: the power `tip` of a below, in excess from t**least on beyond."""
-    value = value + np.zeros(1)
-    if end is None and least is None:
-        return inverse_across(*_sides(load, rate, b, needs), value, b, tip)
-    base = load(b + np.zeros_like(value), np.zeros_like(value), *needs)
-    above = value > base
-    below = radius_itself() if end is None else up_to(end, needs[-1])
-    radius = b + np.zeros_like(value)
-    if not np.all(above):
-        radius = _below(load, rate, np.where(above, base, value), base, b, needs, below, tip)
-    if not np.any(above):
-        return radius
-    return np.where(
-        above,
-        _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip),
-        radius,
-    )
-
-
-def _sides(load: Load, rate: Load, b: Array, needs: tuple[Array, ...]) -> tuple[Curve, Beyond]:
-    """Value and logarithmic slope over the radius; value and derivative by ln t beyond b."""
-
-    def curve(a: Array) -> tuple[Array, Array]:
-        root = difference_root(a, b)
-        own = load(a, root, *needs)
-        return own, a * rate(a, root, *needs) / own
-
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        return load(a, root, *needs), root * (root / a) * rate(a, root, *needs)
-
-    return curve, beyond
-
-
-def _below(
-    load: Load,
-    rate: Load,
-    value: Array,
-    base: Array,
-    b: Array,
-    needs: tuple[Array, ...],
-    unknown: Unknown,
-    tip: Array,
-) -> Array:
-    """The radius up to b."""
-    largest = unknown.of(b + np.zeros_like(value))
-
-    def share(x: Array) -> Array:
-        a, step = unknown.back(x)
-        return x * step / a
-
-    def curve(x: Array) -> tuple[Array, Array]:
-        a, step = unknown.back(x)
-        own = load(a, difference_root(a, b), *needs)
-        return own, x * step * rate(a, difference_root(a, b), *needs) / own
-
-    start = largest * (value / base) ** (1.0 / tip)
-    x = inverse(curve, value, start, (SLACK, np.inf), largest, share=share, smooth=True)
-    return np.minimum(unknown.back(x)[0], b)
-
-
-def _beyond(
-    load: Load,
-    rate: Load,
-    excess: Array,
-    base: Array,
-    b: Array,
-    needs: tuple[Array, ...],
-    least: Array | float,
-    tip: Array,
-) -> Array:
-    """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
-
-    Both terms are read from the load close to b, and with them the t at which one gives way to the other.
-    """
-    beyond = _sides(load, rate, b, needs)[1]
-
-    def more_and_rate(t: Array) -> tuple[Array, Array]:
-        y, slope = beyond(b * np.sqrt(1.0 + t * t), b * t)
-        more = np.maximum(y - base, ROUNDING * base)
-        return more, np.maximum(slope, np.minimum(least, 1.0) * more)
-
-    near = CLOSE * np.ones_like(excess)
-    more, slope = more_and_rate(near)
-    second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
-    # where the powers are all but equal it does not matter where they meet
-    meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
-    meet = np.minimum(np.maximum(meet, NEAREST), 1.0 / NEAREST)
-    unit = more * (1.0 - second) * (meet / near) ** least
-
-    def place(x: Array) -> tuple[Array, Array]:
-        t, power = root_of(x, least, 2.0)
-        return meet * t, power
-
-    def curve(x: Array) -> tuple[Array, Array]:
-        t, power = place(x)
-        own, slope = more_and_rate(t)
-        return own, slope / own / power
-
-    def share(x: Array) -> Array:
-        t, power = place(x)
-        return t * t / (1.0 + t * t) / power
-
-    # both the value and that at the break are rounded, some of them sums
-    noise = 8.0 * ROUNDING * (base + excess)
-    first = place(np.where(excess > 0.0, excess / unit, 1.0))[0]
-    # far away the break is forgotten
-    start = power_of(np.where(first > 1.0, first ** (2.0 / tip), first) / meet, least, 2.0)
-    wanted = np.where(excess > 0.0, excess, unit)
-    x = inverse(curve, wanted, start, (SLACK, np.inf), share=share, smooth=True, noise=noise)
-    t = place(x)[0]
-    return np.where(excess > 0.0, b * np.sqrt(1.0 + t * t), b)
 
 
 def radius_below(

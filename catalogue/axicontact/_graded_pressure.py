@@ -13,8 +13,9 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_breaks import rounded_rate, rounding_rate, tipped_rate
-from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate, waves_rate
+from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
 from ._graded_rules import NODES, raised, sine_integral, sinh_over, weighted
+from ._graded_waves import waves_rate
 from ._integrals import difference_root, integral, integral_by_panels
 
 Slope = Callable[..., Array]

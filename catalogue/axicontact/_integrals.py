@@ -94,6 +94,11 @@ def in_groups(rule: Callable[..., Strip]) -> Callable[..., Array]:
         stop = strip[1]
         if not isinstance(stop, np.ndarray) or stop.size <= FEW:
             return _over(strip, width)
+        if stop.ndim > 1:
+            shape = np.broadcast_shapes(*map(np.shape, (stop, width, *parameters, *lengths)))
+            flat = [np.broadcast_to(x, shape).ravel() if np.ndim(x) else x for x in (*parameters, *lengths, width)]
+            own, others = tuple(flat[: len(parameters)]), flat[len(parameters) : -1]
+            return grouped(slope, own, *others, width=flat[-1]).reshape(shape)
         group = np.searchsorted([length for length, _ in STRIPS], np.where(np.isfinite(stop), stop / width, 0.0))
         if (group == group[0]).all():
             return _over(strip, width)
@@ -138,16 +143,16 @@ def over_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..
     return decorated
 
 
-def of_pressure(a: float, b: float) -> tuple[list[Course], float, float]:
+def of_pressure(a: float, b: float) -> tuple[Course | None, float, float]:
     """Inside and outside the break at b; next to it where the contact has hardly passed it, r says too little."""
     if not a > b * (1.0 + 1e-6):
-        return [], 0.0, a
-    return [Course(b, False, b * b, True), Course(b, True, (a - b) * (a + b), True, a)], 0.0, a
+        return None, 0.0, a
+    return Course(b, (a - b) * (a + b), True, a, b * b), 0.0, a
 
 
-def of_displacement(a: float, *other: float) -> tuple[list[Course], float, float]:
+def of_displacement(a: float, *other: float) -> tuple[Course, float, float]:
     """Outside the contact."""
-    return [Course(a, True, a * a, False)], a, np.inf
+    return Course(a, a * a, False), a, np.inf
 
 
 def difference_root(x: Array, y: Array) -> Array:

@@ -29,11 +29,11 @@ def inverse(
 ) -> Array:
     """The t with curve(t) = value, for 0 < t <= largest.
 
-    `curve` returns its value and its logarithmic slope d ln curve/d ln t.  That slope lies between
-    the two `exponents`, so the error of `start` bounds the root from both sides:
-    ln t - ln start lies between ln(value/curve(start)) divided by either exponent.
-    With exponents that do not hold the root may be outside, and what is found is an end of that interval.
-    A step in ln t is taken unless it leaves the bracket; where it does not settle, the bracket is halved.
+    `curve` returns its value and its logarithmic slope d ln curve/d ln t.  Where that slope lies between the two
+    `exponents`, which count as no more than a guess, the root lies in ln t between ln(value/curve) over either.
+    The guarantee are signs, whatever the exponents: an increasing curve that is met below the value at one point and
+    above it at another has its root between the two, and no step leaves such an interval.  Steps that do not settle
+    within `PATIENCE` alternate with halves of it; if it is still open, with steps that double until it is not.
     A point that is settled stays: where the curve is met within a rounding or within `noise`, or where a step no
     longer changes what t stands for, a quantity whose logarithm moves with `share` of that of t.  What is left then
     is removed by a step that is linear in t, without a second look where the curve is `smooth`, without kinks.
@@ -42,9 +42,7 @@ def inverse(
     position = np.log(t)
     y, slope = curve(t)
     error = _missed(value, y)
-    low: Array
-    high: Array
-    low, high = _bracket(position, error, exponents, largest)
+    low, high = np.full_like(position, -np.inf), np.log(largest) + np.zeros_like(position)
     step = error / slope
     solvable = (value > 0.0) & (value < np.inf) & (y == y)
     for iteration in range(ITERATIONS):
@@ -52,14 +50,15 @@ def inverse(
         left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
         left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
         if share is not None:
-            left = left & ~(np.abs(error) * share(t) <= 4.0 * ROUNDING * slope)
+            # of where the step leads too: far below the root t may stand for nothing
+            moved = np.maximum(share(t), share(np.minimum(t * np.exp(np.minimum(step, 700.0)), largest)))
+            left = left & ~(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
         # not np.any, which `_trace` takes for a question about a rare branch
         if not np.count_nonzero(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)
         high = np.where(error < 0.0, np.minimum(high, position), high)
-        within = (low <= position + step) & (position + step <= high) & ((iteration < PATIENCE) | (iteration % 2 == 0))
-        step = np.where(within, step, (low + high) / 2.0 - position)
+        step = _safe(position, step, error, exponents, low, high, iteration - PATIENCE)
         position = np.where(left, position + step, position)
         t = np.where(left, np.exp(position), t)
         before, slope_before = error, slope
@@ -85,11 +84,24 @@ def _missed(value: Array, y: Array) -> Array:
     return np.where(near, np.log1p(np.where(near, missed, 0.0)), np.log(value / y))
 
 
-def _bracket(position: Array, error: Array, exponents: Exponents, largest: Array | float) -> tuple[Array, Array]:
-    """Bounds of ln t by the least and the largest slope."""
-    low, high = exponents
-    ends = position + error / np.maximum(low, 1e-300), position + error / high
-    return np.minimum(*ends) - 1e-9, np.minimum(np.maximum(*ends) + 1e-9, np.log(largest))
+def _safe(
+    position: Array, step: Array, error: Array, exponents: Exponents, low: Array, high: Array, late: int
+) -> Array:
+    """The step, no further and no nearer than the slopes allow; halfway where it leaves the signs met, or is `late`."""
+    least, most = exponents
+    # the logarithm of no ratio of doubles is larger
+    error = np.minimum(np.maximum(error, -1500.0), 1500.0)
+    ends = position + error / most, position + error * 2.0 ** max(late, 0) / np.maximum(least, 1e-300)
+    first, last = np.minimum(*ends) - 1e-9, np.maximum(*ends) + 1e-9
+    aimed = np.minimum(np.maximum(position + step, first), last)
+    from_, to = np.maximum(first, low), np.minimum(last, high)
+    met = np.isfinite(high - low)
+    signs = (from_ > to) | (met & (late >= 0))
+    middle = np.where(signs, low, from_) / 2.0 + np.where(signs, high, to) / 2.0
+    if late >= 0:
+        aimed = np.where(met, position + step, aimed)
+    within = (low <= aimed) & (aimed <= high) & (late < 0 or late % 2 == 0)
+    return np.where(within, aimed, middle) - position
 
 
 def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: Array) -> Array:

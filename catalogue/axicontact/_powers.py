@@ -21,9 +21,9 @@ _DECAY = 42.0
 """exp(-42) = 6e-19: what is left of a power beyond it does not count."""
 
 
-def of_pressure(a: float, n: float) -> tuple[list[Course], float, float]:
+def of_pressure(a: float, n: float) -> tuple[Course | None, float, float]:
     """Up to the axis, for powers that panels resolve."""
-    return ([Course(0.0, True, a * a, True, a)] if n < STEEP else []), 0.0, a
+    return (Course(0.0, a * a, True, a) if n < STEEP else None), 0.0, a
 
 
 @at_many_radii(of_pressure)

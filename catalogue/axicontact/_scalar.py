@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dis import get_instructions
 from types import CodeType, FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
@@ -52,8 +53,7 @@ def scalar(function: FunctionType) -> Callable[..., float] | None:
 def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
     seen.add(function)
     names = _names(function.__code__)
-    attributes = names - set(function.__globals__)
-    if names & NEEDS_ARRAYS or any(hasattr(np, n) and not hasattr(MATH, n) for n in attributes):
+    if names & NEEDS_ARRAYS or any(_of_arrays(*attribute) for attribute in _attributes(function.__code__)):
         return True
     spaces = [function.__globals__, *(vars(m) for n in names if _own(m := function.__globals__.get(n), ModuleType))]
     called: list[Any] = [space.get(name) for space in spaces for name in names]
@@ -63,6 +63,25 @@ def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
 def _names(code: CodeType) -> set[str]:
     inner = (_names(constant) for constant in code.co_consts if isinstance(constant, CodeType))
     return set(code.co_names).union(*inner)
+
+
+def _attributes(code: CodeType) -> Iterator[tuple[str, str]]:
+    """What attributes are looked up, each behind the global name it is one of, or behind none."""
+    owner = ""
+    for step in get_instructions(code):
+        if step.opname in ("LOAD_ATTR", "LOAD_METHOD"):
+            yield owner, step.argval
+        owner = step.argval if step.opname == "LOAD_GLOBAL" else ""
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _attributes(constant)
+
+
+def _of_arrays(owner: str, name: str) -> bool:
+    """Whether plain numbers have nothing of that name: `sum` is one of NumPy, and of Python without `np` before it."""
+    if owner == "np":
+        return not hasattr(MATH, name)
+    return hasattr(np.ndarray, name) and not any(hasattr(kind, name) for kind in (float, list, tuple))
 
 
 def _own(value: Any, kind: type) -> bool:

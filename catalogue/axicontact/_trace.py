@@ -24,6 +24,8 @@ FUNCTIONS = frozenset(
         "sinh", "cosh", "tanh", "arcsinh", "nextafter",
     )
 )  # fmt: skip
+WHOLE = frozenset((3.0, 4.0))
+"""Exponents of powers that become products; the seventh power as products took the force under r**6 to 5.4 units."""
 LONGEST = 2000
 """Operations beyond which a body stays as it is: compiling the text would take longer than it saves."""
 
@@ -82,7 +84,15 @@ class Graph:
             return operands[0]
         if name == "multiply" and operands[0].value == 1.0:
             return operands[1]
+        if name == "power" and operands[1].name == "number" and operands[1].value in WHOLE:
+            return self._products(operands[0], float(operands[1].value))
         return self._node(name, operands)
+
+    def _products(self, x: Node, exponent: float) -> Node:
+        """Neither the square nor what follows leaves the range of doubles before the power does."""
+        two = self.number(2.0)
+        square = self._node("power", (x, two))
+        return self._node("multiply", (x, square)) if exponent == 3.0 else self._node("power", (square, two))
 
     def choice(self, condition: Node, x: Node, y: Node) -> Node:
         if not condition.logical or x.logical or y.logical:

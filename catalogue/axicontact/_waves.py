@@ -18,20 +18,26 @@ def inverse_over_waves(value: Array, waves: Array, power: int) -> Array:
     Where the waves are as steep as they may be the slope of the curve touches zero, and no power of z is close to it.
     But H_0 and H_1 at one point say all derivatives: the curve is followed to the root on its Taylor series, over
     half of z or two radians at most, and looked at again from there if what the series leaves out counts.
+    The curve increases, so that the root is between the points that were met below and above it; no step leaves them.
     """
     plain = np.sqrt(value) if power == 1 else np.cbrt(1.5 * value)
     # z**2 (1 + 2/pi waves) for small z, z**2 + 2/pi waves and the waves for large ones
     raised = 1.0 + 2.0 / np.pi * waves / (1.0 + plain * plain)
     z = plain / (np.sqrt(raised) if power == 1 else np.cbrt(raised))
     left = (value > 0.0) & (value < np.inf)
+    low, high = np.zeros_like(z), np.full_like(z, np.inf)
     for _ in range(LOOKS):
         width = np.minimum(0.5 * z, 2.0)
         y, series = _series(z, waves, width, power)
         s = _reached(series, value - y, value)
-        z = np.where(left, z + width * s, z)
+        low, high = np.where(y < value, z, low), np.where(y > value, z, high)
+        step = z + width * s
+        within = (low <= step) & (step <= high)
+        z = np.where(left, np.where(within, step, 0.5 * (low + np.minimum(high, z + width))), z)
         # what the next term of the series would be, or less
         rest = np.abs(series[-1] * s ** len(series))
-        left = left & ((rest > 0.5 * ROUNDING * value) | (np.abs(value - y) > FAR * value))
+        settled = within & (np.abs(s) < 1.0) & (rest <= 0.5 * ROUNDING * value)
+        left = left & ~(settled & (np.abs(value - y) <= FAR * value))
         if not np.count_nonzero(left):
             break
     return np.where(value >= 0.0, np.where(value < np.inf, z, np.inf), np.nan)

@@ -182,6 +182,7 @@ def pressure(
     + 2*a*(R1 - R2)*sqrt(a**2 - r**2)/(R2*sqrt(a**2 - b**2)) - 2*r*(R1 - R2)*elliptic_e(asin(sqrt((a**2 -
     r**2)/(a**2 - b**2))), b**2/r**2)/R2 + (R1 - R2)*(-b**2 + 2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2
     - b**2))), b**2/r**2)/(R2*r))/(pi*R1)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -292,9 +293,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
-    a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for b
-    < a
+    a from a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
+    a from a*(a + (R1 - R2)*sqrt(a**2 - b**2)/R2)/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    for b < a
 
     Parameters
     ----------
@@ -346,8 +347,8 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1) = F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 -
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1) = F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 -
     b**2)*(2*a**2 + b**2)/R2)/(3*R1) = F   for b < a
 
     Parameters

@@ -297,7 +297,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgam
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + pi*E_star*a**2*tan(theta)/2 = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + pi*E_star*a**2*tan(theta)/2 = F
 
     Parameters
     ----------

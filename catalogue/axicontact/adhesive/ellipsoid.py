@@ -165,6 +165,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*h*(atanh(sqrt(a**2 -
     r**2)/sqrt(b**2 - r**2))/sqrt(b**2 - r**2) - LegendreChi2((a - sqrt(a**2 - r**2))/(b + sqrt(b**2 -
     r**2)))/b + LegendreChi2((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 - r**2)))/b)/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
 
     Parameters
     ----------
@@ -269,7 +270,7 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*h*atanh(a/b)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a*h*atanh(a/b)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -317,7 +318,8 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
+    = F
 
     Parameters
     ----------

@@ -69,6 +69,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma
     """Indentation depth at contact radius a; negative where adhesion pulls the surface up.
 
     d = 2*a*h*Dawson(a/s)/s - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -117,6 +118,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*h*(-a + (2*a**2 +
     s**2)*Dawson(a/s)/s)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -166,6 +168,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) +
     E_star*Integral((2*h*Dawson(sqrt(r**2 + u**2)/s)/s + 2*h*(1 - 2*sqrt(r**2 + u**2)*Dawson(sqrt(r**2 +
     u**2)/s)/s)*sqrt(r**2 + u**2)/s**2)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -219,6 +222,7 @@ def displacement(
     w = 2*Integral(psi*r*(2*h*r*(-2*r*sin(psi)*Dawson(r*sin(psi)/s)/s + 1)*sin(psi)/s**2 +
     2*h*Dawson(r*sin(psi)/s)/s)*cos(psi), (psi, 0, asin(a/r)))/pi -
     2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -267,7 +271,8 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    2*a*h*Dawson(a/s)/s - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from 2*a*h*Dawson(a/s)/s - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -315,8 +320,9 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) =
-    F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*h*(-a + (2*a**2 +
+    s**2)*Dawson(a/s)/s) = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------

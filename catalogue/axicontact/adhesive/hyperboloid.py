@@ -168,6 +168,7 @@ def pressure(
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(b*atan(sqrt(a**2 -
     r**2)/sqrt(b**2 + r**2))/sqrt(b**2 + r**2) - ArctanIntegral((a - sqrt(a**2 - r**2))/(b + sqrt(b**2 +
     r**2))) + ArctanIntegral((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 + r**2))))*tan(theta)/pi
+    with ArctanIntegral: Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)
 
     Parameters
     ----------
@@ -269,7 +270,7 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*tan(theta)*atan(a/b) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a*tan(theta)*atan(a/b) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -317,7 +318,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(a*b + (a - b)*(a +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(a*b + (a - b)*(a +
     b)*atan(a/b))*tan(theta) = F
 
     Parameters

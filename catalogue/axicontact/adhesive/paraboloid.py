@@ -251,7 +251,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a**2/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------

@@ -165,6 +165,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dga
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*Sum(j*r**(j -
     1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - j)/2)*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1,
     N))/(2*sqrt(pi))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -214,6 +216,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike,
 
     w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, (j + 1)/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma((j +
     1)/2), (j, 1, N))/sqrt(pi) - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -261,7 +265,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) -
+    a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) -
     sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
@@ -309,8 +313,8 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 +
-    1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*sqrt(pi)*E_star*Sum(a**(j +
+    1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) = F
 
     Parameters
     ----------

@@ -163,6 +163,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 
     p = A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 +
     1)/(2*sqrt(pi)*gamma((n + 1)/2)) - sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -215,6 +217,8 @@ def displacement(
 
     w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
     1)/(sqrt(pi)*gamma((n + 1)/2)) - 2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -263,7 +267,8 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    sqrt(pi)*A*a**n*gamma(n/2 + 1)/gamma((n + 1)/2) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from sqrt(pi)*A*a**n*gamma(n/2 + 1)/gamma((n + 1)/2) -
+    sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -318,7 +323,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    2*sqrt(pi)*A*E_star*a**(n + 1)*n*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2)) -
+    a from 2*sqrt(pi)*A*E_star*a**(n + 1)*n*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2)) -
     2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) = F
 
     Parameters

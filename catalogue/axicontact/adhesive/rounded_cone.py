@@ -177,6 +177,8 @@ def pressure(
     r**2)/(b*sqrt(a**2 - b**2)) + C0(b, r, a) + 2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
     b**2/r**2)/b + 2*sqrt(a**2 - r**2)/b - 2*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 -
     b**2))), b**2/r**2)/(b*r))*tan(theta)/pi   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -281,9 +283,9 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2*tan(theta)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
-    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
-    = d   for b < a
+    a from a**2*tan(theta)/b - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
+    a from a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) -
+    sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for b < a
 
     Parameters
     ----------
@@ -331,9 +333,10 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3*tan(theta)/(3*b) = F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a -
-    b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) = F   for b < a
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3*tan(theta)/(3*b) = F   for a
+    < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(4*a**3/(3*b) + a**2*acos(b/a) -
+    (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) = F   for b < a
 
     Parameters
     ----------

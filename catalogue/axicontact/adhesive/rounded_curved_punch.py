@@ -181,6 +181,8 @@ def pressure(
     r**2)/(R2*sqrt(a**2 - b**2)) - b*C0(b, r, a)/R2 - 2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
     b**2/r**2)/R2 + 2*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(R2*r) +
     2*sqrt(a**2 - r**2)/R1)/pi   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -291,9 +293,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
-    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
-    for b < a
+    a from a**2/R1 - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
+    a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) -
+    sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for b < a
 
     Parameters
     ----------
@@ -345,9 +347,9 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1) = F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a +
-    b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) = F   for b < a
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 4*E_star*a**3/(3*R1) = F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-a**2*b*acos(b/a)/R2 + (2*a -
+    b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) = F   for b < a
 
     Parameters
     ----------

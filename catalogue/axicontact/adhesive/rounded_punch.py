@@ -172,6 +172,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     r**2)/sqrt(a**2 - b**2) - b*C0(b, r, a) - 2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
     b**2/r**2) + 2*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/r)/(pi*R)
     for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -276,7 +278,7 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -324,8 +326,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a +
-    b)*sqrt(a**2 - b**2)/3)/R = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a
+    + b)*sqrt(a**2 - b**2)/3)/R = F
 
     Parameters
     ----------

@@ -164,6 +164,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dga
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(R*atanh(sqrt(a**2 -
     r**2)/sqrt(R**2 - r**2))/sqrt(R**2 - r**2) - LegendreChi2((a - sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2)))
     + LegendreChi2((a + sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2))))/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
 
     Parameters
     ----------
@@ -264,7 +265,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -310,7 +311,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) =
+    F
 
     Parameters
     ----------

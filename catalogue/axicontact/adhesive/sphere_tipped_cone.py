@@ -274,8 +274,8 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
-    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) -
+    a from a*atanh(a/R) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for a < b
+    a from a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) -
     sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d   for b < a
     with b = R*sin(theta)
 
@@ -325,9 +325,9 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: A
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F
-    for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R -
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) =
+    F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R -
     b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2
     - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 - b**2)) = F   for b < a
     with b = R*sin(theta)

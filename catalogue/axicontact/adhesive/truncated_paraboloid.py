@@ -171,6 +171,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     p = -sqrt(2)*sqrt(E_star)*sqrt(a)*sqrt(dgamma)/(sqrt(pi)*sqrt(a**2 - r**2)) + E_star*(2*a*sqrt(a**2 -
     r**2)/sqrt(a**2 - b**2) - 2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2) + (-b**2 +
     2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/r)/(pi*R)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -274,7 +275,7 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*sqrt(a**2 - b**2)/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    a from a*sqrt(a**2 - b**2)/R - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
 
     Parameters
     ----------
@@ -322,8 +323,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*sqrt(a**2 - b**2)*(2*a**2 + b**2)/(3*R)
-    = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + 2*E_star*sqrt(a**2 - b**2)*(2*a**2 +
+    b**2)/(3*R) = F
 
     Parameters
     ----------

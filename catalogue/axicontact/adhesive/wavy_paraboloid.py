@@ -73,6 +73,7 @@ def depth(
 
     d = a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) -
     sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -126,6 +127,7 @@ def force(
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*a*(2*pi**2*a*h*StruveH(0,
     2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) + 4*a**2/(3*R))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -188,6 +190,7 @@ def pressure(
     E_star*Integral((pi**2*h*StruveH(0, 2*pi*sqrt(r**2 + u**2)/wavelength)/wavelength + sqrt(r**2 +
     u**2)*(2*pi**3*h*(-StruveH(1, 2*pi*sqrt(r**2 + u**2)/wavelength) + 2/pi)/wavelength**2 + 1/R) + sqrt(r**2
     + u**2)/R)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -252,6 +255,7 @@ def displacement(
     r*(2*pi**3*h*(-StruveH(1, 2*pi*r*sin(psi)/wavelength) + 2/pi)/wavelength**2 + 1/R)*sin(psi) +
     r*sin(psi)/R)*cos(psi), (psi, 0, asin(a/r)))/pi -
     2*sqrt(2)*sqrt(a)*sqrt(dgamma)*asin(a/r)/(sqrt(pi)*sqrt(E_star))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -305,8 +309,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) -
+    a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) -
     sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) = d
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -360,8 +365,9 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*a*(2*pi**2*a*h*StruveH(0,
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(E_star)*a**(3/2)*sqrt(dgamma) + E_star*a*(2*pi**2*a*h*StruveH(0,
     2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) + 4*a**2/(3*R)) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

@@ -21,6 +21,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, s: ArrayLike, E_
     w = sqrt(pi)*a*p_0*2F1(-s - 1/2, 1/2, 1, r**2/a**2)*gamma(s + 2)/(E_star*(s +
     1)*gamma(s + 3/2))   for r < a
     w = a**2*p_0*2F1(1/2, 1/2, s + 2, a**2/r**2)/(E_star*r*(s + 1))   for a < r
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------

@@ -20,6 +20,7 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
     w = 4*a*p_0*elliptic_e(r**2/a**2)/(pi*E_star)   for r < a
     w = 4*p_0*r*(-(-a**2/r**2 + 1)*elliptic_k(a**2/r**2) + elliptic_e(a**2/r**2))/(pi*E_star)   for a < r
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------

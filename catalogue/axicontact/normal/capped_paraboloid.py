@@ -173,6 +173,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
     p = E_star*(2*sqrt(a**2 - r**2) + 2*a*(R1 - R2)*sqrt(a**2 - r**2)/(R2*sqrt(a**2 - b**2)) - 2*r*(R1 -
     R2)*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/R2 + (R1 - R2)*(-b**2 +
     2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(R2*r))/(pi*R1)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -301,7 +302,8 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
 
     Notes
     -----
-    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.k.
+    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.k. Not broadcast
+    with R1, R2, b, on which the value does not depend.
 
     References
     ----------
@@ -417,8 +419,8 @@ def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
 def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*E_star*a**3/(3*R1) = F   for a < b
-    2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) = F   for b < a
+    a from 4*E_star*a**3/(3*R1) = F   for a < b
+    a from 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) = F   for b < a
 
     Parameters
     ----------

@@ -234,7 +234,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.k.
+    concave_paraboloid.k. Not broadcast with h, on which the value does not depend.
 
     References
     ----------
@@ -324,7 +324,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.rz.
+    concave_paraboloid.rz. Not broadcast with a, h, on which the value does not depend.
 
     References
     ----------
@@ -367,7 +367,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.dmin.
+    concave_paraboloid.dmin. Not broadcast with a, on which the value does not depend.
 
     References
     ----------

@@ -119,6 +119,8 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
     p = E_star*(d/(pi*sqrt(a**2 - r**2)) + h*gamma(n/2 + 1)/(sqrt(pi)*sqrt(a**2 - r**2)*gamma((n + 1)/2)) -
     h*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 + 1)/(2*sqrt(pi)*a**n*gamma((n +
     1)/2)))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -171,6 +173,8 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
 
     w = 2*d*asin(a/r)/pi + h*r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2)*gamma(n/2 +
     1)/(sqrt(pi)*a**n*gamma((n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -244,7 +248,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_power.k.
+    concave_power.k. Not broadcast with h, n, on which the value does not depend.
 
     References
     ----------
@@ -313,8 +317,10 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     """Radius of the ring where the pressure first vanishes on unloading.
 
     r_zero = 0   for 1 < n < 2
-    IncompleteBeta(1 - r_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(r_zero/a)**(1 - n)*sqrt(1 - r_zero**2/a**2)/(n*(1
-    - r_zero**2/a**2) - 1)   for 2 < n
+    r_zero from IncompleteBeta(1 - r_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(r_zero/a)**(1 - n)*sqrt(1 -
+    r_zero**2/a**2)/(n*(1 - r_zero**2/a**2) - 1)   for 2 < n
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -338,7 +344,8 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.rz.
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.rz. Not broadcast with
+    h, on which the value does not depend.
 
     References
     ----------
@@ -382,7 +389,8 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dmin.
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dmin. Not broadcast
+    with a, on which the value does not depend.
 
     References
     ----------

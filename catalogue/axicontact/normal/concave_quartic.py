@@ -235,7 +235,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.k.
+    concave_quartic.k. Not broadcast with h, on which the value does not depend.
 
     References
     ----------
@@ -325,7 +325,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.rz.
+    concave_quartic.rz. Not broadcast with h, on which the value does not depend.
 
     References
     ----------
@@ -368,7 +368,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.dmin.
+    concave_quartic.dmin. Not broadcast with a, on which the value does not depend.
 
     References
     ----------

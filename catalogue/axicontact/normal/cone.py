@@ -268,6 +268,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook: cone.k.
+    Not broadcast with theta, on which the value does not depend.
 
     References
     ----------

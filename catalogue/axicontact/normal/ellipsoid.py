@@ -163,6 +163,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
 
     p = E_star*h*(atanh(sqrt(a**2 - r**2)/sqrt(b**2 - r**2))/sqrt(b**2 - r**2) - LegendreChi2((a - sqrt(a**2 -
     r**2))/(b + sqrt(b**2 - r**2)))/b + LegendreChi2((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 - r**2)))/b)/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
 
     Parameters
     ----------
@@ -285,7 +286,8 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.k.
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.k. Not broadcast
+    with h, b, on which the value does not depend.
 
     References
     ----------
@@ -352,7 +354,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*h*atanh(a/b)/b = d
+    a from a*h*atanh(a/b)/b = d
 
     Parameters
     ----------
@@ -397,7 +399,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) = F
+    a from E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) = F
 
     Parameters
     ----------
@@ -551,8 +553,8 @@ def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
 
 
 def _depth(a: Array, h: Array, b: Array) -> Array:
-    root = np.sqrt((b - a) * (b + a))
-    return _depth_at(a, root, h, b)
+    angle = np.log1p(2 * a / (b - a)) / 2
+    return h / b * a * angle
 
 
 def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array:
@@ -561,8 +563,8 @@ def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array
 
 
 def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
-    root = np.sqrt((b - a) * (b + a))
-    return _force_at(a, root, h, b, E_star)
+    angle = np.log1p(2 * a / (b - a)) / 2
+    return E_star * h * (b * tanh_gap(angle) + a**2 * angle / b)
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:

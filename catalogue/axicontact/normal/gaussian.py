@@ -71,6 +71,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
     d = 2*a*h*Dawson(a/s)/s
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -117,6 +118,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     """Normal force.
 
     F = 2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -166,6 +168,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
 
     p = E_star*Integral((2*h*Dawson(sqrt(r**2 + u**2)/s)/s + 2*h*(1 - 2*sqrt(r**2 + u**2)*Dawson(sqrt(r**2 +
     u**2)/s)/s)*sqrt(r**2 + u**2)/s**2)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -217,6 +220,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> R
 
     w = 2*Integral(psi*r*(2*h*r*(-2*r*sin(psi)*Dawson(r*sin(psi)/s)/s + 1)*sin(psi)/s**2 +
     2*h*Dawson(r*sin(psi)/s)/s)*cos(psi), (psi, 0, asin(a/r)))/pi
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -288,7 +292,8 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.k.
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.k. Not broadcast with h, on
+    which the value does not depend.
 
     References
     ----------
@@ -310,6 +315,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike
     """Mean pressure F/(pi a^2).
 
     p_mean = 2*E_star*h*(-1 + (2*a**2 + s**2)*Dawson(a/s)/(a*s))/(pi*a)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -356,7 +362,8 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    2*a*h*Dawson(a/s)/s = d
+    a from 2*a*h*Dawson(a/s)/s = d
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -401,7 +408,8 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) = F
+    a from 2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------

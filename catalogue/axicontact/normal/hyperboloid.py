@@ -162,6 +162,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     p = E_star*(b*atan(sqrt(a**2 - r**2)/sqrt(b**2 + r**2))/sqrt(b**2 + r**2) - ArctanIntegral((a - sqrt(a**2
     - r**2))/(b + sqrt(b**2 + r**2))) + ArctanIntegral((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 +
     r**2))))*tan(theta)/pi
+    with ArctanIntegral: Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)
 
     Parameters
     ----------
@@ -283,7 +284,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.k. Not broadcast
+    with theta, b, on which the value does not depend.
 
     References
     ----------
@@ -350,7 +352,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*tan(theta)*atan(a/b) = d
+    a from a*tan(theta)*atan(a/b) = d
 
     Parameters
     ----------
@@ -395,7 +397,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) = F
+    a from E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) = F
 
     Parameters
     ----------
@@ -539,7 +541,7 @@ def _profile(r: Array, theta: Array, b: Array) -> Array:
 
 def _slope(t: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    angle = np.arctan2(t, b)
+    angle = np.arctan(t / b)
     return np.tan(theta) * angle + b * np.tan(theta) * t / (t**2 + b**2)
 
 

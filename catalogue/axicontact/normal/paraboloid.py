@@ -265,7 +265,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.k.
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.k. Not broadcast with R, on
+    which the value does not depend.
 
     References
     ----------

@@ -152,6 +152,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
 
     p = E_star*Sum(j*r**(j - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - j)/2)*gamma(j/2 + 1)*A[j]/gamma((j +
     1)/2), (j, 1, N))/(2*sqrt(pi))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -200,6 +202,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
 
     w = Sum((2*a**j*asin(a/r) - r**j*IncompleteBeta(a**2/r**2, (j + 1)/2, 1/2))*gamma(j/2 + 1)*A[j]/gamma((j +
     1)/2), (j, 1, N))/sqrt(pi)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -331,7 +335,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d
+    a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d
 
     Parameters
     ----------
@@ -373,7 +377,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) = F
+    a from 2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) = F
 
     Parameters
     ----------

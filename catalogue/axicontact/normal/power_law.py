@@ -162,6 +162,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 
     p = A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 +
     1)/(2*sqrt(pi)*gamma((n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -213,6 +215,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> R
 
     w = A*(2*a**n*asin(a/r) - r**n*IncompleteBeta(a**2/r**2, (n + 1)/2, 1/2))*gamma(n/2 +
     1)/(sqrt(pi)*gamma((n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -285,6 +289,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.k.
+    Not broadcast with A, n, on which the value does not depend.
 
     References
     ----------

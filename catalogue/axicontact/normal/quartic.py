@@ -265,7 +265,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.k.
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.k. Not
+    broadcast with A, on which the value does not depend.
 
     References
     ----------

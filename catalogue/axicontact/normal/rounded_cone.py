@@ -170,6 +170,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     p = E_star*(-2*a*sqrt(a**2 - r**2)/(b*sqrt(a**2 - b**2)) + C0(b, r, a) + 2*r*elliptic_e(asin(sqrt((a**2 -
     r**2)/(a**2 - b**2))), b**2/r**2)/b + 2*sqrt(a**2 - r**2)/b - 2*(-b + r)*(b +
     r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(b*r))*tan(theta)/pi   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -294,7 +296,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.k. Not broadcast
+    with theta, b, on which the value does not depend.
 
     References
     ----------
@@ -363,8 +366,8 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*tan(theta)/b = d   for a < b
-    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a
+    a from a**2*tan(theta)/b = d   for a < b
+    a from a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a
 
     Parameters
     ----------
@@ -409,9 +412,9 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*E_star*a**3*tan(theta)/(3*b) = F   for a < b
-    E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) = F   for
-    b < a
+    a from 4*E_star*a**3*tan(theta)/(3*b) = F   for a < b
+    a from E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) = F
+    for b < a
 
     Parameters
     ----------
@@ -559,7 +562,7 @@ def _slope(t: Array, theta: Array, b: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     return np.tan(theta) * (angle + 2 * b / (root + t))
 
 
@@ -577,14 +580,14 @@ def _depth(a: Array, theta: Array, b: Array) -> Array:
 
 
 def _force_beyond(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     return E_star * np.tan(theta) * (a**2 * angle + 4 * b * a**2 / (3 * (root + a)) + b / 3 * root)
 
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     tip = 4 * E_star * np.tan(theta) / (3 * b) * a**3
     root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     beyond = E_star * np.tan(theta) * (a**2 * angle + 4 * b * a**2 / (3 * (root + a)) + b / 3 * root)
     return np.where(a < b, tip, beyond)
 

@@ -174,6 +174,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
     2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/R2 + 2*(-b + r)*(b +
     r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/(R2*r) + 2*sqrt(a**2 - r**2)/R1)/pi
     for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -305,6 +307,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
     Notes
     -----
     Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.k.
+    Not broadcast with R1, R2, b, on which the value does not depend.
 
     References
     ----------
@@ -371,8 +374,8 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E
 def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2/R1 = d   for a < b
-    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a
+    a from a**2/R1 = d   for a < b
+    a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a
 
     Parameters
     ----------
@@ -419,9 +422,9 @@ def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
 def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*E_star*a**3/(3*R1) = F   for a < b
-    E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) = F   for b <
-    a
+    a from 4*E_star*a**3/(3*R1) = F   for a < b
+    a from E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) = F
+    for b < a
 
     Parameters
     ----------
@@ -575,7 +578,8 @@ def _slope(t: Array, R1: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * t / R1 + root / R2 + b / R2 * arctan_gap(root / b)
+    angle = np.arctan2(root, b)
+    return 2 * t / R1 + 2 * root / R2 - b / R2 * angle
 
 
 def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:

@@ -170,6 +170,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     p = E_star*(2*a*sqrt(a**2 - r**2)/sqrt(a**2 - b**2) - b*C0(b, r, a) - 2*r*elliptic_e(asin(sqrt((a**2 -
     r**2)/(a**2 - b**2))), b**2/r**2) + 2*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
     b**2/r**2)/r)/(pi*R)   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -297,7 +299,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. Handbook: rounded_punch.k.
+    ones, give NaN. Handbook: rounded_punch.k. Not broadcast with R, b, on which the value does not depend.
 
     References
     ----------
@@ -367,7 +369,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R = d
+    a from a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R = d
 
     Parameters
     ----------
@@ -412,7 +414,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R = F
+    a from E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R = F
 
     Parameters
     ----------
@@ -555,7 +557,8 @@ def _profile(r: Array, R: Array, b: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return (root + b * arctan_gap(root / b)) / R
+    angle = np.arctan2(root, b)
+    return 2 * root / R - b / R * angle
 
 
 def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
@@ -607,7 +610,7 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
 
     rest = (0.9999152, -0.002147146, -0.02265958, -0.0720644, 0.3108858, -0.6900221, 1.077435, -0.6001833)
     start = between(np.log(d / curve(1.0)[0]), (1.098, 3.0), (3.295, 2.0), 3.5, rest)
-    t = inverse(curve, d, start, (2.0, 3.0), smooth=True)
+    t = inverse(curve, d, start, (2.0, 4.0), smooth=True)
     return b * np.sqrt(1.0 + t * t), b * t
 
 

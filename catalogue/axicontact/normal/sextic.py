@@ -265,7 +265,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.k.
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.k. Not
+    broadcast with A, on which the value does not depend.
 
     References
     ----------

@@ -159,6 +159,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
 
     p = E_star*(R*atanh(sqrt(a**2 - r**2)/sqrt(R**2 - r**2))/sqrt(R**2 - r**2) - LegendreChi2((a - sqrt(a**2 -
     r**2))/(R + sqrt(R**2 - r**2))) + LegendreChi2((a + sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2))))/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
 
     Parameters
     ----------
@@ -277,7 +278,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
-    Handbook: sphere.k.
+    Handbook: sphere.k. Not broadcast with R, on which the value does not depend.
 
     References
     ----------
@@ -343,7 +344,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*atanh(a/R) = d
+    a from a*atanh(a/R) = d
 
     Parameters
     ----------
@@ -386,7 +387,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F
+    a from E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F
 
     Parameters
     ----------
@@ -534,8 +535,8 @@ def _depth_at(a: Array, root: Array, R: Array) -> Array:
 
 
 def _depth(a: Array, R: Array) -> Array:
-    root = np.sqrt((R - a) * (R + a))
-    return _depth_at(a, root, R)
+    angle = np.log1p(2 * a / (R - a)) / 2
+    return a * angle
 
 
 def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
@@ -544,8 +545,8 @@ def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
 
 
 def _force(a: Array, R: Array, E_star: Array) -> Array:
-    root = np.sqrt((R - a) * (R + a))
-    return _force_at(a, root, R, E_star)
+    angle = np.log1p(2 * a / (R - a)) / 2
+    return E_star * (a**2 * angle + R**2 * tanh_gap(angle))
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:

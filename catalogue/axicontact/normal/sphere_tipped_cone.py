@@ -293,7 +293,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.k. Not
+    broadcast with R, theta, on which the value does not depend.
 
     References
     ----------
@@ -360,9 +361,9 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Array
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*atanh(a/R) = d   for a < b
-    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for
-    b < a
+    a from a*atanh(a/R) = d   for a < b
+    a from a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) =
+    d   for b < a
     with b = R*sin(theta)
 
     Parameters
@@ -408,10 +409,10 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F   for a < b
-    E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
-    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
-    b**2)) = F   for b < a
+    a from E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) = F   for a < b
+    a from E_star*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R -
+    b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 -
+    b**2)*sqrt(a**2 - b**2)) = F   for b < a
     with b = R*sin(theta)
 
     Parameters
@@ -582,8 +583,7 @@ def _depth_beyond(a: Array, root: Array, R: Array, theta: Array) -> Array:
 
 def _depth(a: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
-    root = np.sqrt((R - a) * (a + R))
-    angle = np.arcsinh(a / root)
+    angle = np.log1p(2 * a / (R - a)) / 2
     tip = a * angle
     root_Rb = R * np.cos(theta)
     root = sine_root(a, R, theta)

@@ -168,6 +168,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     for r < b
     p = E_star*(b*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/r + C0(b, r,
     a))*tan(theta)/pi   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -293,7 +295,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
-    Handbook: truncated_cone.k.
+    Handbook: truncated_cone.k. Not broadcast with theta, b, on which the value does not depend.
 
     References
     ----------
@@ -363,7 +365,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*tan(theta)*acos(b/a) = d
+    a from a*tan(theta)*acos(b/a) = d
 
     Parameters
     ----------
@@ -408,7 +410,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta) = F
+    a from E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta) = F
 
     Parameters
     ----------
@@ -551,7 +553,7 @@ def _profile(r: Array, theta: Array, b: Array) -> Array:
 
 def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     return np.tan(theta) * angle + b * np.tan(theta) / root
 
 

@@ -169,6 +169,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     p = E_star*(2*a*sqrt(a**2 - r**2)/sqrt(a**2 - b**2) - 2*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 -
     b**2))), b**2/r**2) + (-b**2 + 2*r**2)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))),
     b**2/r**2)/r)/(pi*R)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -294,7 +295,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
-    truncated_paraboloid.k.
+    truncated_paraboloid.k. Not broadcast with R, b, on which the value does not depend.
 
     References
     ----------

@@ -69,6 +69,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) ->
     """Indentation depth at contact radius a.
 
     d = a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R)
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -117,6 +118,7 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_
 
     F = E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
     4*a**2/(3*R))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -170,6 +172,7 @@ def pressure(
     p = E_star*Integral((pi**2*h*StruveH(0, 2*pi*sqrt(r**2 + u**2)/wavelength)/wavelength + sqrt(r**2 +
     u**2)*(2*pi**3*h*(-StruveH(1, 2*pi*sqrt(r**2 + u**2)/wavelength) + 2/pi)/wavelength**2 + 1/R) + sqrt(r**2
     + u**2)/R)/sqrt(r**2 + u**2), (u, 0, sqrt(a**2 - r**2)))/pi
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -224,6 +227,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wave
     w = 2*Integral(psi*r*(pi**2*h*StruveH(0, 2*pi*r*sin(psi)/wavelength)/wavelength +
     r*(2*pi**3*h*(-StruveH(1, 2*pi*r*sin(psi)/wavelength) + 2/pi)/wavelength**2 + 1/R)*sin(psi) +
     r*sin(psi)/R)*cos(psi), (psi, 0, asin(a/r)))/pi
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -299,7 +303,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
-    wavy_paraboloid.k.
+    wavy_paraboloid.k. Not broadcast with R, h, wavelength, on which the value does not depend.
 
     References
     ----------
@@ -321,6 +325,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Array
 
     p_mean = E_star*(2*pi*h*StruveH(0, 2*pi*a/wavelength)/wavelength - h*StruveH(1, 2*pi*a/wavelength)/a +
     4*a/(3*pi*R))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -368,7 +373,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Array
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d
+    a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -414,8 +420,9 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
-    4*a**2/(3*R)) = F
+    a from E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength)
+    + 4*a**2/(3*R)) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

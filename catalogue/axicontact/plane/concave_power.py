@@ -71,6 +71,8 @@ def pressure(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
     p = (-E_star*h*n**2*x**(n - 1)*IncompleteBeta(1 - x**2/a**2, 1/2, (1 - n)/2)*gamma((n +
     1)/2)/(sqrt(pi)*a**n) + 2*(sqrt(pi)*E_star*h*n*gamma((n + 1)/2) + 2*P*gamma(n/2 + 1))/(pi*sqrt(a**2 -
     x**2)))/(4*gamma(n/2 + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -123,6 +125,8 @@ def slope(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
 
     dw/dx = (h*n**2*x**(n - 1)*IncompleteBeta(a**2/x**2, n/2, 1/2)*gamma((n + 1)/2)/(2*sqrt(pi)*a**n) -
     (sqrt(pi)*E_star*h*n*gamma((n + 1)/2) + 2*P*gamma(n/2 + 1))/(pi*E_star*sqrt(-a**2 + x**2)))/gamma(n/2 + 1)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
     and dw/dx = -f'(x) in the contact.
 
     Parameters
@@ -177,6 +181,8 @@ def depth(L: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
 
     d = -L**n*h*n*IncompleteBeta(a**2/L**2, n/2, 1/2)*gamma((n + 1)/2)/(2*sqrt(pi)*a**n*gamma(n/2 + 1)) +
     2*P*acosh(L/a)/(pi*E_star)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -229,8 +235,10 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     """Distance from the middle where the pressure first vanishes on unloading.
 
     x_zero = 0   for 1 < n < 2
-    IncompleteBeta(1 - x_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(x_zero/a)**(1 - n)*sqrt(1 - x_zero**2/a**2)/(n*(1
-    - x_zero**2/a**2) - 1)   for 2 < n
+    x_zero from IncompleteBeta(1 - x_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(x_zero/a)**(1 - n)*sqrt(1 -
+    x_zero**2/a**2)/(n*(1 - x_zero**2/a**2) - 1)   for 2 < n
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -115,6 +115,8 @@ def pressure(x: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
 
     p = A*E_star*n**2*x**(n - 1)*IncompleteBeta(1 - x**2/a**2, 1/2, (1 - n)/2)*gamma((n +
     1)/2)/(4*sqrt(pi)*gamma(n/2 + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -166,6 +168,8 @@ def slope(x: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
 
     dw/dx = -A*n**2*x**(n - 1)*IncompleteBeta(a**2/x**2, n/2, 1/2)*gamma((n + 1)/2)/(2*sqrt(pi)*gamma(n/2 +
     1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
     and dw/dx = -f'(x) in the contact.
 
     Parameters
@@ -216,6 +220,8 @@ def depth(L: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
 
     d = A*n*(L**n*IncompleteBeta(a**2/L**2, n/2, 1/2)/2 + a**n*acosh(L/a))*gamma((n +
     1)/2)/(sqrt(pi)*gamma(n/2 + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

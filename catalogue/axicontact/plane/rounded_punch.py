@@ -271,7 +271,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
 def half_width_from_load(P: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Half-width of the contact under the line load P.
 
-    E_star*(a**2*acos(b/a) - b*sqrt(a**2 - b**2))/(2*R) = P
+    a from E_star*(a**2*acos(b/a) - b*sqrt(a**2 - b**2))/(2*R) = P
 
     Parameters
     ----------
@@ -326,18 +326,13 @@ def _profile_slope(x: Array, R: Array, b: Array) -> Array:
 
 def _growth_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
     """Growth P'(t)/E_star of the line load for t > b."""
-    angle = np.arctan2(root, b)
+    angle = np.arctan(root / b)
     return t * angle / R
 
 
 def _load_at(root: Array, R: Array, b: Array, E_star: Array) -> Array:
     """Line load at a = sqrt(b**2 + root**2)."""
     return E_star * load_beyond(lambda t, root: _growth_beyond(t, root, R, b), root, b)
-
-
-def _load(a: Array, R: Array, b: Array, E_star: Array) -> Array:
-    root = np.sqrt((a - b) * (a + b))
-    return _load_at(root, R, b, E_star)
 
 
 def _pressure(x: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -367,3 +362,18 @@ def _half_width_from_load(P: Array, R: Array, b: Array, E_star: Array) -> Array:
 
     t = inverse(curve, P, np.ones_like(P), (2.0, 3.0))
     return b * np.sqrt(1.0 + t * t)
+
+
+def _load_below(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _load_at(root, R, b, E_star)
+
+
+def _load_above(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan(root / b)
+    return E_star / (2 * R) * (a**2 * angle - b * root)
+
+
+def _load(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    return np.where(a < 2.0 * b, _load_below(a, R, b, E_star), _load_above(a, R, b, E_star))

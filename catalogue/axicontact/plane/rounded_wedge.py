@@ -269,8 +269,8 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
 def half_width_from_load(P: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Half-width of the contact under the line load P.
 
-    pi*E_star*a**2*tan(theta)/(4*b) = P   for a < b
-    E_star*(a**2*asin(b/a)/b + sqrt(a**2 - b**2))*tan(theta)/2 = P   for b < a
+    a from pi*E_star*a**2*tan(theta)/(4*b) = P   for a < b
+    a from E_star*(a**2*asin(b/a)/b + sqrt(a**2 - b**2))*tan(theta)/2 = P   for b < a
 
     Parameters
     ----------
@@ -329,14 +329,14 @@ def _growth(t: Array, theta: Array, b: Array) -> Array:
 
 def _growth_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
     """Growth P'(t)/E_star of the line load for t > b."""
-    angle = np.arctan2(b, root)
+    angle = np.arctan(b / root)
     return np.tan(theta) / b * t * angle
 
 
 def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     below = np.pi * E_star * np.tan(theta) / (4 * b) * a**2
     root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan2(b, root)
+    angle = np.arctan(b / root)
     above = E_star * np.tan(theta) * (root + a**2 * angle / b) / 2
     return np.where(a < b, below, above)
 

@@ -342,12 +342,25 @@ def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
     return np.where(a >= b, np.where(x > a, value, -_profile_slope(x, theta, b)), np.nan)
 
 
-def _depth(L: Array, a: Array, theta: Array, b: Array) -> Array:
+def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return np.sqrt(P**2 / (E_star**2 * np.tan(theta) ** 2) + b**2)
+
+
+def _depth_below(L: Array, a: Array, theta: Array, b: Array) -> Array:
     beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, theta, b), L, a, b)
     value = 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, theta, b))
     return np.where(a >= b, np.where(a <= L, value, np.nan), np.nan)
 
 
-def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    return np.sqrt(P**2 / (E_star**2 * np.tan(theta) ** 2) + b**2)
+def _depth_above(L: Array, a: Array, theta: Array, b: Array) -> Array:
+    root = np.sqrt((L - a) * (a + L))
+    root_ab = np.sqrt((a - b) * (a + b))
+    angle = np.arctan(root_ab / root)
+    angle_1 = np.arctan(L * root_ab / (b * root))
+    value = 2 * np.tan(theta) / np.pi * (np.arcsinh(root / a) * root_ab + L * angle - b * angle_1)
+    return np.where(a >= b, np.where(a <= L, value, np.nan), np.nan)
+
+
+def _depth(L: Array, a: Array, theta: Array, b: Array) -> Array:
+    return np.where(a < 128.0 * b, _depth_below(L, a, theta, b), _depth_above(L, a, theta, b))

@@ -236,11 +236,11 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
-    mu*(-4*E_star*c**3/(3*R1) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1)) =
-    F_x   for c < b and b < a
-    mu*(2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) - 2*E_star*(2*c**3 + (R1 -
-    R2)*sqrt(-b**2 + c**2)*(b**2 + 2*c**2)/R2)/(3*R1)) = F_x   for b < c
+    c from mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
+    c from mu*(-4*E_star*c**3/(3*R1) + 2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 +
+    b**2)/R2)/(3*R1)) = F_x   for c < b and b < a
+    c from mu*(2*E_star*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1) - 2*E_star*(2*c**3 +
+    (R1 - R2)*sqrt(-b**2 + c**2)*(b**2 + 2*c**2)/R2)/(3*R1)) = F_x   for b < c
 
     Parameters
     ----------

@@ -205,7 +205,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) - E_star*h*(-c + (b**2 + c**2)*atanh(c/b)/b)) = F_x
+    c from mu*(E_star*h*(-a + (a**2 + b**2)*atanh(a/b)/b) - E_star*h*(-c + (b**2 + c**2)*atanh(c/b)/b)) = F_x
 
     Parameters
     ----------

@@ -26,6 +26,7 @@ def tangential_force(
 
     F_x = mu*(2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) - 2*E_star*h*(-c + (2*c**2 +
     s**2)*Dawson(c/s)/s))
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -92,6 +93,7 @@ def traction(
     r**2)))/pi - E_star*Integral((2*h*Dawson(sqrt(r**2 + u**2)/s)/s + 2*h*(1 - 2*sqrt(r**2 +
     u**2)*Dawson(sqrt(r**2 + u**2)/s)/s)*sqrt(r**2 + u**2)/s**2)/sqrt(r**2 + u**2), (u, 0, sqrt(c**2 -
     r**2)))/pi)   for r < c
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -153,6 +155,7 @@ def tangential_displacement(
     """Tangential displacement of the indenter with a stick zone of radius c.
 
     u_0 = E_star*mu*(2*a*h*Dawson(a/s)/s - 2*c*h*Dawson(c/s)/s)/G_star
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -213,8 +216,9 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) - 2*E_star*h*(-c + (2*c**2 + s**2)*Dawson(c/s)/s)) =
-    F_x
+    c from mu*(2*E_star*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s) - 2*E_star*h*(-c + (2*c**2 +
+    s**2)*Dawson(c/s)/s)) = F_x
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -267,6 +271,7 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = 2*E_star*a*h*mu*Dawson(a/s)/(G_star*s)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------

@@ -206,7 +206,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) - E_star*(b*c + (-b + c)*(b +
+    c from mu*(E_star*(a*b + (a - b)*(a + b)*atan(a/b))*tan(theta) - E_star*(b*c + (-b + c)*(b +
     c)*atan(c/b))*tan(theta)) = F_x
 
     Parameters

@@ -84,6 +84,8 @@ def traction(r: ArrayLike, a: ArrayLike, c: ArrayLike, *, A: ArrayLike, E_star: 
     tau = mu*(E_star*Sum(j*r**(j - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - j)/2)*gamma(j/2 +
     1)*A[j]/gamma((j + 1)/2), (j, 1, N))/(2*sqrt(pi)) - E_star*Sum(j*r**(j - 1)*IncompleteBeta(1 - r**2/c**2,
     1/2, (1 - j)/2)*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N))/(2*sqrt(pi)))   for r < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -202,7 +204,7 @@ def tangential_displacement(
 def stick_radius(F_x: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, mu: ArrayLike) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) -
+    c from mu*(2*sqrt(pi)*E_star*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N)) -
     2*sqrt(pi)*E_star*Sum(c**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))) = F_x
 
     Parameters

@@ -88,6 +88,8 @@ def traction(
     tau = mu*(A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 +
     1)/(2*sqrt(pi)*gamma((n + 1)/2)) - A*E_star*n*r**(n - 1)*IncompleteBeta(1 - r**2/c**2, 1/2, (1 -
     n)/2)*gamma(n/2 + 1)/(2*sqrt(pi)*gamma((n + 1)/2)))   for r < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -214,11 +214,11 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*E_star*a**3*tan(theta)/(3*b) - 4*E_star*c**3*tan(theta)/(3*b)) = F_x   for a < b
-    mu*(E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) -
-    4*E_star*c**3*tan(theta)/(3*b)) = F_x   for c < b and b < a
-    mu*(E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta) -
-    E_star*(c**2*acos(b/c) + 4*c**3/(3*b) - (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/(3*b))*tan(theta)) = F_x
+    c from mu*(4*E_star*a**3*tan(theta)/(3*b) - 4*E_star*c**3*tan(theta)/(3*b)) = F_x   for a < b
+    c from mu*(E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)
+    - 4*E_star*c**3*tan(theta)/(3*b)) = F_x   for c < b and b < a
+    c from mu*(E_star*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)
+    - E_star*(c**2*acos(b/c) + 4*c**3/(3*b) - (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/(3*b))*tan(theta)) = F_x
     for b < c
 
     Parameters

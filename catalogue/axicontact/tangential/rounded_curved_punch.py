@@ -237,10 +237,10 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
-    mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    c from mu*(4*E_star*a**3/(3*R1) - 4*E_star*c**3/(3*R1)) = F_x   for a < b
+    c from mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
     4*E_star*c**3/(3*R1)) = F_x   for c < b and b < a
-    mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
+    c from mu*(E_star*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1)) -
     E_star*(-b*c**2*acos(b/c)/R2 + (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/(3*R2) + 4*c**3/(3*R1))) = F_x
     for b < c
 

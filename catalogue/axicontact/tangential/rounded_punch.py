@@ -212,8 +212,8 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R - E_star*(-b*c**2*acos(b/c) +
-    (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/3)/R) = F_x
+    c from mu*(E_star*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R -
+    E_star*(-b*c**2*acos(b/c) + (-b + 2*c)*(b + 2*c)*sqrt(-b**2 + c**2)/3)/R) = F_x
 
     Parameters
     ----------

@@ -193,7 +193,7 @@ def tangential_displacement(
 def stick_radius(F_x: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, mu: ArrayLike) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) - E_star*(-R*c + (R**2 + c**2)*atanh(c/R))) = F_x
+    c from mu*(E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) - E_star*(-R*c + (R**2 + c**2)*atanh(c/R))) = F_x
 
     Parameters
     ----------

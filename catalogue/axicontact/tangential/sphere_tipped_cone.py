@@ -213,7 +213,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    c = Eq(mu*(E_star*(-R*a + (R**2 + a**2)*atanh(a/R)) - E_star*(-R*c + (R**2 + c**2)*atanh(c/R))), F_x)
+    c from mu*(F(a) - F(c)) = F_x
 
     Parameters
     ----------

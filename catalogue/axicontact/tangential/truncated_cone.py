@@ -93,6 +93,8 @@ def traction(
     tau = mu*(E_star*(b*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2)/r + C0(b, r,
     a))*tan(theta)/pi - E_star*(b*elliptic_f(asin(sqrt((c**2 - r**2)/(-b**2 + c**2))), b**2/r**2)/r + C0(b, r,
     c))*tan(theta)/pi)   for b < r and r < c
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
 
     Parameters
     ----------
@@ -216,7 +218,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta) - E_star*(b*sqrt(-b**2 + c**2) +
+    c from mu*(E_star*(a**2*acos(b/a) + b*sqrt(a**2 - b**2))*tan(theta) - E_star*(b*sqrt(-b**2 + c**2) +
     c**2*acos(b/c))*tan(theta)) = F_x
 
     Parameters

@@ -27,6 +27,7 @@ def tangential_force(
     F_x = mu*(E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1,
     2*pi*a/wavelength) + 4*a**2/(3*R)) - E_star*c*(2*pi**2*c*h*StruveH(0, 2*pi*c/wavelength)/wavelength -
     pi*h*StruveH(1, 2*pi*c/wavelength) + 4*c**2/(3*R)))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -168,6 +169,7 @@ def tangential_displacement(
 
     u_0 = E_star*mu*(a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) - c*(pi**2*h*StruveH(0,
     2*pi*c/wavelength)/wavelength + c/R))/G_star
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -234,9 +236,10 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
-    4*a**2/(3*R)) - E_star*c*(2*pi**2*c*h*StruveH(0, 2*pi*c/wavelength)/wavelength - pi*h*StruveH(1,
-    2*pi*c/wavelength) + 4*c**2/(3*R))) = F_x
+    c from mu*(E_star*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1,
+    2*pi*a/wavelength) + 4*a**2/(3*R)) - E_star*c*(2*pi**2*c*h*StruveH(0, 2*pi*c/wavelength)/wavelength -
+    pi*h*StruveH(1, 2*pi*c/wavelength) + 4*c**2/(3*R))) = F_x
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -298,6 +301,7 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = E_star*a*mu*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R)/G_star
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

@@ -83,8 +83,9 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(1 + t/tau)) = F   for a < b
-    2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(1 + t/tau)) = F   for b < a
+    a from 4*E*a**3/(3*R1*(1 + t/tau)) = F   for a < b
+    a from 2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(1 + t/tau)) = F
+    for b < a
 
     Parameters
     ----------
@@ -192,9 +193,9 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(1 - exp(-E*t/eta))) = F   for a < b
-    2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(1 - exp(-E*t/eta))) = F   for b <
-    a
+    a from 4*E*a**3/(3*R1*(1 - exp(-E*t/eta))) = F   for a < b
+    a from 2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(1 - exp(-E*t/eta))) = F
+    for b < a
 
     Parameters
     ----------
@@ -322,8 +323,9 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    4*E_inf*a**3/(3*R1*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F   for a < b
-    2*E_inf*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 +
+    a from 4*E_inf*a**3/(3*R1*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F   for
+    a < b
+    a from 2*E_inf*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 +
     b**2)/R2)/(3*R1*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F   for b < a
 
     Parameters
@@ -456,8 +458,9 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(t/t_0)**alpha) = F   for a < b
-    2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(t/t_0)**alpha) = F   for b < a
+    a from 4*E*a**3/(3*R1*(t/t_0)**alpha) = F   for a < b
+    a from 2*E*(2*a**3 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1*(t/t_0)**alpha) = F   for b
+    < a
 
     Parameters
     ----------

@@ -35,6 +35,7 @@ def ramp_force_maxwell(t: ArrayLike, *, theta: ArrayLike, v: ArrayLike, E: Array
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
 
     F = 2*E*t**2*v**2*1F1(1, 3, -t/tau)/(pi*tan(theta))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -327,6 +328,7 @@ def ramp_force_standard_solid(
     """Normal force at time t on a standard solid, indented at the constant speed v.
 
     F = 2*t**2*v**2*(E_1*1F1(1, 3, -t/tau) + E_inf)/(pi*tan(theta))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

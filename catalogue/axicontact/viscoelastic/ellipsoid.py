@@ -30,7 +30,7 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)*exp(-t/tau)
+    F from F = E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)*exp(-t/tau)
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def step_force_maxwell(
     Notes
     -----
     Valid for a < b; small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*h*atanh(a/b)/b = d. Handbook:
+    contact radius of the elastic contact at the depth d: a from a*h*atanh(a/b)/b = d. Handbook:
     ellipsoid.vis.step_mx.
 
     References
@@ -83,7 +83,7 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(1 + t/tau) = F
+    a from E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(1 + t/tau) = F
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
+    F from F = E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for a < b; small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*h*atanh(a/b)/b = d. Handbook:
+    contact radius of the elastic contact at the depth d: a from a*h*atanh(a/b)/b = d. Handbook:
     ellipsoid.vis.step_kv.
 
     References
@@ -188,7 +188,7 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(1 - exp(-E*t/eta)) = F
+    a from E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(1 - exp(-E*t/eta)) = F
 
     Parameters
     ----------
@@ -240,7 +240,7 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = h*(-a + (a**2 + b**2)*atanh(a/b)/b)*(E_1*exp(-t/tau) + E_inf)
+    F from F = h*(-a + (a**2 + b**2)*atanh(a/b)/b)*(E_1*exp(-t/tau) + E_inf)
 
     Parameters
     ----------
@@ -272,7 +272,7 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for a < b; small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*h*atanh(a/b)/b = d. Handbook:
+    contact radius of the elastic contact at the depth d: a from a*h*atanh(a/b)/b = d. Handbook:
     ellipsoid.vis.step_sls.
 
     References
@@ -295,8 +295,8 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    E_inf*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf)
-    + 1) = F
+    a from E_inf*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 +
+    E_inf) + 1) = F
 
     Parameters
     ----------
@@ -350,7 +350,7 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = E*h*(t_0/t)**alpha*(-a + (a**2 + b**2)*atanh(a/b)/b)/(gamma(1 - alpha)*gamma(alpha + 1))
+    F from F = E*h*(t_0/t)**alpha*(-a + (a**2 + b**2)*atanh(a/b)/b)/(gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
@@ -382,7 +382,7 @@ def step_force_power_creep(
     Notes
     -----
     Valid for a < b; small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*h*atanh(a/b)/b = d. Handbook:
+    contact radius of the elastic contact at the depth d: a from a*h*atanh(a/b)/b = d. Handbook:
     ellipsoid.vis.step_pc.
 
     References
@@ -405,7 +405,7 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(t/t_0)**alpha = F
+    a from E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)/(t/t_0)**alpha = F
 
     Parameters
     ----------

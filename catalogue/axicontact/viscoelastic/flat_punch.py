@@ -31,6 +31,7 @@ def ramp_force_maxwell(t: ArrayLike, *, a: ArrayLike, v: ArrayLike, E: ArrayLike
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
 
     F = 2*E*a*t*v*1F1(1, 2, -t/tau)
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -225,6 +226,7 @@ def ramp_force_standard_solid(
     """Normal force at time t on a standard solid, indented at the constant speed v.
 
     F = 2*a*t*v*(E_1*1F1(1, 2, -t/tau) + E_inf)
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

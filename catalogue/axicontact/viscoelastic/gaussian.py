@@ -30,7 +30,8 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)*exp(-t/tau)
+    F from F = 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)*exp(-t/tau)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -60,7 +61,8 @@ def step_force_maxwell(
     Notes
     -----
     Valid for h << s, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: 2*a*h*Dawson(a/s)/s = d. Handbook: gaussian.vis.step_mx.
+    radius of the elastic contact at the depth d: a from 2*a*h*Dawson(a/s)/s = d; with Dawson: D(x) =
+    exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D. Handbook: gaussian.vis.step_mx.
 
     References
     ----------
@@ -82,7 +84,8 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(1 + t/tau) = F
+    a from 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(1 + t/tau) = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -134,7 +137,8 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)
+    F from F = 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -164,7 +168,8 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for h << s, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: 2*a*h*Dawson(a/s)/s = d. Handbook: gaussian.vis.step_kv.
+    radius of the elastic contact at the depth d: a from 2*a*h*Dawson(a/s)/s = d; with Dawson: D(x) =
+    exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D. Handbook: gaussian.vis.step_kv.
 
     References
     ----------
@@ -186,7 +191,8 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(1 - exp(-E*t/eta)) = F
+    a from 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(1 - exp(-E*t/eta)) = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -238,7 +244,8 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = 2*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)*(E_1*exp(-t/tau) + E_inf)
+    F from F = 2*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)*(E_1*exp(-t/tau) + E_inf)
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -270,7 +277,8 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for h << s, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: 2*a*h*Dawson(a/s)/s = d. Handbook: gaussian.vis.step_sls.
+    radius of the elastic contact at the depth d: a from 2*a*h*Dawson(a/s)/s = d; with Dawson: D(x) =
+    exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D. Handbook: gaussian.vis.step_sls.
 
     References
     ----------
@@ -292,8 +300,9 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    2*E_inf*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 +
-    E_inf) + 1) = F
+    a from 2*E_inf*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(-E_1*exp(-E_inf*t/(tau*(E_1 +
+    E_inf)))/(E_1 + E_inf) + 1) = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -347,7 +356,9 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = 2*E*h*(t_0/t)**alpha*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(gamma(1 - alpha)*gamma(alpha + 1))
+    F from F = 2*E*h*(t_0/t)**alpha*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(gamma(1 - alpha)*gamma(alpha +
+    1))
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------
@@ -379,7 +390,8 @@ def step_force_power_creep(
     Notes
     -----
     Valid for h << s, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: 2*a*h*Dawson(a/s)/s = d. Handbook: gaussian.vis.step_pc.
+    radius of the elastic contact at the depth d: a from 2*a*h*Dawson(a/s)/s = d; with Dawson: D(x) =
+    exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D. Handbook: gaussian.vis.step_pc.
 
     References
     ----------
@@ -401,7 +413,8 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(t/t_0)**alpha = F
+    a from 2*E*h*(-a + (2*a**2 + s**2)*Dawson(a/s)/s)/(t/t_0)**alpha = F
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
 
     Parameters
     ----------

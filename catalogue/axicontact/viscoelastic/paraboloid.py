@@ -35,6 +35,7 @@ def ramp_force_maxwell(t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: ArrayLike
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
 
     F = 4*E*sqrt(R)*t**(3/2)*v**(3/2)*1F1(1, 5/2, -t/tau)/3
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -325,6 +326,7 @@ def ramp_force_standard_solid(
     """Normal force at time t on a standard solid, indented at the constant speed v.
 
     F = 4*sqrt(R)*t**(3/2)*v**(3/2)*(E_1*1F1(1, 5/2, -t/tau) + E_inf)/3
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

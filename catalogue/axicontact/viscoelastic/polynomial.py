@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = 2*sqrt(pi)*E*exp(-t/tau)*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)),
-    (j, 1, N))
+    F from F = 2*sqrt(pi)*E*exp(-t/tau)*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j +
+    1)/2)), (j, 1, N))
 
     Parameters
     ----------
@@ -58,8 +58,8 @@ def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike
     Notes
     -----
     Valid for small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j,
-    1, N)) = d. Handbook: polynomial.vis.step_mx.
+    radius of the elastic contact at the depth d: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N)) = d. Handbook: polynomial.vis.step_mx.
 
     References
     ----------
@@ -80,7 +80,7 @@ def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike
 def step_load_radius_maxwell(t: ArrayLike, *, F: ArrayLike, A: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/(1 +
+    a from 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/(1 +
     t/tau) = F
 
     Parameters
@@ -130,7 +130,7 @@ def step_load_radius_maxwell(t: ArrayLike, *, F: ArrayLike, A: ArrayLike, E: Arr
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))
+    F from F = 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))
 
     Parameters
     ----------
@@ -158,8 +158,8 @@ def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: Arra
     Notes
     -----
     Valid for small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j,
-    1, N)) = d. Handbook: polynomial.vis.step_kv.
+    radius of the elastic contact at the depth d: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N)) = d. Handbook: polynomial.vis.step_kv.
 
     References
     ----------
@@ -180,7 +180,7 @@ def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: Arra
 def step_load_radius_kelvin_voigt(t: ArrayLike, *, F: ArrayLike, A: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/(1 -
+    a from 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/(1 -
     exp(-E*t/eta)) = F
 
     Parameters
@@ -232,8 +232,8 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = 2*sqrt(pi)*(E_1*exp(-t/tau) + E_inf)*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j
-    + 1)/2)), (j, 1, N))
+    F from F = 2*sqrt(pi)*(E_1*exp(-t/tau) + E_inf)*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j +
+    1)*gamma((j + 1)/2)), (j, 1, N))
 
     Parameters
     ----------
@@ -263,8 +263,8 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j,
-    1, N)) = d. Handbook: polynomial.vis.step_sls.
+    radius of the elastic contact at the depth d: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N)) = d. Handbook: polynomial.vis.step_sls.
 
     References
     ----------
@@ -287,7 +287,7 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    2*sqrt(pi)*E_inf*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1,
+    a from 2*sqrt(pi)*E_inf*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1,
     N))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F
 
     Parameters
@@ -343,8 +343,8 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = 2*sqrt(pi)*E*(t_0/t)**alpha*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1,
-    N))/(gamma(1 - alpha)*gamma(alpha + 1))
+    F from F = 2*sqrt(pi)*E*(t_0/t)**alpha*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)),
+    (j, 1, N))/(gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
@@ -374,8 +374,8 @@ def step_force_power_creep(
     Notes
     -----
     Valid for small slopes, and while the contact grows. Negative or NaN times give NaN. Here a is the contact
-    radius of the elastic contact at the depth d: sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j,
-    1, N)) = d. Handbook: polynomial.vis.step_pc.
+    radius of the elastic contact at the depth d: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N)) = d. Handbook: polynomial.vis.step_pc.
 
     References
     ----------
@@ -398,8 +398,8 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))/(t/t_0)**alpha
-    = F
+    a from 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1,
+    N))/(t/t_0)**alpha = F
 
     Parameters
     ----------

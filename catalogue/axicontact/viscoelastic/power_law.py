@@ -38,6 +38,7 @@ def ramp_force_maxwell(
 
     F = 2*sqrt(pi)*A*E*n*(t*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*1F1(1, 1 + (n +
     1)/n, -t/tau)*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -354,6 +355,7 @@ def ramp_force_standard_solid(
 
     F = 2*sqrt(pi)*A*n*(t*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*(E_1*1F1(1, 1 +
     (n + 1)/n, -t/tau) + E_inf)*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

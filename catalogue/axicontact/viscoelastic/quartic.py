@@ -35,6 +35,7 @@ def ramp_force_maxwell(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: ArrayLike
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
 
     F = 4*6**(1/4)*E*t**(5/4)*v**(5/4)*1F1(1, 9/4, -t/tau)/(5*A**(1/4))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -325,6 +326,7 @@ def ramp_force_standard_solid(
     """Normal force at time t on a standard solid, indented at the constant speed v.
 
     F = 4*6**(1/4)*t**(5/4)*v**(5/4)*(E_1*1F1(1, 9/4, -t/tau) + E_inf)/(5*A**(1/4))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

@@ -30,8 +30,8 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3*exp(-t/tau)*tan(theta)/(3*b)   for a < b
-    F = E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
+    F from F = 4*E*a**3*exp(-t/tau)*tan(theta)/(3*b)   for a < b
+    F from F = E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/(3*b))*exp(-t/tau)*tan(theta)   for b < a
 
     Parameters
@@ -62,8 +62,8 @@ def step_force_maxwell(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2*tan(theta)/b = d   for a < b; a*(a/b +
-    acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_mx.
+    contact radius of the elastic contact at the depth d: a from a**2*tan(theta)/b = d   for a < b; a from
+    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_mx.
 
     References
     ----------
@@ -85,8 +85,8 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3*tan(theta)/(3*b*(1 + t/tau)) = F   for a < b
-    E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)/(1 +
+    a from 4*E*a**3*tan(theta)/(3*b*(1 + t/tau)) = F   for a < b
+    a from E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)/(1 +
     t/tau) = F   for b < a
 
     Parameters
@@ -139,8 +139,9 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3*tan(theta)/(3*b)   for a < b
-    F = E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)   for b < a
+    F from F = 4*E*a**3*tan(theta)/(3*b)   for a < b
+    F from F = E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)
+    for b < a
 
     Parameters
     ----------
@@ -170,8 +171,8 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2*tan(theta)/b = d   for a < b; a*(a/b +
-    acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_kv.
+    contact radius of the elastic contact at the depth d: a from a**2*tan(theta)/b = d   for a < b; a from
+    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_kv.
 
     References
     ----------
@@ -193,8 +194,8 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3*tan(theta)/(3*b*(1 - exp(-E*t/eta))) = F   for a < b
-    E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)/(1 -
+    a from 4*E*a**3*tan(theta)/(3*b*(1 - exp(-E*t/eta))) = F   for a < b
+    a from E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)/(1 -
     exp(-E*t/eta)) = F   for b < a
 
     Parameters
@@ -247,9 +248,9 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = 4*a**3*(E_1*exp(-t/tau) + E_inf)*tan(theta)/(3*b)   for a < b
-    F = (E_1*exp(-t/tau) + E_inf)*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
-    b**2)/(3*b))*tan(theta)   for b < a
+    F from F = 4*a**3*(E_1*exp(-t/tau) + E_inf)*tan(theta)/(3*b)   for a < b
+    F from F = (E_1*exp(-t/tau) + E_inf)*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a +
+    b)*sqrt(a**2 - b**2)/(3*b))*tan(theta)   for b < a
 
     Parameters
     ----------
@@ -281,8 +282,8 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2*tan(theta)/b = d   for a < b; a*(a/b +
-    acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_sls.
+    contact radius of the elastic contact at the depth d: a from a**2*tan(theta)/b = d   for a < b; a from
+    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_sls.
 
     References
     ----------
@@ -304,9 +305,9 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    4*E_inf*a**3*tan(theta)/(3*b*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F
-    for a < b
-    E_inf*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
+    a from 4*E_inf*a**3*tan(theta)/(3*b*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1))
+    = F   for a < b
+    a from E_inf*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/(3*b))*tan(theta)/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F   for b <
     a
 
@@ -364,8 +365,8 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3*(t_0/t)**alpha*tan(theta)/(3*b*gamma(1 - alpha)*gamma(alpha + 1))   for a < b
-    F = E*(t_0/t)**alpha*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
+    F from F = 4*E*a**3*(t_0/t)**alpha*tan(theta)/(3*b*gamma(1 - alpha)*gamma(alpha + 1))   for a < b
+    F from F = E*(t_0/t)**alpha*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/(3*b))*tan(theta)/(gamma(1 - alpha)*gamma(alpha + 1))   for b < a
 
     Parameters
@@ -398,8 +399,8 @@ def step_force_power_creep(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2*tan(theta)/b = d   for a < b; a*(a/b +
-    acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_pc.
+    contact radius of the elastic contact at the depth d: a from a**2*tan(theta)/b = d   for a < b; a from
+    a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) = d   for b < a. Handbook: rounded_cone.vis.step_pc.
 
     References
     ----------
@@ -421,8 +422,8 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    4*E*a**3*tan(theta)/(3*b*(t/t_0)**alpha) = F   for a < b
-    E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
+    a from 4*E*a**3*tan(theta)/(3*b*(t/t_0)**alpha) = F   for a < b
+    a from E*(4*a**3/(3*b) + a**2*acos(b/a) - (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/(3*b))*tan(theta)/(t/t_0)**alpha = F   for b < a
 
     Parameters

@@ -30,8 +30,8 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3*exp(-t/tau)/(3*R1)   for a < b
-    F = E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
+    F from F = 4*E*a**3*exp(-t/tau)/(3*R1)   for a < b
+    F from F = E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
     4*a**3/(3*R1))*exp(-t/tau)   for b < a
 
     Parameters
@@ -64,8 +64,9 @@ def step_force_maxwell(
     Notes
     -----
     Valid for a << R1, a - b << R2, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2/R1 = d   for a < b; a*(-b*acos(b/a)/R2 +
-    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.step_mx.
+    contact radius of the elastic contact at the depth d: a from a**2/R1 = d   for a < b; a from
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook:
+    rounded_curved_punch.vis.step_mx.
 
     References
     ----------
@@ -87,8 +88,8 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(1 + t/tau)) = F   for a < b
-    E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))/(1 +
+    a from 4*E*a**3/(3*R1*(1 + t/tau)) = F   for a < b
+    a from E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))/(1 +
     t/tau) = F   for b < a
 
     Parameters
@@ -143,8 +144,9 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3/(3*R1)   for a < b
-    F = E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))   for b < a
+    F from F = 4*E*a**3/(3*R1)   for a < b
+    F from F = E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))   for b
+    < a
 
     Parameters
     ----------
@@ -176,8 +178,9 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for a << R1, a - b << R2, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2/R1 = d   for a < b; a*(-b*acos(b/a)/R2 +
-    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.step_kv.
+    contact radius of the elastic contact at the depth d: a from a**2/R1 = d   for a < b; a from
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook:
+    rounded_curved_punch.vis.step_kv.
 
     References
     ----------
@@ -199,8 +202,8 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(1 - exp(-E*t/eta))) = F   for a < b
-    E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))/(1 -
+    a from 4*E*a**3/(3*R1*(1 - exp(-E*t/eta))) = F   for a < b
+    a from E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))/(1 -
     exp(-E*t/eta)) = F   for b < a
 
     Parameters
@@ -265,8 +268,8 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = 4*a**3*(E_1*exp(-t/tau) + E_inf)/(3*R1)   for a < b
-    F = (E_1*exp(-t/tau) + E_inf)*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 -
+    F from F = 4*a**3*(E_1*exp(-t/tau) + E_inf)/(3*R1)   for a < b
+    F from F = (E_1*exp(-t/tau) + E_inf)*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/(3*R2) + 4*a**3/(3*R1))   for b < a
 
     Parameters
@@ -301,8 +304,9 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for a << R1, a - b << R2, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2/R1 = d   for a < b; a*(-b*acos(b/a)/R2 +
-    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.step_sls.
+    contact radius of the elastic contact at the depth d: a from a**2/R1 = d   for a < b; a from
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook:
+    rounded_curved_punch.vis.step_sls.
 
     References
     ----------
@@ -334,8 +338,9 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    4*E_inf*a**3/(3*R1*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F   for a < b
-    E_inf*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
+    a from 4*E_inf*a**3/(3*R1*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F   for
+    a < b
+    a from E_inf*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
     4*a**3/(3*R1))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F   for b < a
 
     Parameters
@@ -402,8 +407,8 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = 4*E*a**3*(t_0/t)**alpha/(3*R1*gamma(1 - alpha)*gamma(alpha + 1))   for a < b
-    F = E*(t_0/t)**alpha*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
+    F from F = 4*E*a**3*(t_0/t)**alpha/(3*R1*gamma(1 - alpha)*gamma(alpha + 1))   for a < b
+    F from F = E*(t_0/t)**alpha*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
     4*a**3/(3*R1))/(gamma(1 - alpha)*gamma(alpha + 1))   for b < a
 
     Parameters
@@ -438,8 +443,9 @@ def step_force_power_creep(
     Notes
     -----
     Valid for a << R1, a - b << R2, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a**2/R1 = d   for a < b; a*(-b*acos(b/a)/R2 +
-    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.step_pc.
+    contact radius of the elastic contact at the depth d: a from a**2/R1 = d   for a < b; a from
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook:
+    rounded_curved_punch.vis.step_pc.
 
     References
     ----------
@@ -471,9 +477,9 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    4*E*a**3/(3*R1*(t/t_0)**alpha) = F   for a < b
-    E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))/(t/t_0)**alpha
-    = F   for b < a
+    a from 4*E*a**3/(3*R1*(t/t_0)**alpha) = F   for a < b
+    a from E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) +
+    4*a**3/(3*R1))/(t/t_0)**alpha = F   for b < a
 
     Parameters
     ----------

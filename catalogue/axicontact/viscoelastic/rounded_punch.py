@@ -30,7 +30,7 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)*exp(-t/tau)/R
+    F from F = E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)*exp(-t/tau)/R
 
     Parameters
     ----------
@@ -60,8 +60,8 @@ def step_force_maxwell(
     Notes
     -----
     Valid for a - b << R (parabolic rounding), and while the contact grows. Negative or NaN times give NaN.
-    Here a is the contact radius of the elastic contact at the depth d: a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R
-    = d. Handbook: rounded_punch.vis.step_mx.
+    Here a is the contact radius of the elastic contact at the depth d: a from a*(-b*acos(b/a) + sqrt(a**2 -
+    b**2))/R = d. Handbook: rounded_punch.vis.step_mx.
 
     References
     ----------
@@ -83,7 +83,7 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(1 + t/tau)) = F
+    a from E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(1 + t/tau)) = F
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R
+    F from F = E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R
 
     Parameters
     ----------
@@ -165,8 +165,8 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for a - b << R (parabolic rounding), and while the contact grows. Negative or NaN times give NaN.
-    Here a is the contact radius of the elastic contact at the depth d: a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R
-    = d. Handbook: rounded_punch.vis.step_kv.
+    Here a is the contact radius of the elastic contact at the depth d: a from a*(-b*acos(b/a) + sqrt(a**2 -
+    b**2))/R = d. Handbook: rounded_punch.vis.step_kv.
 
     References
     ----------
@@ -188,7 +188,7 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(1 - exp(-E*t/eta))) = F
+    a from E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(1 - exp(-E*t/eta))) = F
 
     Parameters
     ----------
@@ -240,7 +240,8 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = (E_1*exp(-t/tau) + E_inf)*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R
+    F from F = (E_1*exp(-t/tau) + E_inf)*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 -
+    b**2)/3)/R
 
     Parameters
     ----------
@@ -272,8 +273,8 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for a - b << R (parabolic rounding), and while the contact grows. Negative or NaN times give NaN.
-    Here a is the contact radius of the elastic contact at the depth d: a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R
-    = d. Handbook: rounded_punch.vis.step_sls.
+    Here a is the contact radius of the elastic contact at the depth d: a from a*(-b*acos(b/a) + sqrt(a**2 -
+    b**2))/R = d. Handbook: rounded_punch.vis.step_sls.
 
     References
     ----------
@@ -295,7 +296,7 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    E_inf*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 -
+    a from E_inf*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 -
     b**2)/3)/(R*(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1)) = F
 
     Parameters
@@ -352,7 +353,7 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = E*(t_0/t)**alpha*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*gamma(1 -
+    F from F = E*(t_0/t)**alpha*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*gamma(1 -
     alpha)*gamma(alpha + 1))
 
     Parameters
@@ -385,8 +386,8 @@ def step_force_power_creep(
     Notes
     -----
     Valid for a - b << R (parabolic rounding), and while the contact grows. Negative or NaN times give NaN.
-    Here a is the contact radius of the elastic contact at the depth d: a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R
-    = d. Handbook: rounded_punch.vis.step_pc.
+    Here a is the contact radius of the elastic contact at the depth d: a from a*(-b*acos(b/a) + sqrt(a**2 -
+    b**2))/R = d. Handbook: rounded_punch.vis.step_pc.
 
     References
     ----------
@@ -408,7 +409,7 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(t/t_0)**alpha) = F
+    a from E*(-a**2*b*acos(b/a) + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/(R*(t/t_0)**alpha) = F
 
     Parameters
     ----------

@@ -35,6 +35,7 @@ def ramp_force_maxwell(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: ArrayLike
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
 
     F = 6*2**(1/3)*5**(1/6)*E*t**(7/6)*v**(7/6)*1F1(1, 13/6, -t/tau)/(7*A**(1/6))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -325,6 +326,7 @@ def ramp_force_standard_solid(
     """Normal force at time t on a standard solid, indented at the constant speed v.
 
     F = 6*2**(1/3)*5**(1/6)*t**(7/6)*v**(7/6)*(E_1*1F1(1, 13/6, -t/tau) + E_inf)/(7*A**(1/6))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-R*a + (R**2 + a**2)*atanh(a/R))*exp(-t/tau)
+    F from F = E*(-R*a + (R**2 + a**2)*atanh(a/R))*exp(-t/tau)
 
     Parameters
     ----------
@@ -56,8 +56,8 @@ def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*atanh(a/R) = d.
-    Handbook: sphere.vis.step_mx.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from a*atanh(a/R) =
+    d. Handbook: sphere.vis.step_mx.
 
     References
     ----------
@@ -77,7 +77,7 @@ def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike
 def step_load_radius_maxwell(t: ArrayLike, *, F: ArrayLike, R: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 + t/tau) = F
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 + t/tau) = F
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def step_load_radius_maxwell(t: ArrayLike, *, F: ArrayLike, R: ArrayLike, E: Arr
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-R*a + (R**2 + a**2)*atanh(a/R))
+    F from F = E*(-R*a + (R**2 + a**2)*atanh(a/R))
 
     Parameters
     ----------
@@ -153,8 +153,8 @@ def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: Arra
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*atanh(a/R) = d.
-    Handbook: sphere.vis.step_kv.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from a*atanh(a/R) =
+    d. Handbook: sphere.vis.step_kv.
 
     References
     ----------
@@ -174,7 +174,7 @@ def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: Arra
 def step_load_radius_kelvin_voigt(t: ArrayLike, *, F: ArrayLike, R: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 - exp(-E*t/eta)) = F
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 - exp(-E*t/eta)) = F
 
     Parameters
     ----------
@@ -224,7 +224,7 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = (E_1*exp(-t/tau) + E_inf)*(-R*a + (R**2 + a**2)*atanh(a/R))
+    F from F = (E_1*exp(-t/tau) + E_inf)*(-R*a + (R**2 + a**2)*atanh(a/R))
 
     Parameters
     ----------
@@ -254,8 +254,8 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*atanh(a/R) = d.
-    Handbook: sphere.vis.step_sls.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from a*atanh(a/R) =
+    d. Handbook: sphere.vis.step_sls.
 
     References
     ----------
@@ -277,8 +277,8 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    E_inf*(-R*a + (R**2 + a**2)*atanh(a/R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) +
-    1) = F
+    a from E_inf*(-R*a + (R**2 + a**2)*atanh(a/R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 +
+    E_inf) + 1) = F
 
     Parameters
     ----------
@@ -330,7 +330,7 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = E*(t_0/t)**alpha*(-R*a + (R**2 + a**2)*atanh(a/R))/(gamma(1 - alpha)*gamma(alpha + 1))
+    F from F = E*(t_0/t)**alpha*(-R*a + (R**2 + a**2)*atanh(a/R))/(gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
@@ -360,8 +360,8 @@ def step_force_power_creep(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*atanh(a/R) = d.
-    Handbook: sphere.vis.step_pc.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from a*atanh(a/R) =
+    d. Handbook: sphere.vis.step_pc.
 
     References
     ----------
@@ -383,7 +383,7 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(t/t_0)**alpha = F
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(t/t_0)**alpha = F
 
     Parameters
     ----------

@@ -30,10 +30,10 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-R*a + (R**2 + a**2)*atanh(a/R))*exp(-t/tau)   for a < b
-    F = E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
-    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
-    b**2))*exp(-t/tau)   for b < a
+    F from F = E*(-R*a + (R**2 + a**2)*atanh(a/R))*exp(-t/tau)   for a < b
+    F from F = E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R -
+    b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 -
+    b**2)*sqrt(a**2 - b**2))*exp(-t/tau)   for b < a
     with b = R*sin(theta)
 
     Parameters
@@ -64,9 +64,9 @@ def step_force_maxwell(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*atanh(a/R) = d   for a < b; a*(b*acos(b/a)/(sqrt(R
-    - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for; b < a; with b =
-    R*sin(theta). Handbook: sphere_tipped_cone.vis.step_mx.
+    contact radius of the elastic contact at the depth d: a from a*atanh(a/R) = d   for a < b; a from
+    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) =; d
+    for b < a; with b = R*sin(theta). Handbook: sphere_tipped_cone.vis.step_mx.
 
     References
     ----------
@@ -88,9 +88,9 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 + t/tau) = F   for a < b
-    E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R + b)) +
-    (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 + t/tau) = F   for a < b
+    a from E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
+    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
     b**2))/(1 + t/tau) = F   for b < a
     with b = R*sin(theta)
 
@@ -144,10 +144,10 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = E*(-R*a + (R**2 + a**2)*atanh(a/R))   for a < b
-    F = E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
-    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
-    b**2))   for b < a
+    F from F = E*(-R*a + (R**2 + a**2)*atanh(a/R))   for a < b
+    F from F = E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R -
+    b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 -
+    b**2)*sqrt(a**2 - b**2))   for b < a
     with b = R*sin(theta)
 
     Parameters
@@ -178,9 +178,9 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*atanh(a/R) = d   for a < b; a*(b*acos(b/a)/(sqrt(R
-    - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for; b < a; with b =
-    R*sin(theta). Handbook: sphere_tipped_cone.vis.step_kv.
+    contact radius of the elastic contact at the depth d: a from a*atanh(a/R) = d   for a < b; a from
+    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) =; d
+    for b < a; with b = R*sin(theta). Handbook: sphere_tipped_cone.vis.step_kv.
 
     References
     ----------
@@ -202,9 +202,9 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 - exp(-E*t/eta)) = F   for a < b
-    E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R + b)) +
-    (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(1 - exp(-E*t/eta)) = F   for a < b
+    a from E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
+    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
     b**2))/(1 - exp(-E*t/eta)) = F   for b < a
     with b = R*sin(theta)
 
@@ -258,8 +258,8 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = (E_1*exp(-t/tau) + E_inf)*(-R*a + (R**2 + a**2)*atanh(a/R))   for a < b
-    F = (E_1*exp(-t/tau) + E_inf)*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) +
+    F from F = (E_1*exp(-t/tau) + E_inf)*(-R*a + (R**2 + a**2)*atanh(a/R))   for a < b
+    F from F = (E_1*exp(-t/tau) + E_inf)*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) +
     b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) +
     sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 - b**2))   for b < a
     with b = R*sin(theta)
@@ -294,9 +294,9 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*atanh(a/R) = d   for a < b; a*(b*acos(b/a)/(sqrt(R
-    - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for; b < a; with b =
-    R*sin(theta). Handbook: sphere_tipped_cone.vis.step_sls.
+    contact radius of the elastic contact at the depth d: a from a*atanh(a/R) = d   for a < b; a from
+    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) =; d
+    for b < a; with b = R*sin(theta). Handbook: sphere_tipped_cone.vis.step_sls.
 
     References
     ----------
@@ -320,11 +320,12 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    E_inf*(-R*a + (R**2 + a**2)*atanh(a/R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) +
-    1) = F   for a < b
-    E_inf*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
-    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
-    b**2))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F   for b < a
+    a from E_inf*(-R*a + (R**2 + a**2)*atanh(a/R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 +
+    E_inf) + 1) = F   for a < b
+    a from E_inf*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R -
+    b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 -
+    b**2)*sqrt(a**2 - b**2))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F   for b
+    < a
     with b = R*sin(theta)
 
     Parameters
@@ -381,8 +382,9 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = E*(t_0/t)**alpha*(-R*a + (R**2 + a**2)*atanh(a/R))/(gamma(1 - alpha)*gamma(alpha + 1))   for a < b
-    F = E*(t_0/t)**alpha*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 -
+    F from F = E*(t_0/t)**alpha*(-R*a + (R**2 + a**2)*atanh(a/R))/(gamma(1 - alpha)*gamma(alpha + 1))   for
+    a < b
+    F from F = E*(t_0/t)**alpha*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 -
     b**2)/(sqrt(R - b)*sqrt(R + b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) +
     sqrt(R**2 - b**2)*sqrt(a**2 - b**2))/(gamma(1 - alpha)*gamma(alpha + 1))   for b < a
     with b = R*sin(theta)
@@ -417,9 +419,9 @@ def step_force_power_creep(
     Notes
     -----
     Valid for tan(theta) << 1, and while the contact grows. Negative or NaN times give NaN. Here a is the
-    contact radius of the elastic contact at the depth d: a*atanh(a/R) = d   for a < b; a*(b*acos(b/a)/(sqrt(R
-    - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) = d   for; b < a; with b =
-    R*sin(theta). Handbook: sphere_tipped_cone.vis.step_pc.
+    contact radius of the elastic contact at the depth d: a from a*atanh(a/R) = d   for a < b; a from
+    a*(b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2)))) =; d
+    for b < a; with b = R*sin(theta). Handbook: sphere_tipped_cone.vis.step_pc.
 
     References
     ----------
@@ -441,9 +443,9 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    E*(-R*a + (R**2 + a**2)*atanh(a/R))/(t/t_0)**alpha = F   for a < b
-    E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R + b)) +
-    (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
+    a from E*(-R*a + (R**2 + a**2)*atanh(a/R))/(t/t_0)**alpha = F   for a < b
+    a from E*(-R*a + a**2*b*acos(b/a)/(sqrt(R - b)*sqrt(R + b)) + b**2*sqrt(a**2 - b**2)/(sqrt(R - b)*sqrt(R +
+    b)) + (R**2 + a**2)*log((R + a)/(sqrt(R**2 - b**2) + sqrt(a**2 - b**2))) + sqrt(R**2 - b**2)*sqrt(a**2 -
     b**2))/(t/t_0)**alpha = F   for b < a
     with b = R*sin(theta)
 

@@ -29,8 +29,9 @@ def step_force_maxwell(
 ) -> Result:
     """Normal force at time t on a Maxwell fluid, held at the indentation depth d from t = 0 on.
 
-    F = E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
-    4*a**2/(3*R))*exp(-t/tau)
+    F from F = E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength)
+    + 4*a**2/(3*R))*exp(-t/tau)
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -62,8 +63,9 @@ def step_force_maxwell(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
-    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_mx.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from
+    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z),
+    (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.step_mx.
 
     References
     ----------
@@ -85,8 +87,9 @@ def step_load_radius_maxwell(
 ) -> Result:
     """Contact radius at time t on a Maxwell fluid, under the constant normal force F from t = 0 on.
 
-    E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
+    a from E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
     4*a**2/(3*R))/(1 + t/tau) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -140,8 +143,9 @@ def step_force_kelvin_voigt(
 ) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
-    F = E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
-    4*a**2/(3*R))
+    F from F = E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength)
+    + 4*a**2/(3*R))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -173,8 +177,9 @@ def step_force_kelvin_voigt(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
-    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_kv.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from
+    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z),
+    (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.step_kv.
 
     References
     ----------
@@ -196,8 +201,9 @@ def step_load_radius_kelvin_voigt(
 ) -> Result:
     """Contact radius at time t on a Kelvin-Voigt solid, under the constant normal force F from t = 0 on.
 
-    E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
+    a from E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
     4*a**2/(3*R))/(1 - exp(-E*t/eta)) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -261,8 +267,9 @@ def step_force_standard_solid(
 ) -> Result:
     """Normal force at time t on a standard solid, held at the indentation depth d from t = 0 on.
 
-    F = a*(E_1*exp(-t/tau) + E_inf)*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength -
+    F from F = a*(E_1*exp(-t/tau) + E_inf)*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength -
     pi*h*StruveH(1, 2*pi*a/wavelength) + 4*a**2/(3*R))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -296,8 +303,9 @@ def step_force_standard_solid(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
-    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_sls.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from
+    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z),
+    (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.step_sls.
 
     References
     ----------
@@ -331,8 +339,9 @@ def step_load_radius_standard_solid(
 ) -> Result:
     """Contact radius at time t on a standard solid, under the constant normal force F from t = 0 on.
 
-    E_inf*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
-    4*a**2/(3*R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F
+    a from E_inf*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength)
+    + 4*a**2/(3*R))/(-E_1*exp(-E_inf*t/(tau*(E_1 + E_inf)))/(E_1 + E_inf) + 1) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -400,8 +409,9 @@ def step_force_power_creep(
 ) -> Result:
     """Normal force at time t on a material of power-law creep, held at the indentation depth d from t = 0 on.
 
-    F = E*a*(t_0/t)**alpha*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1,
+    F from F = E*a*(t_0/t)**alpha*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1,
     2*pi*a/wavelength) + 4*a**2/(3*R))/(gamma(1 - alpha)*gamma(alpha + 1))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -435,8 +445,9 @@ def step_force_power_creep(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, and while the contact grows. Negative or NaN
-    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a*(pi**2*h*StruveH(0,
-    2*pi*a/wavelength)/wavelength + a/R) = d. Handbook: wavy_paraboloid.vis.step_pc.
+    times give NaN. Here a is the contact radius of the elastic contact at the depth d: a from
+    a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z),
+    (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.step_pc.
 
     References
     ----------
@@ -468,8 +479,9 @@ def step_load_radius_power_creep(
 ) -> Result:
     """Contact radius at time t on a material of power-law creep, under the constant normal force F from t = 0 on.
 
-    E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
+    a from E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
     4*a**2/(3*R))/(t/t_0)**alpha = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

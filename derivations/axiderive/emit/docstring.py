@@ -14,7 +14,8 @@ from ..entry import Entry, Quantity
 from ..profiles.profile import Profile
 from .private import parameter_name
 
-WIDTH = 106
+WIDTH, LONGEST = 106, 400
+"""Characters of a line, and of a formula beyond which its definition says more."""
 SUMMARY = {
     "f": "Profile f(r) of the indenter.",
     "d": "Indentation depth at contact radius a.",
@@ -93,13 +94,14 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
         return _wrapped(f"{name} = {outer.replace('(a)', '')}({inner}), through the contact radius.")
     else:
         rows = _rows(entry)
+    if entry is not None and any(len(text) > LONGEST for text, _ in rows):
+        rows = [(_text(entry.definition), "")]
     lines = []
     for text, where in rows:
-        if len(text) > 400:
-            return _wrapped(_equation(name, _text(entry.definition)) if entry else text)
         lines += _wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
     for symbol, expr in profile.abbreviations:
-        lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
+        if any(re.search(rf"\b{symbol}\b", text) for text, _ in rows):
+            lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
     for meaning in _functions("\n".join(lines)):
         lines += _wrapped(meaning)
     return lines

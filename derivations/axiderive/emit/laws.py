@@ -12,15 +12,19 @@ import sympy as sp
 from ..contact import viscoelastic
 from ..entry import Entry
 from ..notation import E_star, d, time, v
+from .arrangement import HALF
 from .evaluated_ramps import ramp_rows
 from .naming import LEFT
 from .printer import Printer
 from .rows import Region, Row
 from .shorthand import with_kappa
+from .width import width
 
 EXPONENT = sp.Symbol("m", positive=True)
 """The power of d that the elastic force goes with, as the laws carry it."""
 RELAXATION, COMPLIANCE, RAMP = (sp.Symbol(name, positive=True) for name in ("E(t)", "J(t)", "Phi_m(t)"))
+KEY = 16.0
+"""Points that a key of two letters would take."""
 NAMES = {RELAXATION: "E(t)", COMPLIANCE: "J(t)", RAMP: r"\Phi_{m}(t)"}
 
 
@@ -35,6 +39,11 @@ class LawText:
     ramp: str
     evaluated: tuple[dict[str, Any], ...] = ()
     """How the ramp is evaluated, where that is another formula."""
+
+    @property
+    def paired(self) -> bool:
+        """Whether relaxation and creep stand side by side."""
+        return max(width(self.relaxation), width(self.creep)) <= HALF + KEY
 
     def functions(self) -> dict[str, str]:
         """The three functions by the name a row calls them by."""

@@ -318,9 +318,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
-    (a**2 + a**(1 - k)*(R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)/R2)/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
-    k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
+    a from a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
+    a from (a**2 + a**(1 - k)*(R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)/R2)/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2
+    - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
 
     Parameters
     ----------
@@ -375,10 +375,10 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) =
-    F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 -
-    b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k + 1)**2*(k + 3)) = F   for b < a
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k
+    + 3)) = F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*(2*a**(k + 3) + (R1 -
+    R2)*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k + 1)**2*(k + 3)) = F   for b < a
 
     Parameters
     ----------

@@ -180,6 +180,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
     p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) +
     H*r**k*tan(theta)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, -k/2)*gamma((k + 1)/2)/(4*sqrt(pi)*gamma(k/2 +
     1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -235,6 +237,8 @@ def displacement(
     w = (a*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r*IncompleteBeta(a**2/r**2, k/2 + 1, (1 -
     k)/2))*cos(pi*k/2)*tan(theta)*gamma((k + 1)/2)/(2*sqrt(pi)*gamma(k/2 + 1)) - sqrt(2)*a**(1/2 -
     k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -285,7 +289,7 @@ def displacement(
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    sqrt(pi)*a*tan(theta)*gamma((k + 1)/2)/(2*gamma(k/2 + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from sqrt(pi)*a*tan(theta)*gamma((k + 1)/2)/(2*gamma(k/2 + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
@@ -334,7 +338,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + sqrt(pi)*H*a**(k +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + sqrt(pi)*H*a**(k +
     2)*tan(theta)*gamma((k + 1)/2)/((k + 1)*(k + 2)*gamma(k/2 + 1)) = F
 
     Parameters

@@ -76,6 +76,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
 
     d = 2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H)
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -127,6 +128,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 8*H*a**(k + 3)*h*1F1(2, (k +
     5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -182,6 +184,7 @@ def pressure(
     H*Integral((4*h*sqrt(r**2 + u**(2/(k + 1)))*1F1(1, (k + 3)/2, -(r**2 + u**(2/(k + 1)))/s**2)/(s**2*(k +
     1)) - 8*h*(r**2 + u**(2/(k + 1)))**(3/2)*1F1(2, (k + 3)/2 + 1, -(r**2 + u**(2/(k + 1)))/s**2)/(s**4*(k
     + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -239,6 +242,9 @@ def displacement(
     2*h*r**2*sin(psi)**2*1F1(1, (k + 3)/2, -r**2*sin(psi)**2/s**2)/(s**2*(k + 1)))*tan(psi)**k, (psi, 0,
     asin(a/r)))/pi - sqrt(2)*a**(1/2 - k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 -
     k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -292,8 +298,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from 2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -346,8 +353,9 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 8*H*a**(k + 3)*h*1F1(2, (k + 5)/2,
-    -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 8*H*a**(k + 3)*h*1F1(2, (k +
+    5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) = F
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

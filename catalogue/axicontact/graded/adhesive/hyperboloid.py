@@ -75,6 +75,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     d = a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H)
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -126,6 +127,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k +
     3)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(b*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -236,6 +238,9 @@ def displacement(
     r**2*sin(psi)**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -r**2*sin(psi)**2/b**2)/(b*(k +
     1)))*tan(psi)**k, (psi, 0, asin(a/r)))/pi - sqrt(2)*a**(1/2 -
     k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -289,8 +294,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
-    k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) -
+    sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -343,8 +349,9 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k +
     3)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(b*(k + 1)**2*(k + 3)) = F
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------

@@ -227,6 +227,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
     w = (a**2*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**2*IncompleteBeta(a**2/r**2, (k + 3)/2, (1 -
     k)/2))*cos(pi*k/2)/(pi*R*(k + 1)) - sqrt(2)*a**(1/2 -
     k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -276,7 +278,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
     ----------

@@ -176,6 +176,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
     p = -sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 - r**2)**(k/2 - 1/2)/sqrt(pi) + H*gamma((k +
     1)/2)*Sum(j*r**(j + k - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-j - k + 1)/2)*gamma(j/2 +
     1)*A[j]/gamma((j + k + 1)/2), (j, 1, N))/(2*pi)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -230,6 +232,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     r**j*IncompleteBeta(a**2/r**2, (j + k + 1)/2, (1 - k)/2))*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1,
     N))/pi - sqrt(2)*a**(1/2 - k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 -
     k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -280,8 +284,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    gamma((k + 1)/2)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N)) - sqrt(2)*sqrt(pi)*a**(1/2
-    - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from gamma((k + 1)/2)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N)) -
+    sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
     ----------
@@ -331,8 +335,8 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*gamma((k + 1)/2)*Sum(a**(j + k +
-    1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k + 1)/2)), (j, 1, N))/(k + 1) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*gamma((k + 1)/2)*Sum(a**(j +
+    k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k + 1)/2)), (j, 1, N))/(k + 1) = F
 
     Parameters
     ----------

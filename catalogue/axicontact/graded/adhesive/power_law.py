@@ -183,6 +183,8 @@ def pressure(
     p = A*H*n*r**(k + n - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-k - n + 1)/2)*gamma((k +
     1)/2)*gamma(n/2 + 1)/(2*pi*gamma((k + n + 1)/2)) - sqrt(2)*sqrt(H)*a**(1/2 - k/2)*sqrt(dgamma)*(a**2 -
     r**2)**(k/2 - 1/2)/sqrt(pi)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -239,6 +241,8 @@ def displacement(
     w = A*(a**n*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**n*IncompleteBeta(a**2/r**2, (k + n +
     1)/2, (1 - k)/2))*cos(pi*k/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(pi*gamma((k + n + 1)/2)) - sqrt(2)*a**(1/2
     - k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -292,7 +296,7 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    A*a**n*gamma((k + 1)/2)*gamma(n/2 + 1)/gamma((k + n + 1)/2) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from A*a**n*gamma((k + 1)/2)*gamma(n/2 + 1)/gamma((k + n + 1)/2) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
@@ -353,7 +357,7 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    2*A*H*a**(k + n + 1)*n*gamma((k + 1)/2)*gamma(n/2 + 1)/((k + 1)*(k + n + 1)*gamma((k + n + 1)/2)) -
+    a from 2*A*H*a**(k + n + 1)*n*gamma((k + 1)/2)*gamma(n/2 + 1)/((k + 1)*(k + n + 1)*gamma((k + n + 1)/2)) -
     2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) = F
 
     Parameters

@@ -227,6 +227,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     w = 8*A*(a**4*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**4*IncompleteBeta(a**2/r**2, (k + 5)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)) - sqrt(2)*a**(1/2 -
     k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -276,7 +278,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    8*A*a**4/((k + 1)*(k + 3)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from 8*A*a**4/((k + 1)*(k + 3)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
     ----------
@@ -324,8 +326,8 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    64*A*H*a**(k + 5)/((k + 1)**2*(k + 3)*(k + 5)) - 2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k
-    + 1) = F
+    a from 64*A*H*a**(k + 5)/((k + 1)**2*(k + 3)*(k + 5)) - 2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 +
+    3/2)*sqrt(dgamma)/(k + 1) = F
 
     Parameters
     ----------

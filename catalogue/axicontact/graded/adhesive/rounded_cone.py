@@ -76,6 +76,8 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     d = a**2*tan(theta)/(b*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for a < b
     d = (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 - b**2)**(k/2
     + 1/2)/(b*(k + 1)))*tan(theta) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -130,6 +132,8 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 3)/(b*(k + 1)*(k + 3)) - 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(b*(k + 1)*(k + 2)*(k + 3)))*tan(theta)/(k + 1)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -291,9 +295,12 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2*tan(theta)/(b*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
-    (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 - b**2)**(k/2 +
-    1/2)/(b*(k + 1)))*tan(theta) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
+    a from a**2*tan(theta)/(b*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
+    a from (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 -
+    b**2)**(k/2 + 1/2)/(b*(k + 1)))*tan(theta) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -346,11 +353,13 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)*tan(theta)/(b*(k +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)*tan(theta)/(b*(k +
     1)**2*(k + 3)) = F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 3)/(b*(k + 1)*(k + 3)) - 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(b*(k + 1)*(k + 2)*(k + 3)))*tan(theta)/(k + 1) = F   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -78,6 +78,8 @@ def depth(
     d = a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for a < b
     d = -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -136,6 +138,8 @@ def force(
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k -
     b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k + 3)))/(k + 1)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -319,9 +323,12 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
-    -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R2*(k +
-    1)) + a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
+    a from a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
+    a from -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b <
+    a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -376,11 +383,13 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) =
-    F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
-    b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k -
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)/(R1*(k + 1)**2*(k
+    + 3)) = F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1
+    - b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k -
     b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k + 3)))/(k + 1) = F   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -76,6 +76,8 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
 
     d = (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k +
     1))/R - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -130,6 +132,8 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k
     + 3)))/(R*(k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -297,8 +301,10 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k + 1))/R -
-    sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k +
+    1))/R - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -351,9 +357,11 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1 -
-    b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k
-    + 3)))/(R*(k + 1)*(k + 2)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-a**(k + 2)*b*IncompleteBeta(1
+    - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k +
+    1)*(k + 3)))/(R*(k + 1)*(k + 2)) = F
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

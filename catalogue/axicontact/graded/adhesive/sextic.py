@@ -228,6 +228,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
     w = 48*A*(a**6*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**6*IncompleteBeta(a**2/r**2, (k + 7)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)*(k + 5)) - sqrt(2)*a**(1/2 -
     k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -277,7 +279,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: A
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    48*A*a**6/((k + 1)*(k + 3)*(k + 5)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from 48*A*a**6/((k + 1)*(k + 3)*(k + 5)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
     ----------
@@ -325,7 +327,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    576*A*H*a**(k + 7)/((k + 1)**2*(k + 3)*(k + 5)*(k + 7)) - 2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 +
+    a from 576*A*H*a**(k + 7)/((k + 1)**2*(k + 3)*(k + 5)*(k + 7)) - 2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 +
     3/2)*sqrt(dgamma)/(k + 1) = F
 
     Parameters

@@ -76,6 +76,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
 
     d = a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H)
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -126,6 +127,7 @@ def force(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: Arr
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)*2F1(1/2,
     2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -230,6 +232,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
     r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/R**2)/(R*(k + 1)))*tan(psi)**k, (psi,
     0, asin(a/r)))/pi - sqrt(2)*a**(1/2 - k/2)*sqrt(dgamma)*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2,
     (1 - k)/2)/(sqrt(pi)*sqrt(H))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -280,8 +285,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: A
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -330,8 +336,9 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)*2F1(1/2, 2, (k
-    + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k +
+    3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------

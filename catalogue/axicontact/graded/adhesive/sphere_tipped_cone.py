@@ -79,6 +79,11 @@ def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: Arra
     d = a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 -
     k)*CapMoment(k, b, R, a) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -135,6 +140,11 @@ def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: Arra
     + 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*sqrt(R**2 - b**2)*(a**2 - b**2)**(k/2 + 1/2) + 2*(R**2*k + R**2 +
     a**2)*CapMoment(k, b, R, a))/((k + 1)*(k + 2))   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -296,11 +306,16 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d   for a < b
-    a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 - k)*CapMoment(k, b,
-    R, a) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
+    a from a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 -
+    k)*CapMoment(k, b, R, a) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -353,13 +368,18 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k + 3)*2F1(1/2, 2, (k
-    + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F   for a < b
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-2*R*a**(k + 1) + a**(k +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 4*H*a**(k +
+    3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F   for a < b
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-2*R*a**(k + 1) + a**(k +
     2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*b**2*(a**2 - b**2)**(k/2
     + 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*sqrt(R**2 - b**2)*(a**2 - b**2)**(k/2 + 1/2) + 2*(R**2*k + R**2 +
     a**2)*CapMoment(k, b, R, a))/((k + 1)*(k + 2)) = F   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------

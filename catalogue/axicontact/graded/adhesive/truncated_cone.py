@@ -75,6 +75,8 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     d = a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -127,6 +129,8 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     F = -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 + 1/2))*tan(theta)/((k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -187,6 +191,8 @@ def pressure(
     H*Integral((b*(-b**2/(r**2 + u**(2/(k + 1))) + 1)**((k + 1)/2 - 1)*tan(theta)/sqrt(r**2 + u**(2/(k + 1)))
     + tan(theta)*IncompleteBeta(-b**2/(r**2 + u**(2/(k + 1))) + 1, (k + 1)/2, 1/2)/2)/sqrt(r**2 + u**(2/(k +
     1))), (u, 0, (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))   for b < r
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -297,8 +303,10 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - sqrt(2)*sqrt(pi)*a**(1/2 -
+    a from a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - sqrt(2)*sqrt(pi)*a**(1/2 -
     k/2)*sqrt(dgamma)/sqrt(H) = d
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -351,8 +359,10 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(a**(k + 2)*IncompleteBeta(1 -
     b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 + 1/2))*tan(theta)/((k + 1)*(k + 2)) = F
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

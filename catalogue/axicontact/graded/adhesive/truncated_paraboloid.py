@@ -291,8 +291,8 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) =
-    d
+    a from a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 -
+    k/2)*sqrt(dgamma)/sqrt(H) = d
 
     Parameters
     ----------
@@ -345,8 +345,8 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 +
-    b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) = F
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + 2*H*(a**2 - b**2)**(k/2 +
+    1/2)*(2*a**2 + b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) = F
 
     Parameters
     ----------

@@ -78,6 +78,7 @@ def depth(
 
     d = pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)
     + a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H)
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -136,6 +137,7 @@ def force(
     1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 +
     2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k +
     1)**2*(k + 3)))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -322,8 +324,9 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2) +
-    a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    a from pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
+    1)/2) + a**2/(R*(k + 1)) - sqrt(2)*sqrt(pi)*a**(1/2 - k/2)*sqrt(dgamma)/sqrt(H) = d
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -378,10 +381,11 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-pi**(1/2 - k/2)*a**(k/2 +
+    a from -2*sqrt(2)*sqrt(pi)*sqrt(H)*a**(k/2 + 3/2)*sqrt(dgamma)/(k + 1) + H*(-pi**(1/2 - k/2)*a**(k/2 +
     1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 +
     2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k +
     1)**2*(k + 3))) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

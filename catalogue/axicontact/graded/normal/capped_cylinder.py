@@ -11,10 +11,10 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
+from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force
 from ..._graded_pressure import power_pressure
-from ..._graded_punch import punch_pressure, punch_stiffness
+from ..._graded_punch import punch_displacement, punch_pressure, punch_stiffness
 from ...normal import capped_cylinder as normal
 
 if TYPE_CHECKING:
@@ -172,6 +172,8 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, k: A
     1)/r**2, (k + 3)/2, (1 - k)/2))*cos(pi*k/2)/(pi*R*(k + 1))   for sqrt(R)*sqrt(d)*sqrt(k + 1) < a
     w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**2*IncompleteBeta(a**2/r**2, (k + 3)/2, (1 -
     k)/2)/(R*(k + 1)))*cos(pi*k/2)/pi   for a < sqrt(R)*sqrt(d)*sqrt(k + 1)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -337,8 +339,8 @@ def _pressure(r: Array, d: Array, a: Array, R: Array, H: Array, k: Array) -> Arr
 
 def _displacement(r: Array, d: Array, a: Array, R: Array, k: Array) -> Array:
     rho, rest = _contact(d, a, R, k)
-    outside = d * punch_share(r, rho, k) - power_sag(r, rho, 2.0, k) / (2 * R)
-    return np.where(r > rho, outside, d - normal._profile(r, a=a, R=R))
+    cap = power_displacement(r, rho, 2.0, k) / (2 * R)
+    return cap + rest * punch_displacement(r, rho, k)
 
 
 def _stiffness(d: Array, a: Array, R: Array, H: Array, k: Array) -> Array:

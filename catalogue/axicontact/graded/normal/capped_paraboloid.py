@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_across import radius_across
 from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._graded_displacement import power_sag, punch_share, rim_sag
+from ..._graded_displacement import power_displacement
+from ..._graded_fall import rim_displacement
 from ..._graded_growth import power_depth, power_force, power_rate
-from ..._graded_inverse import radius_across
 from ..._graded_pressure import power_pressure, rim_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -308,7 +309,8 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
 
     Notes
     -----
-    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.fgm.k.
+    Valid for a << R2. Negative or NaN field values give NaN. Not broadcast with R1, R2, b, on which the value
+    does not depend. Handbook: capped_paraboloid.fgm.k.
 
     References
     ----------
@@ -380,8 +382,8 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H
 def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2/(R1*(k + 1)) = d   for a < b
-    (a**2 + a**(1 - k)*(R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)/R2)/(R1*(k + 1)) = d   for b < a
+    a from a**2/(R1*(k + 1)) = d   for a < b
+    a from (a**2 + a**(1 - k)*(R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)/R2)/(R1*(k + 1)) = d   for b < a
 
     Parameters
     ----------
@@ -432,9 +434,9 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) = F   for a < b
-    2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k + 1)**2*(k +
-    3)) = F   for b < a
+    a from 4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) = F   for a < b
+    a from 2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k +
+    1)**2*(k + 3)) = F   for b < a
 
     Parameters
     ----------
@@ -630,9 +632,7 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: A
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, R1, R2, b, k)
-    sag = power_sag(r, a, 2.0, k) / (2 * R1) + rim_sag(r, a, b, k) * (R1 - R2) / (R1 * R2)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R1=R1, R2=R2, b=b))
+    return power_displacement(r, a, 2.0, k) / (2 * R1) + rim_displacement(r, a, b, k) * (R1 - R2) / (R1 * R2)
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:

@@ -169,6 +169,8 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, k: A
 
     w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) + 2*h*r**2*IncompleteBeta(a**2/r**2, (k + 3)/2, (1
     - k)/2)/(a**2*(k + 1)))*cos(pi*k/2)/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

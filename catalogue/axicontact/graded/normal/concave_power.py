@@ -131,6 +131,8 @@ def pressure(
     p = H*(d*(a**2 - r**2)**(k/2 - 1/2) + h*(a**2 - r**2)**(k/2 - 1/2)*gamma((k + 1)/2)*gamma(n/2 +
     1)/gamma((k + n + 1)/2) - h*n*r**(k + n - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-k - n +
     1)/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(2*a**n*gamma((k + n + 1)/2)))/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -192,6 +194,8 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
 
     w = (d*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) + h*r**n*IncompleteBeta(a**2/r**2, (k + n + 1)/2,
     (1 - k)/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(a**n*gamma((k + n + 1)/2)))*cos(pi*k/2)/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -363,9 +367,11 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> Re
     """Radius of the ring where the pressure first vanishes on unloading.
 
     r_zero = 0   for 1 - k < n < 2
-    IncompleteBeta(1 - r_zero**2/a**2, k/2 + 1/2, -k/2 - n/2 + 1/2) = 2*(r_zero/a)**(-k - n + 1)*(1 -
-    r_zero**2/a**2)**(k/2 + 1/2)/(k*(1 - r_zero**2/a**2) + n*(1 - r_zero**2/a**2) - 1 + k*r_zero**2/a**2)
-    for 2 < n
+    r_zero from IncompleteBeta(1 - r_zero**2/a**2, k/2 + 1/2, -k/2 - n/2 + 1/2) = 2*(r_zero/a)**(-k - n +
+    1)*(1 - r_zero**2/a**2)**(k/2 + 1/2)/(k*(1 - r_zero**2/a**2) + n*(1 - r_zero**2/a**2) - 1 +
+    k*r_zero**2/a**2)   for 2 < n
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

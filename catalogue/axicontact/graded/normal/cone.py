@@ -158,6 +158,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: A
 
     p = H*r**k*tan(theta)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, -k/2)*gamma((k +
     1)/2)/(4*sqrt(pi)*gamma(k/2 + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -208,6 +210,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) 
 
     w = (a*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r*IncompleteBeta(a**2/r**2, k/2 + 1, (1 -
     k)/2))*cos(pi*k/2)*tan(theta)*gamma((k + 1)/2)/(2*sqrt(pi)*gamma(k/2 + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -280,8 +284,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
 
     Notes
     -----
-    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
-    cone.fgm.k.
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Not broadcast
+    with theta, on which the value does not depend. Handbook: cone.fgm.k.
 
     References
     ----------

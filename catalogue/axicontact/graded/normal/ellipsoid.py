@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import punch_share, sphere_sag
+from ..._graded_fall import sphere_displacement
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
 from ..._graded_inverse import radius_below
 from ..._graded_pressure import sphere_pressure
@@ -69,6 +69,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
     d = a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -115,6 +116,7 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     """Normal force.
 
     F = 4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -166,6 +168,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: Array
     1)))/b**2)/(b**2*(k + 1)) + 2*h*(r**2 + u**(2/(k + 1)))**(3/2)*2F1(3/2, 2, (k + 3)/2 + 1, (r**2
     + u**(2/(k + 1)))/b**2)/(b**4*(k + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 +
     1/2)))/(pi*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -219,6 +222,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: A
     w = 2*cos(pi*k/2)*Integral((a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) -
     h*r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/b**2)/(b**2*(k + 1)))*tan(psi)**k,
     (psi, 0, asin(a/r)))/pi
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -295,7 +299,8 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.fgm.k.
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Not broadcast with h, b, on which
+    the value does not depend. Handbook: ellipsoid.fgm.k.
 
     References
     ----------
@@ -316,6 +321,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     """Mean pressure F/(pi a^2).
 
     p_mean = 4*H*a**(k + 1)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(pi*b**2*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -363,7 +369,8 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) = d
+    a from a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) = d
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -410,7 +417,8 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike)
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3)) = F
+    a from 4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3)) = F
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -600,9 +608,7 @@ def _pressure(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, h: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, h, b, k)
-    sag = h * sphere_sag(r, a, b, k) / b
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, h=h, b=b))
+    return h * sphere_displacement(r, a, b, k) / b
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, k: Array) -> Array:

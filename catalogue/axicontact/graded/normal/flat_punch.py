@@ -156,6 +156,8 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, k: ArrayLike) -> R
     """Displacement of the surface into the half-space, inside and outside the contact.
 
     w = d*cos(pi*k/2)*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2)/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

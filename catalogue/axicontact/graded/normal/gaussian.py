@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import gaussian_sag, punch_share
+from ..._graded_fall import gaussian_displacement
 from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
 from ..._graded_inverse import gaussian_reach, radius_up_to
 from ..._graded_pressure import gaussian_pressure
@@ -69,6 +69,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
     d = 2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -115,6 +116,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     """Normal force.
 
     F = 8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -166,6 +168,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: Array
     1)))/s**2)/(s**2*(k + 1)) - 8*h*(r**2 + u**(2/(k + 1)))**(3/2)*1F1(2, (k + 3)/2 + 1, -(r**2 + u**(2/(k
     + 1)))/s**2)/(s**4*(k + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 +
     1/2)))/(pi*(k + 1))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -219,6 +222,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: A
     w = 2*cos(pi*k/2)*Integral((2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) -
     2*h*r**2*sin(psi)**2*1F1(1, (k + 3)/2, -r**2*sin(psi)**2/s**2)/(s**2*(k + 1)))*tan(psi)**k, (psi, 0,
     asin(a/r)))/pi
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -295,7 +299,8 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.fgm.k.
+    Valid for h << s. Negative or NaN field values give NaN. Not broadcast with h, s, on which the value does
+    not depend. Handbook: gaussian.fgm.k.
 
     References
     ----------
@@ -316,6 +321,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: 
     """Mean pressure F/(pi a^2).
 
     p_mean = 8*H*a**(k + 1)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(pi*s**2*(k + 1)**2*(k + 3))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -363,7 +369,8 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: 
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) = d
+    a from 2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) = d
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -410,7 +417,8 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike)
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) = F
+    a from 8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) = F
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -589,9 +597,7 @@ def _pressure(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, h: Array, s: Array, k: Array) -> Array:
-    depth = _depth(a, h, s, k)
-    sag = h * gaussian_sag(r, a, s, k)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, h=h, s=s))
+    return h * gaussian_displacement(r, a, s, k)
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, k: Array) -> Array:

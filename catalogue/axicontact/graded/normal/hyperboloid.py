@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import hyperboloid_sag, punch_share
+from ..._graded_fall import hyperboloid_displacement
 from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import hyperboloid_pressure
@@ -68,6 +68,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Resu
     """Indentation depth at contact radius a.
 
     d = a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -114,6 +115,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     """Normal force.
 
     F = 4*H*a**(k + 3)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(b*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -165,6 +167,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: A
     u**(2/(k + 1)))/b**2)/(b*(k + 1)) - 2*(r**2 + u**(2/(k + 1)))**(3/2)*tan(theta)*2F1(3/2, 2, (k
     + 3)/2 + 1, -(r**2 + u**(2/(k + 1)))/b**2)/(b**3*(k + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0,
     (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -218,6 +221,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, 
     w = 2*cos(pi*k/2)*Integral((a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) -
     r**2*sin(psi)**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -r**2*sin(psi)**2/b**2)/(b*(k +
     1)))*tan(psi)**k, (psi, 0, asin(a/r)))/pi
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -294,7 +298,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.fgm.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Not broadcast with theta, b, on which
+    the value does not depend. Handbook: hyperboloid.fgm.k.
 
     References
     ----------
@@ -315,6 +320,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
     """Mean pressure F/(pi a^2).
 
     p_mean = 4*H*a**(k + 1)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(pi*b*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -362,7 +368,8 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) = d
+    a from a**2*tan(theta)*2F1(1/2, 1, (k + 3)/2, -a**2/b**2)/(b*(k + 1)) = d
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -409,7 +416,8 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayL
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(b*(k + 1)**2*(k + 3)) = F
+    a from 4*H*a**(k + 3)*tan(theta)*2F1(1/2, 2, (k + 5)/2, -a**2/b**2)/(b*(k + 1)**2*(k + 3)) = F
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -587,9 +595,7 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, theta, b, k)
-    sag = hyperboloid_sag(r, a, b, k) * np.tan(theta)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, theta=theta, b=b))
+    return hyperboloid_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:

@@ -205,6 +205,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> R
 
     w = (a**2*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**2*IncompleteBeta(a**2/r**2, (k + 3)/2, (1 -
     k)/2))*cos(pi*k/2)/(pi*R*(k + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -277,7 +279,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.fgm.k.
+    Valid for a << R. Negative or NaN field values give NaN. Not broadcast with R, on which the value does not
+    depend. Handbook: paraboloid.fgm.k.
 
     References
     ----------

@@ -161,6 +161,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: Array
 
     p = H*gamma((k + 1)/2)*Sum(j*r**(j + k - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-j - k +
     1)/2)*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N))/(2*pi)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -213,6 +215,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> R
     w = cos(pi*k/2)*gamma((k + 1)/2)*Sum((a**j*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) -
     r**j*IncompleteBeta(a**2/r**2, (j + k + 1)/2, (1 - k)/2))*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1,
     N))/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -286,7 +290,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for small slopes. Negative or NaN field values give NaN. Handbook: polynomial.fgm.k.
+    Valid for small slopes. Negative or NaN field values give NaN. Not broadcast with A, on which the value
+    does not depend. Handbook: polynomial.fgm.k.
 
     References
     ----------
@@ -355,7 +360,7 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    gamma((k + 1)/2)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N)) = d
+    a from gamma((k + 1)/2)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N)) = d
 
     Parameters
     ----------
@@ -401,8 +406,8 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    2*H*gamma((k + 1)/2)*Sum(a**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k + 1)/2)), (j, 1,
-    N))/(k + 1) = F
+    a from 2*H*gamma((k + 1)/2)*Sum(a**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k + 1)/2)),
+    (j, 1, N))/(k + 1) = F
 
     Parameters
     ----------

@@ -164,6 +164,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: Array
 
     p = A*H*n*r**(k + n - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-k - n + 1)/2)*gamma((k +
     1)/2)*gamma(n/2 + 1)/(2*pi*gamma((k + n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -216,6 +218,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: A
 
     w = A*(a**n*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**n*IncompleteBeta(a**2/r**2, (k + n +
     1)/2, (1 - k)/2))*cos(pi*k/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(pi*gamma((k + n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -292,8 +296,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook:
-    power_law.fgm.k.
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Not broadcast with A, n,
+    on which the value does not depend. Handbook: power_law.fgm.k.
 
     References
     ----------

@@ -205,6 +205,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> R
 
     w = 8*A*(a**4*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**4*IncompleteBeta(a**2/r**2, (k + 5)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -277,7 +279,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.fgm.k.
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Not broadcast with A, on
+    which the value does not depend. Handbook: quartic.fgm.k.
 
     References
     ----------

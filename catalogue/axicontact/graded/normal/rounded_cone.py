@@ -11,9 +11,9 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_across import radius_across
 from ..._graded_breaks import rounded_depth, rounded_force, rounded_rate
-from ..._graded_displacement import punch_share, rounded_sag
-from ..._graded_inverse import radius_across
+from ..._graded_fall import rounded_displacement
 from ..._graded_pressure import rounded_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -72,6 +72,8 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Resu
     d = a**2*tan(theta)/(b*(k + 1))   for a < b
     d = (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 - b**2)**(k/2
     + 1/2)/(b*(k + 1)))*tan(theta)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -121,6 +123,8 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     F = H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 3)/(b*(k + 1)*(k + 3))
     - 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(b*(k + 1)*(k + 2)*(k +
     3)))*tan(theta)/(k + 1)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -296,7 +300,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.fgm.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Not broadcast with theta, b, on which
+    the value does not depend. Handbook: rounded_cone.fgm.k.
 
     References
     ----------
@@ -320,6 +325,8 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
     p_mean = H*(a**k*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 1)/(b*(k + 1)*(k + 3))
     - 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(a**2*b*(k + 1)*(k + 2)*(k +
     3)))*tan(theta)/(pi*(k + 1))   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -367,9 +374,11 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*tan(theta)/(b*(k + 1)) = d   for a < b
-    (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 - b**2)**(k/2 +
-    1/2)/(b*(k + 1)))*tan(theta) = d   for b < a
+    a from a**2*tan(theta)/(b*(k + 1)) = d   for a < b
+    a from (a**2/(b*(k + 1)) + a*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 - a**(1 - k)*(a**2 -
+    b**2)**(k/2 + 1/2)/(b*(k + 1)))*tan(theta) = d   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -416,10 +425,12 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayL
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)*tan(theta)/(b*(k + 1)**2*(k + 3)) = F   for a < b
-    H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 3)/(b*(k + 1)*(k + 3)) -
-    2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(b*(k + 1)*(k + 2)*(k +
+    a from 4*H*a**(k + 3)*tan(theta)/(b*(k + 1)**2*(k + 3)) = F   for a < b
+    a from H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(k + 2) + 4*a**(k + 3)/(b*(k + 1)*(k +
+    3)) - 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(b*(k + 1)*(k + 2)*(k +
     3)))*tan(theta)/(k + 1) = F   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -609,9 +620,7 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, theta, b, k)
-    sag = rounded_sag(r, a, b, k) * np.tan(theta)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, theta=theta, b=b))
+    return rounded_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:

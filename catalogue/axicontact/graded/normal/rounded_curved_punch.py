@@ -11,10 +11,11 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_across import radius_across
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._graded_displacement import power_sag, punch_share, rounding_sag
+from ..._graded_displacement import power_displacement
+from ..._graded_fall import rounding_displacement
 from ..._graded_growth import power_depth, power_force, power_rate
-from ..._graded_inverse import radius_across
 from ..._graded_pressure import power_pressure, rounding_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -71,6 +72,8 @@ def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, k: ArrayL
     d = a**2/(R1*(k + 1))   for a < b
     d = -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1))   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -123,6 +126,8 @@ def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayL
     F = H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k +
     3)))/(k + 1)   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -309,8 +314,8 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
 
     Notes
     -----
-    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook:
-    rounded_curved_punch.fgm.k.
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Not broadcast with R1, R2, b, on
+    which the value does not depend. Handbook: rounded_curved_punch.fgm.k.
 
     References
     ----------
@@ -334,6 +339,8 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H
     p_mean = H*(-a**k*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(R2*a**2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 1)/(R1*(k + 1)*(k +
     3)))/(pi*(k + 1))   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -384,9 +391,11 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H
 def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2/(R1*(k + 1)) = d   for a < b
-    -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R2*(k +
-    1)) + a**2/(R1*(k + 1)) = d   for b < a
+    a from a**2/(R1*(k + 1)) = d   for a < b
+    a from -a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
+    1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) = d   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -437,10 +446,12 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) = F   for a < b
-    H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2 +
-    1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k +
+    a from 4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) = F   for a < b
+    a from H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(R2*(k + 2)) + 2*(a**2 - b**2)**(k/2
+    + 1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/(R2*(k + 1)*(k + 2)*(k + 3)) + 4*a**(k + 3)/(R1*(k + 1)*(k +
     3)))/(k + 1) = F   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -636,9 +647,7 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: A
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, R1, R2, b, k)
-    sag = power_sag(r, a, 2.0, k) / (2 * R1) + rounding_sag(r, a, b, k) / R2
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R1=R1, R2=R2, b=b))
+    return power_displacement(r, a, 2.0, k) / (2 * R1) + rounding_displacement(r, a, b, k) / R2
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._graded_displacement import punch_share, rounding_sag
+from ..._graded_fall import rounding_displacement
 from ..._graded_inverse import radius_beyond
 from ..._graded_pressure import rounding_pressure
 from ..._graded_punch import punch_stiffness
@@ -71,6 +71,8 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
 
     d = (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k +
     1))/R
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -120,6 +122,8 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
 
     F = H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -302,7 +306,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. Handbook: rounded_punch.fgm.k.
+    ones, give NaN. Not broadcast with R, b, on which the value does not depend. Handbook:
+    rounded_punch.fgm.k.
 
     References
     ----------
@@ -325,6 +330,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 
     p_mean = H*(-a**k*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k
     + 4*a**2 - b**2*k - b**2)/(a**2*(k + 1)*(k + 3)))/(pi*R*(k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -374,8 +381,10 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k + 1))/R =
-    d
+    a from (-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(k +
+    1))/R = d
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -422,8 +431,10 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike)
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2*k +
-    4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)) = F
+    a from H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 +
+    1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)) = F
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -613,9 +624,7 @@ def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, R, b, k)
-    sag = rounding_sag(r, a, b, k) / R
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, b=b))
+    return rounding_displacement(r, a, b, k) / R
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:

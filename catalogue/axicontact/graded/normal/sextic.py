@@ -206,6 +206,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> R
 
     w = 48*A*(a**6*IncompleteBeta(a**2/r**2, (k + 1)/2, (1 - k)/2) - r**6*IncompleteBeta(a**2/r**2, (k + 7)/2,
     (1 - k)/2))*cos(pi*k/2)/(pi*(k + 1)*(k + 3)*(k + 5))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -278,7 +280,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.fgm.k.
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Not broadcast with A, on
+    which the value does not depend. Handbook: sextic.fgm.k.
 
     References
     ----------

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import punch_share, sphere_sag
+from ..._graded_fall import sphere_displacement
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
 from ..._graded_inverse import radius_below
 from ..._graded_pressure import sphere_pressure
@@ -67,6 +67,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
     d = a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -112,6 +113,7 @@ def force(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Normal force.
 
     F = 4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -162,6 +164,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: Array
     1)))/R**2)/(R*(k + 1)) + 2*(r**2 + u**(2/(k + 1)))**(3/2)*2F1(3/2, 2, (k + 3)/2 + 1, (r**2 +
     u**(2/(k + 1)))/R**2)/(R**3*(k + 1)*(k + 3)))/sqrt(r**2 + u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 +
     1/2)))/(pi*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -214,6 +217,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> R
     w = 2*cos(pi*k/2)*Integral((a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) -
     r**2*sin(psi)**2*2F1(1/2, 1, (k + 3)/2, r**2*sin(psi)**2/R**2)/(R*(k + 1)))*tan(psi)**k, (psi,
     0, asin(a/r)))/pi
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -286,8 +290,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
-    Handbook: sphere.fgm.k.
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN. Not
+    broadcast with R, on which the value does not depend. Handbook: sphere.fgm.k.
 
     References
     ----------
@@ -308,6 +312,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     """Mean pressure F/(pi a^2).
 
     p_mean = 4*H*a**(k + 1)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(pi*R*(k + 1)**2*(k + 3))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -354,7 +359,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) = d
+    a from a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) = d
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -399,7 +405,8 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F
+    a from 4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -583,9 +590,7 @@ def _pressure(r: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
-    depth = _depth(a, R, k)
-    sag = sphere_sag(r, a, R, k)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R))
+    return sphere_displacement(r, a, R, k)
 
 
 def _radius_from_depth(d: Array, R: Array, k: Array) -> Array:

@@ -11,9 +11,9 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
+from ..._graded_across import radius_across
 from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
-from ..._graded_displacement import punch_share, tipped_sag
-from ..._graded_inverse import radius_across
+from ..._graded_fall import tipped_displacement
 from ..._graded_pressure import tipped_pressure
 from ..._graded_punch import punch_stiffness
 from ..._integrals import difference_root
@@ -70,6 +70,11 @@ def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, k: ArrayLike) -> Resu
     d = a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 -
     k)*CapMoment(k, b, R, a)   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -120,6 +125,11 @@ def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: Arra
     b)) + 2*b**2*(a**2 - b**2)**(k/2 + 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*sqrt(R**2 - b**2)*(a**2 -
     b**2)**(k/2 + 1/2) + 2*(R**2*k + R**2 + a**2)*CapMoment(k, b, R, a))/((k + 1)*(k + 2))   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -296,7 +306,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.fgm.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Not broadcast with R, theta, on which
+    the value does not depend. Handbook: sphere_tipped_cone.fgm.k.
 
     References
     ----------
@@ -322,6 +333,11 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike,
     b**2)**(k/2 + 1/2)/a**2 + 2*(R**2*k + R**2 + a**2)*CapMoment(k, b, R, a)/a**2)/(pi*(k + 1)*(k + 2))   for
     b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -369,10 +385,15 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) = d   for a < b
-    a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 - k)*CapMoment(k, b,
-    R, a) = d   for b < a
+    a from a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) = d   for a < b
+    a from a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 -
+    k)*CapMoment(k, b, R, a) = d   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -419,11 +440,16 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, k: ArrayL
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F   for a < b
-    H*(-2*R*a**(k + 1) + a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(sqrt(R - b)*sqrt(R + b))
-    + 2*b**2*(a**2 - b**2)**(k/2 + 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*sqrt(R**2 - b**2)*(a**2 - b**2)**(k/2 +
-    1/2) + 2*(R**2*k + R**2 + a**2)*CapMoment(k, b, R, a))/((k + 1)*(k + 2)) = F   for b < a
+    a from 4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) = F   for a < b
+    a from H*(-2*R*a**(k + 1) + a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(sqrt(R - b)*sqrt(R
+    + b)) + 2*b**2*(a**2 - b**2)**(k/2 + 1/2)/(sqrt(R - b)*sqrt(R + b)) + 2*sqrt(R**2 - b**2)*(a**2 -
+    b**2)**(k/2 + 1/2) + 2*(R**2*k + R**2 + a**2)*CapMoment(k, b, R, a))/((k + 1)*(k + 2)) = F   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -621,9 +647,7 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array) ->
 
 def _displacement(r: Array, a: Array, R: Array, theta: Array, k: Array) -> Array:
     b = R * np.sin(theta)
-    depth = _depth(a, R, theta, k)
-    sag = tipped_sag(r, a, R, b, R * np.cos(theta), k)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, theta=theta))
+    return tipped_displacement(r, a, R, b, R * np.cos(theta), k)
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, k: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import flank_depth, flank_force, flank_rate
-from ..._graded_displacement import flank_sag, punch_share
+from ..._graded_fall import flank_displacement
 from ..._graded_inverse import radius_beyond
 from ..._graded_pressure import flank_pressure
 from ..._graded_punch import punch_stiffness
@@ -70,6 +70,8 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Resu
     """Indentation depth at contact radius a.
 
     d = a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -119,6 +121,8 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     F = H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
     1/2))*tan(theta)/((k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -174,6 +178,8 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: A
     p = H*Integral((b*(-b**2/(r**2 + u**(2/(k + 1))) + 1)**((k + 1)/2 - 1)*tan(theta)/sqrt(r**2 + u**(2/(k +
     1))) + tan(theta)*IncompleteBeta(-b**2/(r**2 + u**(2/(k + 1))) + 1, (k + 1)/2, 1/2)/2)/sqrt(r**2 +
     u**(2/(k + 1))), (u, 0, (a**2 - r**2)**(k/2 + 1/2)))/(pi*(k + 1))   for b < r
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -230,6 +236,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, 
     (k + 1)/2, 1/2)/(2*pi) + 2*cos(pi*k/2)*Integral((a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2,
     1/2)/2 - r*sin(psi)*tan(theta)*IncompleteBeta(-b**2/(r**2*sin(psi)**2) + 1, (k + 1)/2,
     1/2)/2)*tan(psi)**k, (psi, asin(b/r), asin(a/r)))/pi
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -308,7 +316,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
-    Handbook: truncated_cone.fgm.k.
+    Not broadcast with theta, b, on which the value does not depend. Handbook: truncated_cone.fgm.k.
 
     References
     ----------
@@ -331,6 +339,8 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
 
     p_mean = H*(a**k*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
     1/2)/a**2)*tan(theta)/(pi*(k + 1)*(k + 2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -380,7 +390,9 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 = d
+    a from a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 = d
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -427,8 +439,10 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayL
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
+    a from H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
     1/2))*tan(theta)/((k + 1)*(k + 2)) = F
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -618,9 +632,7 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, theta, b, k)
-    sag = flank_sag(r, a, b, k) * np.tan(theta)
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, theta=theta, b=b))
+    return flank_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._graded_displacement import punch_share, rim_sag
+from ..._graded_fall import rim_displacement
 from ..._graded_inverse import radius_beyond
 from ..._graded_pressure import rim_pressure
 from ..._graded_punch import punch_stiffness
@@ -224,6 +224,8 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: A
     k)*(-b**2 + r**2*sin(psi)**2)**(k/2 + 1/2)/(R*(k + 1)))*tan(psi)**k, (psi, asin(b/r), asin(a/r)))/pi +
     a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)*cos(pi*k/2)*IncompleteBeta(b**2/r**2, (k + 1)/2, (1 - k)/2)/(pi*R*(k
     + 1))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -301,8 +303,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
-    truncated_paraboloid.fgm.k.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Not
+    broadcast with R, b, on which the value does not depend. Handbook: truncated_paraboloid.fgm.k.
 
     References
     ----------
@@ -373,7 +375,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R*(k + 1)) = d
+    a from a**(1 - k)*(a**2 - b**2)**(k/2 + 1/2)/(R*(k + 1)) = d
 
     Parameters
     ----------
@@ -420,7 +422,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike)
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
-    2*H*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) = F
+    a from 2*H*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) = F
 
     Parameters
     ----------
@@ -610,9 +612,7 @@ def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
-    depth = _depth(a, R, b, k)
-    sag = rim_sag(r, a, b, k) / R
-    return np.where(r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, b=b))
+    return rim_displacement(r, a, b, k) / R
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:

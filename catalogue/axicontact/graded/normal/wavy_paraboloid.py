@@ -11,11 +11,13 @@ import numpy as np
 
 from ..._domain import require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share, waves_sag
-from ..._graded_growth import power_depth, power_force, power_rate, steepest_waves, waves_depth, waves_force, waves_rate
+from ..._graded_displacement import power_displacement
+from ..._graded_fall import waves_displacement
+from ..._graded_growth import power_depth, power_force, power_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import power_pressure, waves_pressure
 from ..._graded_punch import punch_stiffness
+from ..._graded_waves import steepest_waves, waves_depth, waves_force, waves_rate
 from ...normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -71,6 +73,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k:
 
     d = pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2)
     + a**2/(R*(k + 1))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -122,6 +125,7 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H:
     F = H*(-pi**(1/2 - k/2)*a**(k/2 + 1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k +
     1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 + 2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
     1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k + 1)**2*(k + 3)))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -234,6 +238,7 @@ def displacement(
     2*pi*a/wavelength)*gamma((k + 1)/2) - pi**(3/2 - k/2)*h*wavelength**(k/2 - 1)*(r*sin(psi))**(1 -
     k/2)*StruveH(k/2, 2*pi*r*sin(psi)/wavelength)*gamma((k + 1)/2) + a**2/(R*(k + 1)) - r**2*sin(psi)**2/(R*(k
     + 1)))*tan(psi)**k, (psi, 0, asin(a/r)))/pi
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -314,8 +319,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
-    wavy_paraboloid.fgm.k.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Not
+    broadcast with R, h, wavelength, on which the value does not depend. Handbook: wavy_paraboloid.fgm.k.
 
     References
     ----------
@@ -340,6 +345,7 @@ def mean_pressure(
     p_mean = H*(2*pi**(1/2 - k/2)*a**(k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
     1)/2)/(k + 1) - pi**(-k/2 - 1/2)*a**(k/2 - 1)*h*wavelength**(k/2)*StruveH(k/2 + 1,
     2*pi*a/wavelength)*gamma((k + 1)/2) + 4*a**(k + 1)/(pi*R*(k + 1)**2*(k + 3)))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -390,8 +396,9 @@ def mean_pressure(
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
-    pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k + 1)/2) +
-    a**2/(R*(k + 1)) = d
+    a from pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
+    1)/2) + a**2/(R*(k + 1)) = d
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -442,9 +449,10 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F.
 
-    H*(-pi**(1/2 - k/2)*a**(k/2 + 1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k + 1)/2)
-    + 2*pi**(3/2 - k/2)*a**(k/2 + 2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
+    a from H*(-pi**(1/2 - k/2)*a**(k/2 + 1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*a/wavelength)*gamma((k +
+    1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 + 2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k +
     1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k + 1)**2*(k + 3))) = F
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -632,11 +640,7 @@ def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Arra
 
 
 def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array, k: Array) -> Array:
-    depth = _depth(a, R, h, wavelength, k)
-    sag = power_sag(r, a, 2.0, k) / (2 * R) + h * waves_sag(r, a, 2 * np.pi / wavelength, k)
-    return np.where(
-        r > a, depth * punch_share(r, a, k) - sag, depth - normal._profile(r, R=R, h=h, wavelength=wavelength)
-    )
+    return power_displacement(r, a, 2.0, k) / (2 * R) + h * waves_displacement(r, a, 2 * np.pi / wavelength, k)
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, k: Array) -> Array:

@@ -259,10 +259,11 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) - 4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3))) = F_x   for a < b
-    mu*(-4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3)) + 2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 +
+    c from mu*(4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) - 4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3))) = F_x   for a
+    < b
+    c from mu*(-4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3)) + 2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k + 1)**2*(k + 3))) = F_x   for c < b and b < a
-    mu*(2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k +
+    c from mu*(2*H*(2*a**(k + 3) + (R1 - R2)*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/R2)/(R1*(k +
     1)**2*(k + 3)) - 2*H*(2*c**(k + 3) + (R1 - R2)*(-b**2 + c**2)**(k/2 + 1/2)*(b**2*k + b**2 +
     2*c**2)/R2)/(R1*(k + 1)**2*(k + 3))) = F_x   for b < c
 

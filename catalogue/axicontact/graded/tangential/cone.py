@@ -90,6 +90,8 @@ def traction(
     tau = mu*(H*r**k*tan(theta)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, -k/2)*gamma((k +
     1)/2)/(4*sqrt(pi)*gamma(k/2 + 1)) - H*r**k*tan(theta)*IncompleteBeta(1 - r**2/c**2, (k + 1)/2,
     -k/2)*gamma((k + 1)/2)/(4*sqrt(pi)*gamma(k/2 + 1)))   for r < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -28,6 +28,7 @@ def tangential_force(
 
     F_x = mu*(4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3)) -
     4*H*c**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, c**2/b**2)/(b**2*(k + 1)**2*(k + 3)))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -155,6 +156,7 @@ def tangential_displacement(
 
     u_0 = H*mu*(a**2*h*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(b**2*(k + 1)) -
     c**2*h*2F1(1/2, 1, (k + 3)/2, c**2/b**2)/(b**2*(k + 1)))/H_x
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -218,8 +220,9 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3)) - 4*H*c**(k +
-    3)*h*2F1(1/2, 2, (k + 5)/2, c**2/b**2)/(b**2*(k + 1)**2*(k + 3))) = F_x
+    c from mu*(4*H*a**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, a**2/b**2)/(b**2*(k + 1)**2*(k + 3)) -
+    4*H*c**(k + 3)*h*2F1(1/2, 2, (k + 5)/2, c**2/b**2)/(b**2*(k + 1)**2*(k + 3))) = F_x
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -275,6 +278,7 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = H*a**2*h*mu*2F1(1/2, 1, (k + 3)/2, a**2/b**2)/(H_x*b**2*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------

@@ -28,6 +28,7 @@ def tangential_force(
 
     F_x = mu*(8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) - 8*H*c**(k +
     3)*h*1F1(2, (k + 5)/2, -c**2/s**2)/(s**2*(k + 1)**2*(k + 3)))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -155,6 +156,7 @@ def tangential_displacement(
 
     u_0 = H*mu*(2*a**2*h*1F1(1, (k + 3)/2, -a**2/s**2)/(s**2*(k + 1)) - 2*c**2*h*1F1(1, (k + 3)/2,
     -c**2/s**2)/(s**2*(k + 1)))/H_x
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -218,8 +220,9 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) - 8*H*c**(k +
+    c from mu*(8*H*a**(k + 3)*h*1F1(2, (k + 5)/2, -a**2/s**2)/(s**2*(k + 1)**2*(k + 3)) - 8*H*c**(k +
     3)*h*1F1(2, (k + 5)/2, -c**2/s**2)/(s**2*(k + 1)**2*(k + 3))) = F_x
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------
@@ -275,6 +278,7 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = 2*H*a**2*h*mu*1F1(1, (k + 3)/2, -a**2/s**2)/(H_x*s**2*(k + 1))
+    with 1F1: Confluent 1F1(p; c; z)
 
     Parameters
     ----------

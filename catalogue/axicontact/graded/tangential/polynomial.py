@@ -92,6 +92,8 @@ def traction(
     1)/2)*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j, 1, N))/(2*pi) - H*gamma((k + 1)/2)*Sum(j*r**(j + k -
     1)*IncompleteBeta(1 - r**2/c**2, (k + 1)/2, (-j - k + 1)/2)*gamma(j/2 + 1)*A[j]/gamma((j + k + 1)/2), (j,
     1, N))/(2*pi))   for r < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -216,9 +218,9 @@ def tangential_displacement(
 def stick_radius(F_x: ArrayLike, a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, mu: ArrayLike) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(2*H*gamma((k + 1)/2)*Sum(a**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k + 1)/2)), (j,
-    1, N))/(k + 1) - 2*H*gamma((k + 1)/2)*Sum(c**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k +
-    1)/2)), (j, 1, N))/(k + 1)) = F_x
+    c from mu*(2*H*gamma((k + 1)/2)*Sum(a**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k + 1)*gamma((j + k +
+    1)/2)), (j, 1, N))/(k + 1) - 2*H*gamma((k + 1)/2)*Sum(c**(j + k + 1)*j*gamma(j/2 + 1)*A[j]/((j + k +
+    1)*gamma((j + k + 1)/2)), (j, 1, N))/(k + 1)) = F_x
 
     Parameters
     ----------

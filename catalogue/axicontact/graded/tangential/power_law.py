@@ -93,6 +93,8 @@ def traction(
     tau = mu*(A*H*n*r**(k + n - 1)*IncompleteBeta(1 - r**2/a**2, (k + 1)/2, (-k - n + 1)/2)*gamma((k +
     1)/2)*gamma(n/2 + 1)/(2*pi*gamma((k + n + 1)/2)) - A*H*n*r**(k + n - 1)*IncompleteBeta(1 - r**2/c**2, (k +
     1)/2, (-k - n + 1)/2)*gamma((k + 1)/2)*gamma(n/2 + 1)/(2*pi*gamma((k + n + 1)/2)))   for r < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

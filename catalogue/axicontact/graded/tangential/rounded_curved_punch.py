@@ -180,6 +180,8 @@ def tangential_displacement(
     u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(R2*(k + 1)) + b*c*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2)/(2*R2) - c**(1 - k)*(-b**2 +
     c**2)**(k/2 + 1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)) - c**2/(R1*(k + 1)))/H_x   for b < c
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -255,7 +257,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    c = Eq(mu*(4*H*a**(k + 3)/(R1*(k + 1)**2*(k + 3)) - 4*H*c**(k + 3)/(R1*(k + 1)**2*(k + 3))), F_x)
+    c from mu*(F(a) - F(c)) = F_x
 
     Parameters
     ----------
@@ -323,6 +325,8 @@ def full_slip_displacement(
     u_0 = H*a**2*mu/(H_x*R1*(k + 1))   for a < b
     u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*R2) + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(R2*(k + 1)) + a**2/(R1*(k + 1)))/H_x   for b < a
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

@@ -30,6 +30,8 @@ def tangential_force(
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)) - H*(-b*c**(k +
     2)*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2) + 2*(-b**2 + c**2)**(k/2 + 1/2)*(-b**2*k - b**2 +
     2*c**2*k + 4*c**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -162,6 +164,8 @@ def tangential_displacement(
     u_0 = H*mu*((-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(k + 1))/R - (-b*c*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2)/2 + c**(1 - k)*(-b**2 + c**2)**(k/2
     + 1/2)/(k + 1))/R)/H_x
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -227,10 +231,12 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 +
+    c from mu*(H*(-a**(k + 2)*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*(a**2 - b**2)**(k/2 +
     1/2)*(2*a**2*k + 4*a**2 - b**2*k - b**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2)) - H*(-b*c**(k +
     2)*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2) + 2*(-b**2 + c**2)**(k/2 + 1/2)*(-b**2*k - b**2 +
     2*c**2*k + 4*c**2)/((k + 1)*(k + 3)))/(R*(k + 1)*(k + 2))) = F_x
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -289,6 +295,8 @@ def full_slip_displacement(
 
     u_0 = H*mu*(-a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 + a**(1 - k)*(a**2 - b**2)**(k/2 +
     1/2)/(k + 1))/(H_x*R)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

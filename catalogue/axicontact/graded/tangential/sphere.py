@@ -26,6 +26,7 @@ def tangential_force(a: ArrayLike, c: ArrayLike, *, R: ArrayLike, H: ArrayLike, 
 
     F_x = mu*(4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) - 4*H*c**(k +
     3)*2F1(1/2, 2, (k + 5)/2, c**2/R**2)/(R*(k + 1)**2*(k + 3)))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -149,6 +150,7 @@ def tangential_displacement(
 
     u_0 = H*mu*(a**2*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(R*(k + 1)) - c**2*2F1(1/2, 1, (k
     + 3)/2, c**2/R**2)/(R*(k + 1)))/H_x
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -208,8 +210,9 @@ def tangential_displacement(
 def stick_radius(F_x: ArrayLike, a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, mu: ArrayLike) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) - 4*H*c**(k +
-    3)*2F1(1/2, 2, (k + 5)/2, c**2/R**2)/(R*(k + 1)**2*(k + 3))) = F_x
+    c from mu*(4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) - 4*H*c**(k
+    + 3)*2F1(1/2, 2, (k + 5)/2, c**2/R**2)/(R*(k + 1)**2*(k + 3))) = F_x
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------
@@ -263,6 +266,7 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = H*a**2*mu*2F1(1/2, 1, (k + 3)/2, a**2/R**2)/(H_x*R*(k + 1))
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
 
     Parameters
     ----------

@@ -177,6 +177,11 @@ def tangential_displacement(
     k)*CapMoment(k, b, R, a) - b*c*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b))
     - c**(1 - k)*CapMoment(k, b, R, c))/H_x   for b < c
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------
@@ -242,8 +247,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    c = Eq(mu*(4*H*a**(k + 3)*2F1(1/2, 2, (k + 5)/2, a**2/R**2)/(R*(k + 1)**2*(k + 3)) - 4*H*c**(k
-    + 3)*2F1(1/2, 2, (k + 5)/2, c**2/R**2)/(R*(k + 1)**2*(k + 3))), F_x)
+    c from mu*(F(a) - F(c)) = F_x
 
     Parameters
     ----------
@@ -302,6 +306,11 @@ def full_slip_displacement(
     u_0 = H*mu*(a*b*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*sqrt(R - b)*sqrt(R + b)) + a**(1 -
     k)*CapMoment(k, b, R, a))/H_x   for b < a
     with b = R*sin(theta)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+    with 2F1: Gauss's 2F1(p, q; c; z) for z < 1, (11.93)
+    with CapMoment: J(k; b, R, a) = int_0^b s (R**2 - s**2)**(-1/2) (a**2 - s**2)**((k - 1)/2) ds, for b < a,
+    b < R
 
     Parameters
     ----------

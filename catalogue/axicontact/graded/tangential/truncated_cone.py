@@ -29,6 +29,8 @@ def tangential_force(
     F_x = mu*(H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
     1/2))*tan(theta)/((k + 1)*(k + 2)) - H*(2*b*(-b**2 + c**2)**(k/2 + 1/2) + c**(k +
     2)*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2))*tan(theta)/((k + 1)*(k + 2)))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -174,6 +176,8 @@ def tangential_displacement(
 
     u_0 = H*mu*(a*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/2 -
     c*tan(theta)*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2)/2)/H_x
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -238,9 +242,11 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
+    c from mu*(H*(a**(k + 2)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2) + 2*b*(a**2 - b**2)**(k/2 +
     1/2))*tan(theta)/((k + 1)*(k + 2)) - H*(2*b*(-b**2 + c**2)**(k/2 + 1/2) + c**(k +
     2)*IncompleteBeta(-b**2/c**2 + 1, (k + 1)/2, 1/2))*tan(theta)/((k + 1)*(k + 2))) = F_x
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------
@@ -297,6 +303,8 @@ def full_slip_displacement(
     """Tangential displacement at the onset of full slip.
 
     u_0 = H*a*mu*tan(theta)*IncompleteBeta(1 - b**2/a**2, (k + 1)/2, 1/2)/(2*H_x)
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
 
     Parameters
     ----------

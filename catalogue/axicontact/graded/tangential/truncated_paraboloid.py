@@ -221,7 +221,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    mu*(2*H*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) - 2*H*(-b**2 +
+    c from mu*(2*H*(a**2 - b**2)**(k/2 + 1/2)*(2*a**2 + b**2*k + b**2)/(R*(k + 1)**2*(k + 3)) - 2*H*(-b**2 +
     c**2)**(k/2 + 1/2)*(b**2*k + b**2 + 2*c**2)/(R*(k + 1)**2*(k + 3))) = F_x
 
     Parameters

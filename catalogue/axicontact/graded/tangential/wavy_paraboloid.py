@@ -11,9 +11,9 @@ import numpy as np
 
 from ..._domain import numbers, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import waves_depth, waves_force, waves_rate
 from ..._graded_pressure import waves_pressure
 from ..._graded_slip import power_gain, waves_gain
+from ..._graded_waves import waves_depth, waves_force, waves_rate
 from ..._slip import stick_force
 from ..normal import wavy_paraboloid as normal
 
@@ -185,6 +185,7 @@ def tangential_displacement(
     u_0 = H*mu*(pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k
     + 1)/2) - pi**(3/2 - k/2)*c**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*c/wavelength)*gamma((k +
     1)/2) + a**2/(R*(k + 1)) - c**2/(R*(k + 1)))/H_x
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------
@@ -260,12 +261,7 @@ def stick_radius(
 ) -> Result:
     """Radius of the stick zone under a tangential force; NaN beyond full slip.
 
-    c = Eq(mu*(H*(-pi**(1/2 - k/2)*a**(k/2 + 1)*h*wavelength**(k/2)*StruveH(k/2 + 1,
-    2*pi*a/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 - k/2)*a**(k/2 + 2)*h*wavelength**(k/2 - 1)*StruveH(k/2,
-    2*pi*a/wavelength)*gamma((k + 1)/2)/(k + 1) + 4*a**(k + 3)/(R*(k + 1)**2*(k + 3))) - H*(-pi**(1/2 -
-    k/2)*c**(k/2 + 1)*h*wavelength**(k/2)*StruveH(k/2 + 1, 2*pi*c/wavelength)*gamma((k + 1)/2) + 2*pi**(3/2 -
-    k/2)*c**(k/2 + 2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*c/wavelength)*gamma((k + 1)/2)/(k + 1) +
-    4*c**(k + 3)/(R*(k + 1)**2*(k + 3)))), F_x)
+    c from mu*(F(a) - F(c)) = F_x
 
     Parameters
     ----------
@@ -332,6 +328,7 @@ def full_slip_displacement(
 
     u_0 = H*mu*(pi**(3/2 - k/2)*a**(1 - k/2)*h*wavelength**(k/2 - 1)*StruveH(k/2, 2*pi*a/wavelength)*gamma((k
     + 1)/2) + a**2/(R*(k + 1)))/H_x
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
 
     Parameters
     ----------

@@ -23,108 +23,169 @@ function copied(row, kind) {
 }
 
 async function writeClipboard(text) {
-  if (navigator.clipboard && window.isSecureContext) return navigator.clipboard.writeText(text);
-  const area = document.createElement("textarea");
-  area.value = text;
-  document.body.append(area);
-  area.select();
-  document.execCommand("copy");
-  area.remove();
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {  // no clipboard without a secure context, or none allowed
+    const place = document.activeElement;
+    const area = document.createElement("textarea");
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    document.execCommand("copy");
+    area.remove();
+    place.focus({ preventScroll: true });
+  }
+}
+
+let silence = 0;
+
+// said beside the search, and by a screen reader
+function tell(text, milliseconds = 0) {
+  const place = document.getElementById("told");
+  clearTimeout(silence);
+  place.textContent = text;
+  if (milliseconds) silence = setTimeout(() => { place.textContent = ""; }, milliseconds);
 }
 
 document.addEventListener("click", async (event) => {
   const button = event.target.closest("button.copy");
   if (!button) return;
-  await writeClipboard(copied(button.closest(".row"), button.dataset.kind));
+  const row = button.closest(".row");
+  await writeClipboard(copied(row, button.dataset.kind));
+  tell(`copied: ${button.textContent} of ${row.id}`, 2500);
   button.classList.add("done");
-  setTimeout(() => button.classList.remove("done"), 1200);
+  setTimeout(() => button.classList.remove("done"), 2500);
 });
 
-function address([key, profile]) {
-  return `${profile}.html#${key.slice(profile.length + 1)}`;
-}
-
-// Heß, Hess and hess, half-space and half space, pull_off and pull off are the same to a reader
+// Heß, Hess and hess, half-space and half space, pull_off and pull off, p(r) and p r are the same to a reader
 function folded(text) {
-  return String(text).toLowerCase().replaceAll("ß", "ss").normalize("NFD").replace(/\p{M}/gu, "").replace(/[-_–]/g, " ");
+  const plain = String(text).toLowerCase().replaceAll("ß", "ss").normalize("NFD").replace(/\p{M}/gu, "");
+  return plain.replace(/[^\p{L}\p{N}*]+/gu, " ").trim();
 }
 
-function misses(text, parts) {
-  return folded(text).split(/[\s.,]+/).filter((word) => word && !parts.some((part) => word.startsWith(part))).length;
+// the names of a hit, the more they count the earlier they stand, and what is shown of it
+function indexed() {
+  const { profiles, systems, keys, places } = window.axicontact;
+  const formulas = keys.map(([key, profile, system, label, names]) => ({
+    name: key,
+    address: `${profile}.html#${key.slice(profile.length + 1)}`,
+    words: `${label} · ${profiles[profile][0]} · ${systems[system][0]}`,
+    fields: [
+      `${key.slice(profile.length + 1)} ${label}`, profiles[profile][0], `${profile} ${names}`, systems[system].join(" "),
+      profiles[profile][1],
+    ],
+    wanted: [label, profiles[profile][0]],
+    behind: 0,
+  }));
+  const others = places.map(([title, address, also, behind]) => ({
+    name: title, address, words: `${address} · ${also}`, fields: [title, "", also], wanted: [title], behind,
+  }));
+  return [...formulas, ...others].map((hit) => {
+    const fields = hit.fields.map(folded);
+    return {
+      ...hit, fields: fields.map((field) => field.split(" ")), joined: fields.join("").replaceAll(" ", ""),
+      wanted: hit.wanted.map((text) => new Set(folded(text).split(" "))),
+      folded: folded(hit.name),
+    };
+  });
 }
 
-// the key itself first, then names of profiles and labels with the fewest words that nobody asked for
-function rank([key, profile, system, label], query, parts) {
-  const { profiles, systems } = window.axicontact;
-  if (key.toLowerCase() === query) return -2;
-  if (key.toLowerCase().startsWith(query)) return -1;
-  const words = folded(label).split(/[\s.,]+/);
-  const asked = words.some((word) => parts.some((part) => word.startsWith(part)));
-  const meant = parts.some((part) => folded(systems[system].join(" ")).includes(part));
-  return 10 * misses(profiles[profile][0], parts) + (asked ? misses(label, parts) : 9) - (meant ? 5 : 0);
+// how far a word of the query is from a hit; short words are no part of others, as p is none of depth
+function distance(hit, part) {
+  let least = Infinity;
+  hit.fields.forEach((words, place) => {
+    for (const word of words) {
+      const off = word === part ? 0 : word.startsWith(part) ? 3 : part.length > 2 && word.includes(part) ? 6 : Infinity;
+      least = Math.min(least, off + 2 * place);
+    }
+  });
+  return least === Infinity && part.length > 5 && hit.joined.includes(part) ? 12 : least;
 }
+
+// the key itself first, then the ends of keys, then hits with the fewest words that nobody asked for
+function score(hit, query, parts) {
+  if (hit.name === query) return -30;
+  if (hit.folded === parts.join(" ")) return -20;
+  if (query.includes(".") && hit.name.toLowerCase().startsWith(query.toLowerCase())) return -10;
+  const asked = (word) => parts.some((part) => word === part || (part.length > 1 && word.startsWith(part)));
+  const far = parts.reduce((sum, part) => sum + distance(hit, part), hit.behind);
+  const extra = hit.wanted.reduce((sum, words) => sum + [...words].filter((word) => !asked(word)).length, 0);
+  return far + extra - (hit.name.endsWith(`.${query.replace(/^\./, "")}`) ? 4 : 0);
+}
+
+let index = null;
 
 function search(text) {
-  const query = text.trim().toLowerCase();
-  const parts = folded(query).split(/\s+/).filter(Boolean);
+  const query = text.trim().replace(/(\p{L})\([^)]*\)/gu, "$1");  // p(r) is p
+  const parts = folded(query).split(" ").filter(Boolean);
   if (!parts.length) return [];
-  const { profiles, systems, keys } = window.axicontact;
-  const found = keys.filter(([key, profile, system, label, names]) => {
-    const words = folded([key, profile, ...profiles[profile], ...systems[system], label, names].join(" "));
-    return parts.every((part) => words.includes(part) || (part.length > 5 && words.replaceAll(" ", "").includes(part)));
-  });
-  const ranks = new Map(found.map((row) => [row, rank(row, query, parts)]));
-  return found.sort((a, b) => ranks.get(a) - ranks.get(b));
+  index ??= indexed();
+  const found = index.map((hit) => [score(hit, query, parts), hit]).filter(([far]) => far < Infinity);
+  return found.sort(([one], [other]) => one - other).map(([, hit]) => hit);
 }
 
-function show(list, rows) {
-  const { profiles, systems } = window.axicontact;
-  list.replaceChildren(...rows.slice(0, SHOWN).map((row) => {
-    const [key, profile, system, label] = row;
+function show(list, hits, asked) {
+  list.replaceChildren(...hits.slice(0, SHOWN).map((hit, i) => {
     const item = document.createElement("li");
-    item.id = `found.${key}`;
+    item.id = `found.${i}`;
     const link = document.createElement("a");
     const small = document.createElement("small");
-    link.href = address(row);
+    link.href = hit.address;
     link.className = "hit";
-    link.textContent = key;
-    small.textContent = `${label} · ${profiles[profile][0]} · ${systems[system][0]}`;
+    link.tabIndex = -1;  // reached by the arrows
+    link.textContent = hit.name;
+    small.textContent = hit.words;
     link.append(small);
     item.setAttribute("role", "option");
+    item.setAttribute("aria-selected", "false");
     item.append(link);
     return item;
   }));
-  list.hidden = rows.length === 0;
-  document.getElementById("q").setAttribute("aria-expanded", String(!list.hidden));
+  open(list, hits.length > 0);
+  tell(asked && !hits.length ? `nothing found for ${asked}: try a key such as cone.p, a profile or a quantity` : "");
 }
 
-function hide(list) {
-  list.hidden = true;
-  document.getElementById("q").setAttribute("aria-expanded", "false");
+function open(list, shown) {
+  const input = document.getElementById("q");
+  list.hidden = !shown;
+  input.setAttribute("aria-expanded", String(shown));
+  if (!shown) input.removeAttribute("aria-activedescendant");
+}
+
+function choose(input, list, step) {
+  if (list.hidden) return open(list, list.children.length > 0);
+  const items = [...list.children];
+  const now = items.findIndex((item) => item.classList.contains("chosen"));
+  const next = Math.max(0, Math.min(items.length - 1, now + step));
+  items.forEach((item, i) => {
+    item.classList.toggle("chosen", i === next);
+    item.setAttribute("aria-selected", String(i === next));
+  });
+  input.setAttribute("aria-activedescendant", items[next].id);
+  items[next].scrollIntoView({ block: "nearest" });
 }
 
 function startSearch() {
   const input = document.getElementById("q");
   const list = document.getElementById("found");
-  const update = () => show(list, search(input.value));
+  const update = () => show(list, search(input.value), input.value.trim());
+  const leave = () => { open(list, false); tell(""); };
   input.addEventListener("input", update);
   input.form.addEventListener("submit", (event) => {
     event.preventDefault();
-    const first = list.querySelector("li.chosen a, a");
-    if (first) location.href = first.href;
+    const first = list.querySelector("li.chosen a") ?? list.querySelector("a");
+    if (!first) return;
+    leave();
+    location.href = first.href;
   });
   input.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") hide(list);
+    if (event.key === "Escape" || event.key === "Tab") leave();
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     event.preventDefault();
-    const items = [...list.children];
-    const now = items.findIndex((item) => item.classList.contains("chosen"));
-    const next = Math.max(0, Math.min(items.length - 1, now + (event.key === "ArrowDown" ? 1 : -1)));
-    items.forEach((item, i) => item.classList.toggle("chosen", i === next));
-    if (items[next]) input.setAttribute("aria-activedescendant", items[next].id);
-    items[next]?.scrollIntoView({ block: "nearest" });
+    choose(input, list, event.key === "ArrowDown" ? 1 : -1);
   });
-  document.addEventListener("click", (event) => { if (!event.target.closest(".search")) hide(list); });
+  list.addEventListener("click", leave);
+  document.addEventListener("click", (event) => { if (!event.target.closest(".search, button.copy")) leave(); });
   document.addEventListener("keydown", (event) => {
     if (event.key === "/" && document.activeElement !== input) { event.preventDefault(); input.focus(); }
   });

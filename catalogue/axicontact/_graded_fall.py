@@ -1,0 +1,177 @@
+"""Displacement of the other shapes, from what a profile falls below its height at the edge of the contact.
+
+d - f(s) = (d - f(a)) + (f(a) - f(s)), and d - f(a) is (1 - k) a**(1 - k) times the integral of z**(k - 2) times the
+fall f(a) - f(s) over 0 < z < a: one integral over the fall, in which next to k = 1 and to the edge nothing cancels.
+A shape is the fall over (z/a)**2, as a function of s and z.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ._elementwise import Array
+from ._graded_displacement import (
+    SPLIT,
+    Shape,
+    from_edge,
+    kernel,
+    over_angle,
+    over_cap,
+    power_displacement,
+    punch_scale,
+    punch_share,
+)
+from ._graded_rules import NODES, raised
+from ._integrals import difference_root, integral, integral_by_panels
+
+
+def sphere_displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
+    """Of a sphere of unit height over radius."""
+    end = difference_root(R, a)
+    return _smooth(lambda s, z: a * (a / (end + np.hypot(end, z))), r, a, k, end)
+
+
+def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of f = sqrt(r**2 + b**2) - b, with a singularity at s = i b, close to the tip where b is small."""
+    gap = _gap(r, a, k)
+    shape = _weighed(gap, lambda s, z: a * (a / (np.hypot(a, b) + np.hypot(s, b))), a)
+    near = from_edge(shape, a, gap.q, gap.q, np.arcsinh(a / gap.q / 2.0), k)
+    ratio = b / a
+
+    def smooth(x: Array) -> Array:
+        y = ratio * np.sinh(x)
+        value = shape(a * np.sin(y), a * np.cos(y)) * kernel(np.cos(y), np.sin(y), a / gap.q, k)
+        return value * ratio * np.cosh(x)
+
+    far = integral(smooth, np.arcsinh((np.pi / 2.0 - SPLIT) / ratio), NODES)
+    root = difference_root(a, r)
+    return _joined(gap, near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
+
+
+def gaussian_displacement(r: Array, a: Array, s: Array, k: Array) -> Array:
+    """Of f = 1 - exp(-r**2/s**2)."""
+    square = (a / s) ** 2
+
+    def shape(_: Array, z: Array) -> Array:
+        x = (z / s) ** 2
+        return square * np.exp(-square) * np.where(x > 0.0, np.expm1(x) / np.where(x > 0.0, x, 1.0), 1.0)
+
+    return _smooth(shape, r, a, k)
+
+
+def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
+    """Of f = 1 - cos(q r)."""
+    gap = _gap(r, a, k)
+
+    def fall(s: Array, z: Array) -> Array:
+        x = q / 2.0 * z * (z / (a + s))
+        return q * a * (a / (a + s)) * np.sin(q / 2.0 * (a + s)) * np.where(x > 0.0, np.sin(x) / x, 1.0)
+
+    shape = _weighed(gap, fall, a)
+    first = np.minimum(SPLIT, 2.0 * np.pi / q / a)
+    near = from_edge(shape, a, gap.q, gap.q, np.arcsinh(a * np.sin(first) / gap.q), k)
+
+    def smooth(y: Array) -> Array:
+        sine, cosine = np.sin(first + y), np.cos(first + y)
+        return shape(a * cosine, a * sine) * kernel(sine, cosine, a / gap.q, k)
+
+    far = integral_by_panels(smooth, np.pi / 2.0 - first, first, NODES)
+    return _joined(gap, near + far, _fall(fall, r, a))
+
+
+def flank_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of f' = 1 for r > b."""
+    end = difference_root(a, b)
+    return _broken(lambda s, z: a * (a / (a + s)), lambda s, z: end * (end / (a + b)), r, a, b, k)
+
+
+def rim_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of f' = r for r > b."""
+    end = difference_root(a, b)
+    return _broken(lambda s, z: a * a / 2.0 + 0.0 * z, lambda s, z: end * end / 2.0, r, a, b, k)
+
+
+def rounding_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of f' = r - b for r > b."""
+    end = difference_root(a, b)
+    last = end * (end / (a + b))
+
+    def beyond(s: Array, z: Array) -> Array:
+        return a * (a / (a + s)) * (last + (end - z) * ((end + z) / (s + b))) / 2.0
+
+    return _broken(beyond, lambda s, z: last * last / 2.0, r, a, b, k)
+
+
+def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of f' = r/b for r < b, 1 beyond."""
+    end = difference_root(a, b)
+
+    def within(s: Array, z: Array) -> Array:
+        return end * (end / (a + b)) + (z - end) * ((z + end) / (2.0 * b))
+
+    tip = power_displacement(r, a, 2.0, k) / (2.0 * b)
+    return np.where(a <= b, tip, _broken(lambda s, z: a * (a / (a + s)), within, r, a, b, k))
+
+
+def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
+    """Of the sphere R up to r = b, continued by its tangent cone."""
+    root, slope = difference_root(a, b), b / end
+
+    def within(s: Array, z: Array) -> Array:
+        return slope * root * (root / (a + b)) + (z - root) * ((z + root) / (end + difference_root(R, s)))
+
+    tip = sphere_displacement(r, np.minimum(a, b), R, k)
+    return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, b, k))
+
+
+class _Gap(NamedTuple):
+    """What weighs the fall, outside with the share of a flat punch and inside, where q is a, for d - f(a) alone."""
+
+    outside: Array
+    q: Array
+    even: Array
+    grown: Array
+
+
+def _gap(r: Array, a: Array, k: Array) -> _Gap:
+    outside = r > a
+    q = np.where(outside, difference_root(np.maximum(r, a), a), a)
+    share = (1.0 - k) * np.where(outside, punch_share(r, a, k), 1.0)
+    # in this order: far away the share is small as that power is large
+    even = np.where(share > 0.0, share * raised(q / a, k), 0.0)
+    return _Gap(outside, q, even, np.where(outside, punch_scale(k), 0.0) + share * raised(a / q, -k))
+
+
+def _weighed(gap: _Gap, shape: Shape, a: Array) -> Shape:
+    return lambda s, z: shape(s, z) * (gap.grown * (z / a) ** 2 + gap.even)
+
+
+def _fall(shape: Shape, r: Array, a: Array) -> Array:
+    """That of the profile at r."""
+    root = difference_root(a, r)
+    return shape(r, root) * (root / a) ** 2
+
+
+def _joined(gap: _Gap, value: Array, fall: Array) -> Array:
+    return np.where(gap.outside, value, value + fall)
+
+
+def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.inf) -> Array:
+    """Of a profile without singularities near, but for one at z = i c."""
+    gap = _gap(r, a, k)
+    own, close = _weighed(gap, shape, a), np.minimum(gap.q, c)
+    near = from_edge(own, a, gap.q, close, np.arcsinh(a / close / 2.0), k)
+    return _joined(gap, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
+
+
+def _broken(beyond: Shape, within: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
+    """Of a profile with a break at s = b, for a > b; `within` is the fall itself."""
+    gap, end = _gap(r, a, k), difference_root(a, b)
+    own = _weighed(gap, beyond, a)
+    near = from_edge(own, a, gap.q, gap.q, np.arcsinh(np.minimum(end, a / 2.0) / gap.q), k)
+    value = near + over_angle(own, a, gap.q, np.maximum(np.arctan2(end, b), SPLIT), k)
+    value = value + over_cap(_weighed(gap, lambda s, z: within(s, z) / (z / a) ** 2, a), gap.q, a, b, k)
+    fall = np.where(r > b, _fall(beyond, r, a), within(r, difference_root(a, r)))
+    return np.where(a > b, _joined(gap, value, fall), 0.0)
