@@ -70,29 +70,39 @@ def load_beyond(growth: Growth, root: Array, b: Array) -> Strip:
 @in_groups
 def slope_beyond(growth: Growth, x: Array, a: Array, b: Array) -> Strip:
     """Integral of P'(t)/sqrt(x**2 - t**2) from b to a < x."""
-    return _strips_beyond(growth, lambda t, rest: 1.0, x, a, b)
+    edge, far = difference_root(a, b), difference_root(x, a)
+    return _strips_beyond(growth, lambda t, narrowed: 1.0, edge / far, (x, edge, far, b), a > b)
 
 
 @in_groups
 def depth_beyond(growth: Growth, L: Array, a: Array, b: Array) -> Strip:
     """Integral of P'(t) arcosh(L/t) from b to a < L."""
-    return _strips_beyond(growth, lambda t, rest: rest * np.arcsinh(rest / t), L, a, b)
+    edge, far = difference_root(a, b), difference_root(L, a)
+
+    def weight(t: Array, narrowed: Array) -> Array:
+        return narrowed * np.arcsinh(far * narrowed / t)
+
+    return _strips_beyond(growth, weight, edge, (L, edge, far, b), a > b)
 
 
-def _strips_beyond(growth: Growth, weight: Weight, x: Array, a: Array, b: Array) -> Strip:
-    """Integral of P'(t) weight(t, rest)/rest from b to a < x, with rest = sqrt(x**2 - t**2)."""
-    reach, ratio = difference_root(x, b), b / x
-    end = difference_root(a, b) / difference_root(x, a)
-    stop = np.arcsinh(end / ratio)
+def _strips_beyond(growth: Growth, weight: Weight, scale: Array, lengths: tuple[Array, ...], holds: Array) -> Strip:
+    """Strips of P'(t) `weight`/sqrt(x**2 - t**2), over `scale`, which is what that weight has been divided by.
+
+    The variable is tan(phi) = root/rest, with rest = sqrt(x**2 - t**2) = `far` at the edge.  There `narrowed` is 1:
+    a rest from that of the edge keeps more digits than one from x.
+    """
+    x, edge, far, b = lengths
+    ratio, end = b / x, edge / far
+    stop, widest = np.arcsinh(end / ratio), np.sqrt(1.0 + end * end)
     fallen = falling(stop)
 
     def integrand(v: Array) -> Array:
-        tangent = end * fallen(v)
-        square = 1.0 + tangent * tangent
-        secant = np.sqrt(square)
-        root = reach * (tangent / secant)
+        part = fallen(v)
+        square = 1.0 + (end * part) * (end * part)
+        narrowed = widest / np.sqrt(square)
+        root = edge * part * narrowed
         t = np.sqrt(b * b + root * root)
-        stretch = np.sqrt(ratio * ratio + tangent * tangent) / square
-        return growth(t, root) * root / t * weight(t, reach / secant) * stretch
+        stretch = np.sqrt((ratio / end) ** 2 + part * part) / square
+        return growth(t, root) * root / t * weight(t, narrowed) * stretch
 
-    return integrand, stop, 1.0, a > b, 0.0
+    return integrand, stop, scale, holds, 0.0
