@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
@@ -37,6 +38,10 @@ class Private:
     def growth(self, *fields: str) -> str:
         """The function of its fields alone, to be integrated."""
         return f"lambda {', '.join(fields)}: {self.call(*fields)}"
+
+    def uses(self, other: Private) -> bool:
+        """Whether it calls another one, or hands it to a rule."""
+        return any(re.search(rf"\b{other.name}\b", line) for line in self.lines)
 
     def with_parameters(self) -> str:
         """The function and what it needs besides its fields, for a rule that passes them on."""

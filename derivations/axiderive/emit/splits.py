@@ -26,7 +26,7 @@ def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond
     low, high = functions.functions.get(name), above.functions.get(name)
     if not functions.profile.breaks or low is None or high is None or "a" not in low.fields:
         return False
-    if low.lines == high.lines or any(_calls(high, own) and own != high for own in _parts(above, name)):
+    if low.lines == high.lines or any(high.uses(own) and own != high for own in _parts(above, name)):
         return False
     known, b = functions.functions, str(functions.profile.breaks[0])
     sides = [replace(side, name=f"{low.name}_{end}") for side, end in ((low, "below"), (high, "above"))]
@@ -39,7 +39,3 @@ def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond
 
 def _parts(functions: PrivateFunctions, name: str) -> list[Private]:
     return [own for key, own in functions.functions.items() if key.startswith(name)]
-
-
-def _calls(one: Private, other: Private) -> bool:
-    return any(f"{other.name}(" in line for line in one.lines)

@@ -114,7 +114,7 @@ def _add(
 def _formula(own: Mapping[str, Private], function: str) -> str:
     """The lines of a body, and those of the bodies of the same quantity that it calls."""
     main = "; ".join(map(str.strip, own[function].lines))
-    called = [private for name, private in own.items() if name != function and f"{private.name}(" in main]
+    called = [private for name, private in own.items() if name != function and own[function].uses(private)]
     return " | ".join([main, *(f"{private.name}: {'; '.join(map(str.strip, private.lines))}" for private in called)])
 
 

@@ -17,7 +17,7 @@ from ..proof.shape import coefficient, concrete
 from .samples import TERMS, Floats
 
 BITS, HIGHEST, WANTED, STEP = 160, 1 << 13, 70, 90
-CURVES = {"ad": ("d", None), "aF": ("F", None), "Fd": ("d", "F"), "dF": ("F", "d")}
+CURVES = {"ad": ("d", None), "aF": ("F", None), "aP": ("P", None), "Fd": ("d", "F"), "dF": ("F", "d")}
 """Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
 
 

@@ -27,7 +27,7 @@ IMPORTS = (
     f".._functions: {', '.join(HELPERS)}",
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
-    ".._powers: power_pressure, power_strips, ring_of_zero_pressure",
+    ".._powers: outside_zero_pressure, power_pressure, power_strips, ring_of_zero_pressure",
     ".._rules: pressure_integral_beyond",
 )
 EVALUATED = {"f": "even", "p": "even", "s": "odd"}
@@ -121,15 +121,13 @@ class _Module:
         return f"{wrapper}({', '.join([private.name, *fields, *passed])})"
 
     def _used(self, private: Private) -> list[Private]:
-        """The function and those it calls."""
+        """The function and those it calls or hands to a rule."""
         used, pending = [], [private]
         while pending:
             own = pending.pop()
             used.append(own)
-            lines = "\n".join(own.lines)
-            pending += [
-                other for other in self.functions.functions.values() if f"{other.name}(" in lines and other not in used
-            ]
+            known = self.functions.functions.values()
+            pending += [other for other in known if own.uses(other) and other not in used]
         return used
 
     def reached(self, own: Private, public: list[text.Function]) -> bool:

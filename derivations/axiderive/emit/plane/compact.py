@@ -88,8 +88,7 @@ class Compact:
             lines_of(self.functions, "tip", form, lines)
             needs |= self.functions.needs(form, ("inner",))
             parts.append(f"np.where({field} < inner, tip, 0.0)" if suffix == "p" else "tip")
-        strips = growth.with_parameters() if rule == "pressure_integral_beyond" else growth.growth("t", "root")
-        lines.append(f"beyond = {rule}({strips}, {field}, a, {self.b})")
+        lines.append(f"beyond = {rule}({growth.with_parameters()}, {field}, a, {self.b})")
         needs |= {str(symbol) for symbol in scale.free_symbols}
         sign, size = ("-", -scale) if scale.could_extract_minus_sign() else ("", scale)
         added = f"{python(size)} * beyond"
@@ -108,7 +107,7 @@ class Compact:
         closed = self._closed("P")
         if closed is None or self.profile.truncated and self.entries["aP"].status == "root":
             growth, b = self.functions.functions["growth_beyond"], str(self.b)
-            lines = [f"return E_star * load_beyond({growth.growth('t', 'root')}, root, {b})"]
+            lines = [f"return E_star * load_beyond({growth.with_parameters()}, root, {b})"]
             inner = self.functions.add(
                 "load_at", ("root",), lines, {"E_star", b, *growth.needs}, f"Line load at a = sqrt({b}**2 + root**2)."
             )

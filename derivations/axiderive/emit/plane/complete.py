@@ -15,6 +15,7 @@ from ...stable.opaque import named
 from ...stable.signs import facts_of
 from ...stable.variants import Variant
 from ..code import python
+from ..complete import ZETA
 from ..private import Private, PrivateFunctions
 from .compact import add_profile
 from .forms import form_of, lines_of, told_apart
@@ -82,15 +83,14 @@ class Complete:
 
     def _minimum_load(self) -> None:
         expr = self.entries["Pmin"].cases[0].expr
+        if expr.has(x_zero):
+            # in what is left of a**2 outside that place: for large exponents the difference of the squares is lost
+            expr = sp.factor(sp.expand(expr.subs(x_zero, a * sp.sqrt(1 - ZETA))))
         form = self.functions.form(self.entries["Pmin"], expr, facts_of(()))
         lines, needs, value = self.functions.steps(form), self.functions.needs(form, ()), python(form.value)
-        if expr.has(x_zero):
-            place = self.functions.functions["zero_distance"]
-            top, bottom = sp.fraction(form.value)
-            scale, drop = bottom.as_independent(x_zero, as_Add=False)
-            lines.append(f"x_zero = {place.call()}")
-            lines.append(f"drop = {python(sp.collect(sp.expand(drop), (a**2, x_zero**2)))}")
-            value, needs = f"{python(top / scale)} / drop", (needs - {"x_zero"}) | set(place.needs)
+        if expr.has(ZETA):
+            lines.append(f"{ZETA} = outside_zero_pressure(n)")
+            needs = needs - {str(ZETA)}
         self._add("Pmin", lines, needs, value)
 
     def _pressure(self) -> None:
