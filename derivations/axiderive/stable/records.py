@@ -16,7 +16,7 @@ from ..entry import Entry
 from .emitted import form, loaded
 from .measure import Sample, count_for, samples, ulps, value
 from .naive import naive
-from .reference import UnknownError, condition
+from .reference import CURVES, UnknownError, condition
 from .samples import DOMAINS
 from .slopes import RATE, rate
 from .written import Variants, call, modules, selection
@@ -101,8 +101,9 @@ def record(
 
 
 def _direct(entry: Entry, system: str) -> bool:
-    """Whether the exact value is an enclosure of the printed formula, without an integral in it."""
-    if entry.status != "closed" or any(case.expr.has(sp.Integral) for case in entry.cases):
+    """Whether the exact value is an enclosure of the printed formula, or a root of one, without an integral in it."""
+    known = entry.status == "closed" or entry.suffix in CURVES
+    if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
     # the load of an eccentric punch acts on either side: no length that could be drawn
     own = system in OWN and nt.e not in entry.parameters

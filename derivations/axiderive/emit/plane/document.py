@@ -96,8 +96,10 @@ def notes(profile: Profile, quantity: Quantity, body: str) -> list[str]:
     if quantity.suffix in PARITY and nt.e not in profile.parameters:
         out.append(f"The formula is for x >= 0; the function is {PARITY[quantity.suffix]}.")
     out += [_outside(profile, quantity, fields)]
-    if "_integral" in body or "_beyond(lambda" in body or "power_" in body:
+    if "_integral" in body or "_beyond(_growth" in body or "power_" in body:
         out.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
+    if "zero_pressure(" in body:
+        out.append("The place of first zero pressure is found by bisection.")
     if "inverse(" in body:
         out.append("Evaluated by a safeguarded Newton iteration.")
     if profile.note and quantity.suffix in ("p", "cw"):
@@ -110,10 +112,11 @@ def _outside(profile: Profile, quantity: Quantity, fields: Sequence[str]) -> str
     if not fields:
         return "NaN gives NaN." if quantity.arguments else ""
     text = "Negative or NaN field values" if nt.x not in quantity.arguments else f"Negative {fields[-1]} and NaN"
+    more = []
     if nt.L in quantity.arguments:
-        text += ", and points in the contact, L < a,"
+        more.append("points in the contact, L < a")
     if profile.truncated and nt.a in quantity.arguments:
-        text += f", and half-widths below {profile.breaks[0]} among larger ones,"
+        more.append(f"half-widths below {profile.breaks[0]} among larger ones")
     if "P" in fields and any(rule for rule in profile.pieces if rule.expr != 0) and profile.contact == "complete":
-        text += ", and loads below minimum_load(),"
-    return f"{text} give NaN."
+        more.append("loads below minimum_load()")
+    return f"{text}{''.join(f', and {one}' for one in more)}{',' if more else ''} give NaN."
