@@ -15,15 +15,14 @@ import numpy as np
 
 from ._domain import numbers
 from ._elementwise import Array, Result, elementwise
-from ._integrals import difference_root, integral, integral_by_panels
+from ._integrals import Strip, difference_root, in_groups
+from ._rules import falling
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-Growth = Callable[[Array, Array], Array]
-NODES = 128
-WIDTH = 16.0
-"""What so many nodes span to 2e-15: ratios of lengths beyond some 1e6 take another panel."""
+Growth = Callable[..., Array]
+Weight = Callable[[Array, Array], Array | float]
 
 
 def even(function: Callable[..., Array], x: ArrayLike, *fields: ArrayLike, **parameters: ArrayLike) -> Result:
@@ -55,34 +54,55 @@ def require_eccentricity(a: ArrayLike, e: ArrayLike) -> None:
         raise ValueError(message)
 
 
-def load_beyond(growth: Growth, root: Array, b: Array) -> Array:
+@in_groups
+def load_beyond(growth: Growth, root: Array, b: Array) -> Strip:
     """Integral of P'(t) from b to a = sqrt(b**2 + root**2)."""
     stop = np.arcsinh(root / b)
-    return b * integral(lambda v: growth(b * np.cosh(v), b * np.sinh(v)) * np.sinh(v), stop, NODES)
-
-
-def slope_beyond(growth: Growth, x: Array, a: Array, b: Array) -> Array:
-    """Integral of P'(t)/sqrt(x**2 - t**2) from b to a < x."""
-    return _strips_beyond(growth, lambda t, rest: np.ones_like(t), x, a, b)
-
-
-def depth_beyond(growth: Growth, L: Array, a: Array, b: Array) -> Array:
-    """Integral of P'(t) arcosh(L/t) from b to a < L."""
-    return _strips_beyond(growth, lambda t, rest: rest * np.arcsinh(rest / t), L, a, b)
-
-
-def _strips_beyond(growth: Growth, weight: Growth, x: Array, a: Array, b: Array) -> Array:
-    """Integral of P'(t) weight(t, rest)/rest from b to a < x, with rest = sqrt(x**2 - t**2)."""
-    reach = difference_root(x, b)
+    fallen = falling(stop)
 
     def integrand(v: Array) -> Array:
-        tangent = b / x * np.sinh(v)
-        square = 1.0 + tangent * tangent
-        secant = np.sqrt(square)
-        root = reach * tangent / secant
-        t = np.sqrt(b * b + root * root)
-        return growth(t, root) * root / t * weight(t, reach / secant) * np.cosh(v) / square
+        side = root * fallen(v)
+        return growth(np.sqrt(b * b + side * side), side) * side
 
-    stop = np.arcsinh(x / b * difference_root(a, b) / difference_root(x, a))
-    total = integral_by_panels(integrand, stop, np.full_like(stop, WIDTH), NODES)
-    return np.where(a > b, b / x * total, 0.0)
+    return integrand, stop, 1.0, True, 0.0
+
+
+@in_groups
+def slope_beyond(growth: Growth, x: Array, a: Array, b: Array) -> Strip:
+    """Integral of P'(t)/sqrt(x**2 - t**2) from b to a < x."""
+    edge, far = difference_root(a, b), difference_root(x, a)
+    return _strips_beyond(growth, lambda t, narrowed: 1.0, edge / far, (x, edge, far, b), a > b)
+
+
+@in_groups
+def depth_beyond(growth: Growth, L: Array, a: Array, b: Array) -> Strip:
+    """Integral of P'(t) arcosh(L/t) from b to a < L."""
+    edge, far = difference_root(a, b), difference_root(L, a)
+
+    def weight(t: Array, narrowed: Array) -> Array:
+        return narrowed * np.arcsinh(far * narrowed / t)
+
+    return _strips_beyond(growth, weight, edge, (L, edge, far, b), a > b)
+
+
+def _strips_beyond(growth: Growth, weight: Weight, scale: Array, lengths: tuple[Array, ...], holds: Array) -> Strip:
+    """Strips of P'(t) `weight`/sqrt(x**2 - t**2), over `scale`, which is what that weight has been divided by.
+
+    The variable is tan(phi) = root/rest, with rest = sqrt(x**2 - t**2) = `far` at the edge.  There `narrowed` is 1:
+    a rest from that of the edge keeps more digits than one from x.
+    """
+    x, edge, far, b = lengths
+    ratio, end = b / x, edge / far
+    stop, widest = np.arcsinh(end / ratio), np.sqrt(1.0 + end * end)
+    fallen = falling(stop)
+
+    def integrand(v: Array) -> Array:
+        part = fallen(v)
+        square = 1.0 + (end * part) * (end * part)
+        narrowed = widest / np.sqrt(square)
+        root = edge * part * narrowed
+        t = np.sqrt(b * b + root * root)
+        stretch = np.sqrt((ratio / end) ** 2 + part * part) / square
+        return growth(t, root) * root / t * weight(t, narrowed) * stretch
+
+    return integrand, stop, scale, holds, 0.0

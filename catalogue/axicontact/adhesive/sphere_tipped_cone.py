@@ -26,7 +26,6 @@ def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Retraction of the indenter from the state without adhesion, at constant contact radius.
 
     retraction = sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
-    with b = R*sin(theta)
 
     Parameters
     ----------

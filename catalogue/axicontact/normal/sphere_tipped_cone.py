@@ -268,7 +268,6 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
     """Contact stiffness dF/dd.
 
     dF/dd = 2*E_star*a
-    with b = R*sin(theta)
 
     Parameters
     ----------

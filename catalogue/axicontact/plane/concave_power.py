@@ -13,7 +13,7 @@ from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio, lower_power
 from .._plane import even, odd
-from .._powers import power_pressure, power_strips, ring_of_zero_pressure
+from .._powers import outside_zero_pressure, power_pressure, power_strips, ring_of_zero_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -262,8 +262,7 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.concave_power.xz.
+    Valid for small slopes; complete contact only. Handbook: plane.concave_power.xz.
 
     References
     ----------
@@ -308,8 +307,7 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike)
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.concave_power.Pmin.
+    Valid for small slopes; complete contact only. Handbook: plane.concave_power.Pmin.
 
     References
     ----------
@@ -323,7 +321,7 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike)
     0.183223
     """
     _check(a=a, h=h, n=n, E_star=E_star)
-    return elementwise(_minimum_load, a=a, h=h, n=n, E_star=E_star)
+    return elementwise(_minimum_load, h=h, n=n, E_star=E_star)
 
 
 def _check(a: ArrayLike, h: ArrayLike, n: ArrayLike, **material: ArrayLike) -> None:
@@ -350,11 +348,10 @@ def _zero_distance(a: Array, n: Array) -> Array:
     return a * np.sqrt(ring_of_zero_pressure(n))
 
 
-def _minimum_load(a: Array, h: Array, n: Array, E_star: Array) -> Array:
+def _minimum_load(h: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    x_zero = _zero_distance(a, n)
-    drop = (n - 1) * a**2 - n * x_zero**2
-    return np.sqrt(np.pi) * E_star * n * h * a**2 / (2 * kappa) / drop
+    zeta = outside_zero_pressure(n)
+    return np.sqrt(np.pi) * E_star * n * h / (2 * (n * zeta - 1) * kappa)
 
 
 def _pressure(x: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
@@ -363,7 +360,7 @@ def _pressure(x: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -
     kappa = gamma_ratio((n + 1) / 2)
     face = E_star * n * h * (1 / root - n * power_pressure(x, a, n) / a) / (2 * np.sqrt(np.pi) * kappa)
     value = strip + face
-    complete = _minimum_load(a, h, n, E_star) * (1.0 - 1e-15) <= P
+    complete = _minimum_load(h, n, E_star) * (1.0 - 1e-15) <= P
     result = np.where((x <= a) & (P > 0.0), value, 0.0)
     return np.where(complete, result, np.nan)
 
@@ -375,7 +372,7 @@ def _slope(x: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -> A
     face = n * h * (power_strips(x, a, n) - 1 / root) / (np.sqrt(np.pi) * kappa)
     value = strip + face
     outside = np.where(P > 0.0, value, 0.0)
-    complete = _minimum_load(a, h, n, E_star) * (1.0 - 1e-15) <= P
+    complete = _minimum_load(h, n, E_star) * (1.0 - 1e-15) <= P
     result = np.where(x >= a, outside, -_profile_slope(x, a, h, n))
     return np.where(complete, result, np.nan)
 
@@ -386,6 +383,6 @@ def _depth(L: Array, P: Array, a: Array, h: Array, n: Array, E_star: Array) -> A
     kappa = gamma_ratio((n + 1) / 2)
     face = h * L * power_strips(L, a, n) / (np.sqrt(np.pi) * kappa)
     value = strip - face
-    complete = _minimum_load(a, h, n, E_star) * (1.0 - 1e-15) <= P
+    complete = _minimum_load(h, n, E_star) * (1.0 - 1e-15) <= P
     result = np.where(a <= L, value, np.nan)
     return np.where(complete, result, np.nan)

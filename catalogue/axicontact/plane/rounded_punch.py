@@ -94,8 +94,7 @@ def load(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Resu
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and half-widths below b among
-    larger ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule.
-    Handbook: plane.rounded_punch.P.
+    larger ones, give NaN. Handbook: plane.rounded_punch.P.
 
     References
     ----------
@@ -198,8 +197,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     Notes
     -----
     Valid for a - b << R (parabolic rounding). The formula is for x >= 0; the function is odd. Negative a and
-    NaN, and half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing
-    contact by a Gauss-Legendre rule. Handbook: plane.rounded_punch.s.
+    NaN, and half-widths below b among larger ones, give NaN. Handbook: plane.rounded_punch.s.
 
     References
     ----------
@@ -249,8 +247,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and points in the contact, L <
-    a,, and half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing contact
-    by a Gauss-Legendre rule. Handbook: plane.rounded_punch.d.
+    a,, and half-widths below b among larger ones, give NaN. Handbook: plane.rounded_punch.d.
 
     References
     ----------
@@ -296,9 +293,8 @@ def half_width_from_load(P: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
-    over the growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
-    plane.rounded_punch.aP.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
+    safeguarded Newton iteration. Handbook: plane.rounded_punch.aP.
 
     References
     ----------
@@ -332,7 +328,7 @@ def _growth_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
 
 def _load_at(root: Array, R: Array, b: Array, E_star: Array) -> Array:
     """Line load at a = sqrt(b**2 + root**2)."""
-    return E_star * load_beyond(lambda t, root: _growth_beyond(t, root, R, b), root, b)
+    return E_star * load_beyond(_growth_beyond, (R, b), root, b)
 
 
 def _pressure(x: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -342,13 +338,13 @@ def _pressure(x: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _slope(x: Array, a: Array, R: Array, b: Array) -> Array:
-    beyond = slope_beyond(lambda t, root: _growth_beyond(t, root, R, b), x, a, b)
+    beyond = slope_beyond(_growth_beyond, (R, b), x, a, b)
     value = -2 / np.pi * beyond
     return np.where(a >= b, np.where(x > a, value, -_profile_slope(x, R, b)), np.nan)
 
 
 def _depth(L: Array, a: Array, R: Array, b: Array) -> Array:
-    beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, R, b), L, a, b)
+    beyond = depth_beyond(_growth_beyond, (R, b), L, a, b)
     value = 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, R, b))
     return np.where(a >= b, np.where(a <= L, value, np.nan), np.nan)

@@ -197,8 +197,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Notes
     -----
     Valid for tan(theta) << 1. The formula is for x >= 0; the function is odd. Negative a and NaN give NaN.
-    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
-    plane.rounded_wedge.s.
+    Handbook: plane.rounded_wedge.s.
 
     References
     ----------
@@ -248,8 +247,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and points in the contact, L < a, give NaN.
-    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
-    plane.rounded_wedge.d.
+    Handbook: plane.rounded_wedge.d.
 
     References
     ----------
@@ -355,7 +353,7 @@ def _slope(x: Array, a: Array, theta: Array, b: Array) -> Array:
     root = np.sqrt((x - inner) * (inner + x))
     conjugate = root + x
     tip = -np.tan(theta) * inner**2 / (b * conjugate)
-    beyond = slope_beyond(lambda t, root: _growth_beyond(t, root, theta, b), x, a, b)
+    beyond = slope_beyond(_growth_beyond, (theta, b), x, a, b)
     value = tip - 2 / np.pi * beyond
     return np.where(x > a, value, -_profile_slope(x, theta, b))
 
@@ -364,7 +362,7 @@ def _depth(L: Array, a: Array, theta: Array, b: Array) -> Array:
     inner = np.minimum(a, b)
     root = np.sqrt((L - inner) * (inner + L))
     tip = np.tan(theta) / (2 * b) * inner**2 * (L / (root + L) + np.log1p((L - inner + root) / inner))
-    beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, theta, b), L, a, b)
+    beyond = depth_beyond(_growth_beyond, (theta, b), L, a, b)
     value = tip + 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, theta, b))
     value = np.where(a > 0.0, value, 0.0)

@@ -241,8 +241,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and points in the contact, L < a,, and
-    half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.truncated_wedge.d.
+    half-widths below b among larger ones, give NaN. Handbook: plane.truncated_wedge.d.
 
     References
     ----------
@@ -347,7 +346,7 @@ def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Ar
 
 
 def _depth_below(L: Array, a: Array, theta: Array, b: Array) -> Array:
-    beyond = depth_beyond(lambda t, root: _growth_beyond(t, root, theta, b), L, a, b)
+    beyond = depth_beyond(_growth_beyond, (theta, b), L, a, b)
     value = 2 / np.pi * beyond
     value = np.where(a < L, value, _profile(a, theta, b))
     return np.where(a >= b, np.where(a <= L, value, np.nan), np.nan)

@@ -278,7 +278,6 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: 
     """Contact stiffness dF/dd.
 
     dF/dd = 2*H*a**(k + 1)/(k + 1)
-    with b = R*sin(theta)
 
     Parameters
     ----------
