@@ -103,7 +103,8 @@ def pressure(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
     -----
     Valid for small slopes; complete contact only. The formula is for x >= 0; the function is even. Negative P
     and NaN, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.concave_power.p.
+    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    plane.concave_power.p.
 
     References
     ----------
@@ -159,7 +160,8 @@ def slope(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
     -----
     Valid for small slopes; complete contact only. The formula is for x >= 0; the function is odd. Negative P
     and NaN, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.concave_power.s.
+    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    plane.concave_power.s.
 
     References
     ----------
@@ -213,8 +215,9 @@ def depth(L: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values, and points in the contact, L
-    < a,, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. Handbook: plane.concave_power.d.
+    < a, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
+    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    plane.concave_power.d.
 
     References
     ----------
@@ -262,7 +265,8 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Handbook: plane.concave_power.xz.
+    Valid for small slopes; complete contact only. The place of first zero pressure is found by bisection.
+    Handbook: plane.concave_power.xz.
 
     References
     ----------
@@ -307,7 +311,8 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike)
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Handbook: plane.concave_power.Pmin.
+    Valid for small slopes; complete contact only. The place of first zero pressure is found by bisection.
+    Handbook: plane.concave_power.Pmin.
 
     References
     ----------

@@ -192,7 +192,7 @@ def depth(L: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: Arr
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values, and points in the contact, L
-    < a,, and loads below minimum_load(), give NaN. Handbook: plane.concave_quartic.d.
+    < a, and loads below minimum_load(), give NaN. Handbook: plane.concave_quartic.d.
 
     References
     ----------

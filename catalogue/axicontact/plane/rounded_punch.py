@@ -94,7 +94,8 @@ def load(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Resu
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and half-widths below b among
-    larger ones, give NaN. Handbook: plane.rounded_punch.P.
+    larger ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule.
+    Handbook: plane.rounded_punch.P.
 
     References
     ----------
@@ -197,7 +198,8 @@ def slope(x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     Notes
     -----
     Valid for a - b << R (parabolic rounding). The formula is for x >= 0; the function is odd. Negative a and
-    NaN, and half-widths below b among larger ones, give NaN. Handbook: plane.rounded_punch.s.
+    NaN, and half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: plane.rounded_punch.s.
 
     References
     ----------
@@ -246,8 +248,9 @@ def depth(L: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and points in the contact, L <
-    a,, and half-widths below b among larger ones, give NaN. Handbook: plane.rounded_punch.d.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and points in the contact, L < a,
+    and half-widths below b among larger ones, give NaN. Evaluated as an integral over the growing contact by
+    a Gauss-Legendre rule. Handbook: plane.rounded_punch.d.
 
     References
     ----------
@@ -293,8 +296,9 @@ def half_width_from_load(P: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated by a
-    safeguarded Newton iteration. Handbook: plane.rounded_punch.aP.
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    plane.rounded_punch.aP.
 
     References
     ----------

@@ -197,7 +197,8 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Notes
     -----
     Valid for tan(theta) << 1. The formula is for x >= 0; the function is odd. Negative a and NaN give NaN.
-    Handbook: plane.rounded_wedge.s.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    plane.rounded_wedge.s.
 
     References
     ----------
@@ -247,7 +248,8 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and points in the contact, L < a, give NaN.
-    Handbook: plane.rounded_wedge.d.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    plane.rounded_wedge.d.
 
     References
     ----------

@@ -240,8 +240,9 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values, and points in the contact, L < a,, and
-    half-widths below b among larger ones, give NaN. Handbook: plane.truncated_wedge.d.
+    Valid for tan(theta) << 1. Negative or NaN field values, and points in the contact, L < a, and half-widths
+    below b among larger ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre
+    rule. Handbook: plane.truncated_wedge.d.
 
     References
     ----------
