@@ -27,6 +27,7 @@ from axiderive.entry import Case
 from axiderive.profiles import load
 from axiderive.proof.evaluate import evaluate
 from axiderive.proof.unevaluated import evaluate_case
+from axiderive.stable.chosen import chosen
 from axiderive.stable.forms import EvaluationForm
 from axiderive.stable.gaps import of_lengths
 
@@ -253,5 +254,5 @@ def _computed(name: str, suffix: str, case: Case) -> EvaluationForm:
     if not name.startswith("plane."):
         return of_lengths(form_of(stored(name)[suffix], case.expr, case.chain))
     if problem(name).profile.contact == "compact":
-        return plane_form(case)
+        return plane_form(case, chosen(f"{name}.{suffix}").below)
     return plane_form(Case(case.chain, sp.expand(case.expr).coeff(nt.P) * nt.P))

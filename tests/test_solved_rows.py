@@ -49,7 +49,7 @@ def test_the_starts_are_those_of_the_modules() -> None:
     ):  # fmt: skip
         assert text in source(key)
     (first,) = (own.equations for own in unknowns(stored("gaussian")))
-    assert [equation.right for equation in first] == [r"\frac{a_1}{t+1}", r"1.5019752682686114\,s"]
+    assert [equation.right for equation in first] == [r"\frac{a_1}{1+t}", r"1.5019752682686114\,s"]
 
 
 R, K = 1.3, -0.4

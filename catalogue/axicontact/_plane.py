@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 Growth = Callable[..., Array]
-Weight = Callable[[Array, Array], Array | float]
 
 
 def even(function: Callable[..., Array], x: ArrayLike, *fields: ArrayLike, **parameters: ArrayLike) -> Result:
@@ -71,38 +70,44 @@ def load_beyond(growth: Growth, root: Array, b: Array) -> Strip:
 def slope_beyond(growth: Growth, x: Array, a: Array, b: Array) -> Strip:
     """Integral of P'(t)/sqrt(x**2 - t**2) from b to a < x."""
     edge, far = difference_root(a, b), difference_root(x, a)
-    return _strips_beyond(growth, lambda t, narrowed: 1.0, edge / far, (x, edge, far, b), a > b)
+    stop, place = _beyond(x, edge, far, b)
+
+    def integrand(v: Array) -> Array:
+        t, root, _, stretch = place(v)
+        return growth(t, root) * stretch
+
+    return integrand, stop, edge / far, a > b, 0.0
 
 
 @in_groups
 def depth_beyond(growth: Growth, L: Array, a: Array, b: Array) -> Strip:
     """Integral of P'(t) arcosh(L/t) from b to a < L."""
     edge, far = difference_root(a, b), difference_root(L, a)
+    stop, place = _beyond(L, edge, far, b)
 
-    def weight(t: Array, narrowed: Array) -> Array:
-        return narrowed * np.arcsinh(far * narrowed / t)
+    def integrand(v: Array) -> Array:
+        t, root, narrowed, stretch = place(v)
+        return growth(t, root) * stretch * narrowed * np.arcsinh(far * narrowed / t)
 
-    return _strips_beyond(growth, weight, edge, (L, edge, far, b), a > b)
+    return integrand, stop, edge, a > b, 0.0
 
 
-def _strips_beyond(growth: Growth, weight: Weight, scale: Array, lengths: tuple[Array, ...], holds: Array) -> Strip:
-    """Strips of P'(t) `weight`/sqrt(x**2 - t**2), over `scale`, which is what that weight has been divided by.
+def _beyond(x: Array, edge: Array, far: Array, b: Array) -> tuple[Array, Callable[[Array], tuple[Array, ...]]]:
+    """End of the variable, and what it stands for: t, its root, `narrowed`, and dt/sqrt(x**2 - t**2) by edge/far.
 
     The variable is tan(phi) = root/rest, with rest = sqrt(x**2 - t**2) = `far` at the edge.  There `narrowed` is 1:
     a rest from that of the edge keeps more digits than one from x.
     """
-    x, edge, far, b = lengths
     ratio, end = b / x, edge / far
     stop, widest = np.arcsinh(end / ratio), np.sqrt(1.0 + end * end)
     fallen = falling(stop)
 
-    def integrand(v: Array) -> Array:
+    def place(v: Array) -> tuple[Array, ...]:
         part = fallen(v)
         square = 1.0 + (end * part) * (end * part)
         narrowed = widest / np.sqrt(square)
         root = edge * part * narrowed
         t = np.sqrt(b * b + root * root)
-        stretch = np.sqrt((ratio / end) ** 2 + part * part) / square
-        return growth(t, root) * root / t * weight(t, narrowed) * stretch
+        return t, root, narrowed, root / t * (np.sqrt((ratio / end) ** 2 + part * part) / square)
 
-    return integrand, stop, scale, holds, 0.0
+    return stop, place

@@ -23,7 +23,7 @@ class _Text:
         for line in text.splitlines(keepends=True):
             self.starts.append(self.starts[-1] + len(line.encode()))
 
-    def span(self, node: ast.expr | ast.stmt | ast.arg) -> tuple[int, int]:
+    def span(self, node: ast.expr | ast.stmt | ast.arg | ast.alias) -> tuple[int, int]:
         assert node.end_lineno is not None and node.end_col_offset is not None
         return self.starts[node.lineno - 1] + node.col_offset, self.starts[node.end_lineno - 1] + node.end_col_offset
 
@@ -54,6 +54,8 @@ def ungrouped(text: str, known: dict[str, int]) -> str:
             edits += _plain_rule(own, node)
         elif isinstance(node, ast.FunctionDef) and _has_short_way(node):
             edits.append((own.span(node.decorator_list[0])[0] - 1, own.starts[node.lineno - 1], ""))
+        elif isinstance(node, ast.ImportFrom):
+            edits += _integrating(own, node)
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in known:
             edits += _plain_call(own, node, known[node.func.id])
     return own.edited(edits)
@@ -83,6 +85,14 @@ def _plain_rule(own: _Text, rule: ast.FunctionDef) -> list[Edit]:
     value = value if holds == "True" else f"np.where({holds}, {value}, {otherwise})"
     mark, end = own.span(rule.decorator_list[0])[0] - 1, own.span(rule.args.args[-1])[1]
     return [(mark, own.starts[rule.lineno - 1], ""), (end, end, ", width: Array = 1.0"), (*own.span(last.value), value)]
+
+
+def _integrating(own: _Text, imported: ast.ImportFrom) -> list[Edit]:
+    """What integrates a plain rule, beside the mark that it replaces."""
+    names = {alias.name: alias for alias in imported.names}
+    if MARK not in names or "integral_in_strip" in names:
+        return []
+    return [(*own.span(names[MARK]), "integral_in_strip")]
 
 
 def _plain_call(own: _Text, call: ast.Call, arity: int) -> list[Edit]:

@@ -90,7 +90,8 @@ def polynomials(kernels: str) -> str:
 
 @cache
 def _rules() -> dict[str, int]:
-    return rules((RUNTIME / "_rules.py").read_text()) | rules((physics.RUNTIME / "_slip_rules.py").read_text())
+    paths = (RUNTIME / "_rules.py", RUNTIME / "_plane.py", physics.RUNTIME / "_slip_rules.py")
+    return {name: count for path in paths for name, count in rules(path.read_text()).items()}
 
 
 def _module(name: str, text: str) -> Module:
