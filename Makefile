@@ -28,7 +28,7 @@ lint: $(VENV)/.lint
 	$(PY) -m ruff format --check . </dev/null
 	$(PY) -m mypy </dev/null
 
-PAGE := 10
+PAGE := 11
 picture:
 	pdftoppm -r 92 -png -singlefile -f $(PAGE) -l $(PAGE) catalogue/handbook/handbook.pdf docs/page
 
