@@ -49,7 +49,7 @@ def loads(text: str | bytes) -> dict[str, Any]:
 
 
 def _told(record: Mapping[str, Any]) -> Callable[[Row], Row]:
-    """Fields of an entry from its key and its symbol."""
+    """Fields of an entry from its key, its symbol and its call."""
     places = {key: (row["name"], own["physics"]) for row in record["profiles"] for key, own in row["problems"].items()}
     units = {row["name"]: row["unit"] for row in record["units"]}
 
@@ -57,7 +57,8 @@ def _told(record: Mapping[str, Any]) -> Callable[[Row], Row]:
         problem, _, quantity = row["key"].rpartition(".")
         profile, physics = places[problem]
         found = {"problem": problem, "profile": profile, "physics": physics, "quantity": quantity}
-        return {**found, "composed": [], "note": "", "unit": units.get(row["symbol"], "")}
+        function = row["python"].partition("(")[0].rpartition(".")[2]
+        return {**found, "function": function, "composed": [], "note": "", "unit": units.get(row["symbol"], "")}
 
     return told
 
