@@ -122,7 +122,7 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
         rows = {
             "units": [],
             "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
-            "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p"} for n in names],
+            "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p", "python": "pressure(r, a)"} for n in names],
         }
         return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
 
