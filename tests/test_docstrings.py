@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import axicontact
+from axiderive.index import load
 
 ROOT = Path(axicontact.__file__).parent
 PACKAGES = sorted({path.parent.relative_to(ROOT) for path in ROOT.rglob("*.py")})
@@ -44,3 +45,10 @@ def test_every_function_of_a_formula_is_known_or_explained(package: Path) -> Non
 def test_there_are_formulas_to_read() -> None:
     found = [name for path in ROOT.rglob("*.py") for name, text in formulas(path) if " = " in text]
     assert len(found) > 1000
+
+
+def test_a_stick_radius_beyond_a_break_is_not_defined_by_the_tip() -> None:
+    """What `show` and the docstring of a long equation print holds on both sides of the break."""
+    rows = {row["key"]: row for row in load().entries if row["key"].endswith(".tan.c") and len(row["cases"]) > 1}
+    assert {"rounded_cone.tan.c", "sphere_tipped_cone.fgm.tan.c"} <= rows.keys()
+    assert {row["definition"] for row in rows.values()} == {"mu*(F(a) - F(c)) = F_x"}
