@@ -19,7 +19,7 @@ from ..notation import F, a, a_c, d, dgamma, n
 from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
-from .statement import Rule, require_zero
+from .statement import Rule, paired, require_zero
 
 PUNCH = {
     "d": lambda medium: sp.S.One,
@@ -53,19 +53,12 @@ class Adhesive:
         entry, plain, steps = self.entries[suffix], self.normal.entries[suffix], self.retraction()
         (shift,) = self.entries["Dl"].cases
         unit = PUNCH[suffix](self.medium)
-        for case, own in self._paired(entry, plain):
+        for case, own in paired(entry, plain):
             domain = self.normal.domain(case.chain)
             # integrals that both sides share cancel as they stand
             gap = sp.expand(case.expr - own.expr) + unit * shift.expr
             steps.append(require_zero(gap, domain, f"{suffix} = {plain.key} - flat punch of unit depth times Dl"))
         return steps
-
-    @staticmethod
-    def _paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:
-        if [case.chain for case in entry.cases] != [case.chain for case in plain.cases]:
-            message = f"the cases of {entry.key} are not those of {plain.key}"
-            raise NotProvedError(message)
-        return list(zip(entry.cases, plain.cases, strict=True))
 
     def stable_radius(self, suffix: str) -> list[str]:
         """The radius on the stable branch, where the retraction is less than that of the stationary force or depth.

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..entry import Case, Entry
 from ..notation import N, coefficients, j
 from . import special
 from .domain import Domain, NotProvedError
@@ -72,3 +73,11 @@ def by_power(expr: sp.Expr) -> tuple[sp.Expr, ...]:
         raise NotProvedError(message)
     rest = linear.xreplace(dict.fromkeys(stand_ins.values(), sp.S.Zero))
     return (rest, sp.Add(*(factor * summand(total) for total, factor in factors.items()))) if sums else (rest,)
+
+
+def paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:
+    """The cases of an entry beside those of the entry it rests on, which are cases of the same regions."""
+    if [case.chain for case in entry.cases] != [case.chain for case in plain.cases]:
+        message = f"the cases of {entry.key} are not those of {plain.key}"
+        raise NotProvedError(message)
+    return list(zip(entry.cases, plain.cases, strict=True))

@@ -20,7 +20,7 @@ from .complete import Complete
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
 from .identity import at
-from .statement import Rule, require_zero
+from .statement import Rule, paired, require_zero
 
 BOUNDS = (alpha, sp.S.One)
 LAPLACE = sp.Symbol("laplace", positive=True)
@@ -117,7 +117,7 @@ class Viscoelastic:
     def step(self, suffix: str) -> list[str]:
         law, entry = self._law(suffix), self.entries[suffix]
         steps, source = [duality(law)], self.normal.entries["F"] if entry.status == "root" else self.force
-        for case, elastic in self._paired(entry, self._closed(source)):
+        for case, elastic in paired(entry, self._closed(source)):
             wanted = elastic.expr / E_star * law.relaxation
             steps.append(self._linear(elastic))
             gap = (case.expr.rhs if entry.status == "root" else case.expr) - wanted
@@ -128,7 +128,7 @@ class Viscoelastic:
         """F_el(a)/E* = J(t) F: the radius depends on F/E* alone."""
         law, entry = self._law(suffix), self.entries[suffix]
         steps = [duality(law)]
-        for case, elastic in self._paired(entry, self._closed(self.normal.entries["aF"])):
+        for case, elastic in paired(entry, self._closed(self.normal.entries["aF"])):
             wanted = elastic.expr.subs(E_star, 1 / law.creep)
             require_analytic(wanted, self.domain(case))
             gap = case.expr - wanted
@@ -145,13 +145,6 @@ class Viscoelastic:
             message = f"{entry.key} is the root of an equation"
             raise NotProvedError(message)
         return entry
-
-    @staticmethod
-    def _paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:
-        if [case.chain for case in entry.cases] != [case.chain for case in plain.cases]:
-            message = f"the cases of {entry.key} are not those of {plain.key}"
-            raise NotProvedError(message)
-        return list(zip(entry.cases, plain.cases, strict=True))
 
 
 def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[str, Rule]:
