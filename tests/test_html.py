@@ -109,6 +109,12 @@ def test_the_search_index_has_every_key(site: dict[str, str], derived: dict[str,
     assert all(key.startswith(f"{profile}.") and profile in record["profiles"] for key, profile, *_ in record["keys"])
 
 
+def test_the_index_counts_what_it_holds(site: dict[str, str]) -> None:
+    """Neither a prescribed pressure nor the elastic constants are a profile."""
+    count = len(json.loads(site["assets/keys.js"].removeprefix("window.axicontact = ").rstrip(";\n"))["keys"])
+    assert f": 4 profiles, 1 prescribed pressure and the elastic constants; {count} formulas" in site["index.html"]
+
+
 def test_evidence_is_shown_and_missing_evidence_is_said_to_be_missing(site: dict[str, str]) -> None:
     text = site["cone.html"]
     row = text[text.index('id="p"') : text.index("</article>", text.index('id="p"'))]
@@ -159,7 +165,12 @@ def _link(label: str, text: str) -> Markup:
     [
         ("a < b & c", "a &lt; b &amp; c"),
         (r"Heß \& Willert -- 100 \%", "Heß &amp; Willert – 100 %"),
-        (r"for $a<b$, \own{ad}", 'for <span class="tex">a&lt;b</span>, [own:ad|.ad]'),
+        (r"for $a<b$, \own{ad}", 'for <span class="kept"><span class="tex">a&lt;b</span>,</span> [own:ad|.ad]'),
+        (
+            r"($a$) \(b\) $c$",
+            '<span class="kept">(<span class="tex">a</span>)</span> '
+            '<span class="tex">b</span> <span class="tex">c</span>',
+        ),
         (r"$b\to 0$ \hyperref[sec:cone]{cone}", r'<span class="tex">b\to 0</span> [sec:cone|cone]'),
         (r"on page \pageref{part:laws}", "under [part:laws|Viscoelastic laws]"),
         ("by (11.29) and (11.20), (a)", "by [chapter:11.29|(11.29)] and [chapter:11.20|(11.20)], (a)"),
