@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from axiderive import writing
-from axiderive.comparison import differences, only_profiles
+from axiderive.comparison import differences, only_profiles, standing
 
+CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}
 
 
@@ -115,6 +116,15 @@ def test_differences_name_changed_new_and_stale_files(root):
     assert "--- committed/axicontact/normal/kone.py" in text
     writing.publish(FILES, root, prune=True)
     assert differences(FILES, root) == []
+
+
+def test_measured_errors_are_read_back_from_what_a_build_wrote(tmp_path):
+    """Evidence is no index: read as one it is nothing, and no error that was measured would ever stand."""
+    key = "cone"
+    found = standing(CATALOGUE, [key, "unheard.of"])
+    assert found == {key: json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]["evaluation"]}
+    assert found[key]["p"]["bench"]["points"] > 0
+    assert standing(tmp_path, [key]) == {}
 
 
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):

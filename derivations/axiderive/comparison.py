@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -72,7 +73,7 @@ def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
     found = {}
     for key in keys:
         try:
-            evidence = loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
+            evidence = json.loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
             found[key] = dict(evidence["evaluation"])
         except (OSError, ValueError, KeyError, TypeError):
             # nothing published, or nothing that can be read: what is measured now stands
