@@ -131,6 +131,7 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     def index(*names):
         rows = {
             "units": [],
+            "physics": [{"name": "normal", "formulas": len(names)}, {"name": "plane", "formulas": 0}],
             "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
             "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p", "python": "pressure(r, a)"} for n in names],
         }
@@ -145,3 +146,4 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
     assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]
     assert list(merged["matrix"]["profiles"]) == ["cone", "paraboloid", "sphere"]
+    assert {row["name"]: row["formulas"] for row in merged["physics"]} == {"normal": 3, "plane": 0}

@@ -48,6 +48,8 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     for part, name in (("profiles", "name"), ("entries", "profile")):
         rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
         new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
+    for row in new["physics"]:
+        row["formulas"] = sum(entry["physics"] == row["name"] for entry in new["entries"])
     new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
     return own | shared | {index_path: dumps(new).encode()}
 
