@@ -38,7 +38,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except ImportError as error:
-        print(f"axicontact: {error}; deriving needs more than NumPy: pip install 'axicontact[derive]'", file=sys.stderr)
+        print(
+            f"axicontact: {error}; deriving needs more than NumPy: pip install '.[derive]' in the checkout",
+            file=sys.stderr,
+        )
         return ENVIRONMENT
     except OSError as error:
         print(f"axicontact: {error}", file=sys.stderr)
