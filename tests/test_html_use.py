@@ -235,6 +235,8 @@ def test_numbers_keep_their_line_on_a_telephone(opened: tuple[Chromium, str]) ->
     assert len(heights) == 24
     assert max(heights) < 40
     assert browser.value("document.documentElement.scrollWidth") <= PHONE
+    wider = "[...document.querySelectorAll('td')].filter((cell) => cell.scrollWidth > cell.clientWidth)"
+    assert browser.value(f"{wider}.map((cell) => cell.textContent)") == []  # none runs into the next one
     sizes = browser.value("[...document.querySelectorAll('button')].map((button) => button.offsetHeight)")
     assert min(sizes) >= 24
 
