@@ -59,6 +59,16 @@ def test_show_of_a_profile_has_all_its_formulas(capsys):
         (["show", "kone"], "unknown profile or key 'kone'; did you mean 'cone'?"),
         (["show", "kone.p"], "unknown key 'kone.p'; did you mean 'cone.p'?"),
         (["show", "cone.pp"], "unknown key 'cone.pp'; did you mean 'cone.p'?"),
+        (["show", "cone.q"], "unknown key 'cone.q'; see axicontact show cone"),
+        (["show", "cone p"], "unknown key 'cone p'; did you mean 'cone.p'?"),
+        (["show", "cone.pressure"], "unknown key 'cone.pressure'; did you mean 'cone.p'?"),
+        (["show", "kone.adh.pressure"], "unknown key 'kone.adh.pressure'; did you mean 'cone.adh.p'?"),
+        (["show", "cone.adhesive"], "unknown key 'cone.adhesive'; did you mean 'cone.adh'?"),
+        (["show", "plane.wege.P"], "unknown key 'plane.wege.P'; did you mean 'plane.wedge.P'?"),
+        (["show", "Cone"], "unknown profile or key 'Cone'; did you mean 'cone'?"),
+        (["show", "hertz"], "unknown profile or key 'hertz'; did you mean 'paraboloid' or 'loads.hertzian'?"),
+        (["show", "punch"], "unknown profile or key 'punch'; see axicontact list"),
+        (["show", ""], "unknown profile or key ''; see axicontact list"),
         (["show", "zzzzzz"], "unknown profile or key 'zzzzzz'; see axicontact list"),
         (["check", "paraboloyd"], "unknown profile or key 'paraboloyd'; did you mean 'paraboloid'?"),
         (["build", "--only", "cone,spere"], "unknown profile 'spere'; did you mean 'sphere'?"),
@@ -79,6 +89,22 @@ def test_bad_command_lines_end_with_code_2(arguments, capsys):
         cli.main(arguments)
     assert stopped.value.code == 2
     assert "usage: axicontact" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "build,list,show,check,derive,emit,study"),
+        (["derive", "-r**2"], "-- EXPRESSION"),
+        (["build", "--only", ","], "',' names no profile; write cone,sphere"),
+        (["check", "cone", "--digits", "1"], "'1' is below 10 digits"),
+    ],
+)
+def test_a_bad_command_line_is_told_what_to_write(arguments, message, capsys):
+    """An empty --only would build everything, a check of one digit would pass with none."""
+    with pytest.raises(SystemExit):
+        cli.main(arguments)
+    assert message in capsys.readouterr().err
 
 
 def test_list_and_show_load_nothing_heavy():

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from markupsafe import Markup
+from stored_book import CATALOGUE, stored
 from web_page import Page
 
 from axiderive.contact.systems import problems
@@ -19,7 +20,6 @@ from axiderive.emit.blocks import rows_of
 from axiderive.emit.html import html_sources
 from axiderive.emit.html.drawing import Scale, pairs
 from axiderive.emit.html.words import words
-from axiderive.emit.modules import package_sources
 from axiderive.entry import Entry
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
@@ -46,12 +46,14 @@ CHAPTER = {
 
 @pytest.fixture(scope="module")
 def derived() -> dict[str, dict[str, Entry]]:
-    return {problem.key: problem.derive() for problem in problems(SAMPLE)}
+    return {problem.key: stored(problem.key) for problem in problems(SAMPLE)}
 
 
 @pytest.fixture(scope="module")
-def modules(derived: dict[str, dict[str, Entry]]) -> dict[str, str]:
-    return package_sources(derived)
+def modules() -> dict[str, str]:
+    """The modules of the catalogue, of which the pages show the calls."""
+    paths = (CATALOGUE / "axicontact").rglob("*.py")
+    return {str(path.relative_to(CATALOGUE)): path.read_text(encoding="utf-8") for path in paths}
 
 
 @pytest.fixture(scope="module")
@@ -109,6 +111,12 @@ def test_the_search_index_has_every_key(site: dict[str, str], derived: dict[str,
     assert all(key.startswith(f"{profile}.") and profile in record["profiles"] for key, profile, *_ in record["keys"])
 
 
+def test_the_index_counts_what_it_holds(site: dict[str, str]) -> None:
+    """Neither a prescribed pressure nor the elastic constants are a profile."""
+    count = len(json.loads(site["assets/keys.js"].removeprefix("window.axicontact = ").rstrip(";\n"))["keys"])
+    assert f": 4 profiles, 1 prescribed pressure and the elastic constants; {count} formulas" in site["index.html"]
+
+
 def test_evidence_is_shown_and_missing_evidence_is_said_to_be_missing(site: dict[str, str]) -> None:
     text = site["cone.html"]
     row = text[text.index('id="p"') : text.index("</article>", text.index('id="p"'))]
@@ -120,12 +128,9 @@ def test_evidence_is_shown_and_missing_evidence_is_said_to_be_missing(site: dict
 
 
 def test_the_calls_run_as_they_are_copied(
-    site: dict[str, str], modules: dict[str, str], derived: dict[str, dict[str, Entry]], tmp_path: Path
+    site: dict[str, str], derived: dict[str, dict[str, Entry]], tmp_path: Path
 ) -> None:
     """Every block of Python on a page, alone and in the generated package, gives a finite number or a state."""
-    for path, text in modules.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text)
     blocks = [
         unescape(block)
         for path in (f"{name}.html" for name in SAMPLE)
@@ -139,7 +144,7 @@ def test_the_calls_run_as_they_are_copied(
         lines += ["found = block()", "assert not isinstance(found, float) or math.isfinite(found), found"]
     program = tmp_path / "calls.py"
     program.write_text("\n".join(lines))
-    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    environment = {**os.environ, "PYTHONPATH": str(CATALOGUE)}
     subprocess.run([sys.executable, str(program)], env=environment, check=True, timeout=120)
     assert len(blocks) == sum(map(len, derived.values()))
 
@@ -159,7 +164,12 @@ def _link(label: str, text: str) -> Markup:
     [
         ("a < b & c", "a &lt; b &amp; c"),
         (r"Heß \& Willert -- 100 \%", "Heß &amp; Willert – 100 %"),
-        (r"for $a<b$, \own{ad}", 'for <span class="tex">a&lt;b</span>, [own:ad|.ad]'),
+        (r"for $a<b$, \own{ad}", 'for <span class="kept"><span class="tex">a&lt;b</span>,</span> [own:ad|.ad]'),
+        (
+            r"($a$) \(b\) $c$",
+            '<span class="kept">(<span class="tex">a</span>)</span> '
+            '<span class="tex">b</span> <span class="tex">c</span>',
+        ),
         (r"$b\to 0$ \hyperref[sec:cone]{cone}", r'<span class="tex">b\to 0</span> [sec:cone|cone]'),
         (r"on page \pageref{part:laws}", "under [part:laws|Viscoelastic laws]"),
         ("by (11.29) and (11.20), (a)", "by [chapter:11.29|(11.29)] and [chapter:11.20|(11.20)], (a)"),

@@ -43,6 +43,21 @@ HITS = {
     "matrix": "index.html#matrix",
 }
 """What is typed, and what shall come first."""
+TYPOS = {
+    "presure": "pressure",
+    "tangental force": "tangential force",
+    "conne": "cone",
+    "cne": "cone",
+    "cone.stifness": "cone stiffness",
+    "Hertzain": "hertzian",
+    "flat pumch": "flat punch",
+    "catteneo": "cattaneo",
+    "xyzzy": "",  # near nothing
+    "sfere": "",  # two letters off
+    "11.999": "11 999",  # numbers are not misspelt
+    "cone dawson": "cone dawson",  # nothing is misspelt
+}
+"""What is typed and found nowhere, and what is searched for instead."""
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +68,10 @@ def site() -> dict[str, str]:
         for path in (CATALOGUE / "axicontact").rglob("*.py")
     }
     chapter = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())
-    return html_sources({k: stored(k) for k in own}, {k: evidence(k) for k in own}, chapter, modules=modules)
+    studies = {path.stem: json.loads(path.read_bytes()) for path in (CATALOGUE / "evidence" / "study").glob("*.json")}
+    return html_sources(
+        {k: stored(k) for k in own}, {k: evidence(k) for k in own}, chapter, modules=modules, studies=studies
+    )
 
 
 @pytest.fixture(scope="module")
@@ -89,6 +107,58 @@ def test_the_search_puts_first_what_was_meant(opened: tuple[Chromium, str]) -> N
     # P and p are told apart, as in plane contact
     browser.value("window.axicontact.keys.push(['cone.P', 'cone', 0, 'Pressure', 'pressure P']); index = null")
     assert [browser.value(f"search('{letter}')[0].name") for letter in "pP"] == ["cone.p", "cone.P"]
+
+
+@needs_browser
+def test_the_search_forgives_a_letter_where_nothing_is_found(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/index.html")
+    found = {
+        typed: browser.value(f"[search({json.dumps(typed)}).length, guess({json.dumps(typed)})]") for typed in TYPOS
+    }
+    assert found == {typed: [0, meant] for typed, meant in TYPOS.items()}
+    pairs = [("cone", "coone"), ("cone", "cne"), ("cone", "cane"), ("cone", "ocne"), ("cone", "con"), ("cone", "cones")]
+    others = [("cone", "cone"), ("cone", "coones"), ("cone", "caen"), ("cone", "neco"), ("depth", "pthde")]
+    near = [browser.value(f"misspelt({json.dumps(a)}, {json.dumps(b)})") for a, b in (*pairs, *others)]
+    assert near == [True] * len(pairs) + [False] * len(others)
+    browser.press("/", *"cone presure")
+    assert _told(browser) == "nothing found for cone presure: did you mean cone pressure?"
+    box = "document.getElementById('{}').getBoundingClientRect().{}"
+    below, above = browser.value(f"[{box.format('told', 'bottom')}, {box.format('found', 'top')}]")
+    assert 0 < below <= above
+    browser.events.clear()
+    browser.press("Enter")
+    browser.loaded()
+    assert browser.value("location.href") == f"{root}/cone.html#p"
+
+
+LABELS = """[...document.querySelectorAll(".canvas")].map((canvas) => {
+  const { left, right, top, bottom } = canvas.getBoundingClientRect();
+  const labels = [...canvas.querySelectorAll(".label")];
+  const boxes = labels.map((label) => label.getBoundingClientRect());
+  const outside = (box) => box.left < left - 1 || box.right > right + 1 || box.top < top - 1 || box.bottom > bottom + 1;
+  return {
+    id: canvas.parentElement.id,
+    size: Math.min(...labels.map((label) => parseFloat(getComputedStyle(label).fontSize))),
+    outside: labels.filter((_, i) => outside(boxes[i])).map((label) => label.textContent),
+    names: labels.filter((label) => /^[a-z]+ [a-z ]+$/.test(label.textContent)).map((label) => label.textContent),
+  };
+})"""
+
+
+@needs_browser
+@pytest.mark.parametrize("width", [PHONE, 1280])
+def test_the_axes_of_the_study_have_names_that_are_legible(opened: tuple[Chromium, str], width: int) -> None:
+    """Names, ticks and letters lie on their figure, and none is smaller than the letters of a footnote."""
+    browser, root = opened
+    browser.open(f"{root}/study.html", width)
+    figures = {figure.pop("id"): figure for figure in browser.value(LABELS)}
+    panels = [one for name, one in figures.items() if name.startswith("error.")]
+    assert len(panels) > 20
+    assert {tuple(one["names"]) for one in panels} == {("run time over that of the function", "worst relative error")}
+    assert [name for name, one in figures.items() if one["outside"]] == []
+    assert min(one["size"] for one in figures.values()) >= 11
+    assert browser.value("document.documentElement.scrollWidth") <= width
 
 
 @needs_browser
@@ -165,6 +235,8 @@ def test_numbers_keep_their_line_on_a_telephone(opened: tuple[Chromium, str]) ->
     assert len(heights) == 24
     assert max(heights) < 40
     assert browser.value("document.documentElement.scrollWidth") <= PHONE
+    wider = "[...document.querySelectorAll('td')].filter((cell) => cell.scrollWidth > cell.clientWidth)"
+    assert browser.value(f"{wider}.map((cell) => cell.textContent)") == []  # none runs into the next one
     sizes = browser.value("[...document.querySelectorAll('button')].map((button) => button.offsetHeight)")
     assert min(sizes) >= 24
 

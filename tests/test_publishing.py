@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from axiderive import writing
-from axiderive.comparison import differences, only_profiles
+from axiderive.comparison import differences, only_profiles, standing
 
+CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}
 
 
@@ -117,10 +118,20 @@ def test_differences_name_changed_new_and_stale_files(root):
     assert differences(FILES, root) == []
 
 
+def test_measured_errors_are_read_back_from_what_a_build_wrote(tmp_path):
+    """Evidence is no index: read as one it is nothing, and no error that was measured would ever stand."""
+    key = "cone"
+    found = standing(CATALOGUE, [key, "unheard.of"])
+    assert found == {key: json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]["evaluation"]}
+    assert found[key]["p"]["bench"]["points"] > 0
+    assert standing(tmp_path, [key]) == {}
+
+
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     def index(*names):
         rows = {
             "units": [],
+            "physics": [{"name": "normal", "formulas": len(names)}, {"name": "plane", "formulas": 0}],
             "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
             "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p", "python": "pressure(r, a)"} for n in names],
         }
@@ -135,3 +146,4 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
     assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
     assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]
     assert list(merged["matrix"]["profiles"]) == ["cone", "paraboloid", "sphere"]
+    assert {row["name"]: row["formulas"] for row in merged["physics"]} == {"normal": 3, "plane": 0}

@@ -48,6 +48,7 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
     ("source", "message"),
     [
         ('profile = "kone"', "unknown profile 'kone'; did you mean 'cone'?"),
+        ('[profile]\nkind = "kone"\n[want]\nat = { F = "1 N" }', "1 problem in the scene"),
         ("[profile]\nkind = 3", "the profile must be a text, not int"),
         ("", "the scene names no profile"),
         ('profile = "cone', "is a quote or a bracket missing?"),

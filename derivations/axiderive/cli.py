@@ -17,6 +17,8 @@ from .exits import ENVIRONMENT, FAILED, INCOMPLETE, INTERRUPTED, CommandError
 from .show import FORMS, TOPICS
 
 MOST_JOBS = 4
+LEAST_DIGITS = 10
+"""With one, enclosures of the cone overlap to 0 digits and pass."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -36,7 +38,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except ImportError as error:
-        print(f"axicontact: {error}; deriving needs more than NumPy: pip install 'axicontact[derive]'", file=sys.stderr)
+        print(
+            f"axicontact: {error}; deriving needs more than NumPy: pip install '.[derive]' in the checkout",
+            file=sys.stderr,
+        )
         return ENVIRONMENT
     except OSError as error:
         print(f"axicontact: {error}", file=sys.stderr)
@@ -51,7 +56,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="axicontact", description="Closed forms of elastic contact: derived, proved, checked."
     )
     parser.add_argument("--version", action="version", version=f"axicontact {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="command")
+    commands = parser.add_subparsers(required=True, title="commands")
 
     build = commands.add_parser("build", help="derive, prove, check and write the catalogue")
     build.set_defaults(run=_build)
@@ -89,7 +94,12 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p, or chapter; default all formulas")
     _numerical(check)
 
-    derive = commands.add_parser("derive", help="formulas and a module for a profile of your own")
+    derive = commands.add_parser(
+        "derive",
+        help="formulas and a module for a profile of your own",
+        # without it argparse calls the expression missing that begins with a minus
+        usage="%(prog)s [-h] [--out DIR] [--k K] -- EXPRESSION",
+    )
     derive.set_defaults(run=_derive)
     derive.add_argument("expression", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it")
     derive.add_argument("--out", type=Path, metavar="DIR", help="write the module and its test there")
@@ -106,7 +116,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _numerical(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--digits", type=_positive, default=50, help="digits of the numerical checks (%(default)s)")
+    parser.add_argument("--digits", type=_digits, default=50, help="digits of the numerical checks (%(default)s)")
     parser.add_argument("--points", type=_positive, default=8, help="points per formula (%(default)s)")
     parser.add_argument("--seed", type=int, default=17, help="seed of the points (%(default)s)")
     parser.add_argument("-v", "--verbose", action="store_true", help="say more")
@@ -120,8 +130,20 @@ def _positive(text: str) -> int:
     return number
 
 
+def _digits(text: str) -> int:
+    number = _positive(text)
+    if number < LEAST_DIGITS:
+        message = f"{text!r} is below {LEAST_DIGITS} digits, with which any two numbers agree; leave it at 50"
+        raise argparse.ArgumentTypeError(message)
+    return number
+
+
 def _names(text: str) -> list[str]:
-    return [name.strip() for name in text.split(",") if name.strip()]
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    if not names:
+        message = f"{text!r} names no profile; write cone,sphere, or leave the option out for all"
+        raise argparse.ArgumentTypeError(message)
+    return names
 
 
 def _build(arguments: argparse.Namespace) -> int:

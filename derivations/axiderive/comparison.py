@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,8 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     for part, name in (("profiles", "name"), ("entries", "profile")):
         rows = [row for row in old[part] if row[name] not in ids and row[name] in order] + new[part]
         new[part] = sorted(rows, key=lambda row: order.index(row[name]))  # noqa: B023
+    for row in new["physics"]:
+        row["formulas"] = sum(entry["physics"] == row["name"] for entry in new["entries"])
     new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
     return own | shared | {index_path: dumps(new).encode()}
 
@@ -72,7 +75,7 @@ def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
     found = {}
     for key in keys:
         try:
-            evidence = loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
+            evidence = json.loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
             found[key] = dict(evidence["evaluation"])
         except (OSError, ValueError, KeyError, TypeError):
             # nothing published, or nothing that can be read: what is measured now stands

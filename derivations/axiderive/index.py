@@ -86,8 +86,29 @@ class NoCatalogueError(CommandError):
 
 def nearest(name: str, kind: str, known: Iterable[str]) -> UnknownNameError:
     near = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
-    hint = f"; did you mean {near[0]!r}?" if near else "; see axicontact list"
-    return UnknownNameError(f"unknown {kind} {name!r}{hint}")
+    return _unknown(kind, name, near)
+
+
+def _unknown(kind: str, name: str, near: Iterable[str], see: str = "list") -> UnknownNameError:
+    meant = " or ".join(map(repr, near))
+    hint = f"did you mean {meant}?" if meant else f"see axicontact {see}"
+    return UnknownNameError(f"unknown {kind} {name!r}; {hint}")
+
+
+MOST_NAMED = 3
+"""Profiles that are named together; a word that more of them have says too little."""
+LEAST_LIKE = 0.5
+
+
+def _likeness(stem: str, name: str) -> float:
+    """1 for the name itself, less for its beginning and for what shares letters with it."""
+    ratio = difflib.SequenceMatcher(None, stem.casefold(), name).ratio()
+    return max(ratio, 0.9) if stem and name.startswith(stem.casefold()) and stem != name else ratio
+
+
+def _words(profile: Row) -> str:
+    """What a profile is called and whose work it is."""
+    return " ".join((profile["name"], profile["title"], *profile["synonyms"], *profile["sources"])).casefold()
 
 
 @dataclass(frozen=True)
@@ -118,20 +139,38 @@ class Index:
         found = [row for row in self.entries if key in (row["key"], row["problem"])]
         if found:
             return found
-        raise nearest(key, "key" if "." in key else "profile or key", self._candidates(key))
+        raise self._not_known(key)
 
-    def _candidates(self, key: str) -> list[str]:
-        """Known keys that an unknown one may stand for, the profile mended before the quantity."""
-        known = {row[name] for row in self.entries for name in ("key", "problem")}
-        profiles = [row["name"] for row in self.profiles]
-        own = [name for name in profiles if key.startswith(f"{name}.")]
-        if own:
-            return sorted(name for name in known if name.startswith(f"{max(own, key=len)}."))
-        name, dot, rest = key.partition(".")
-        near = difflib.get_close_matches(name, profiles, n=1, cutoff=0.5)
-        if dot and near:
-            return [candidate for candidate in (f"{near[0]}.{rest}", near[0]) if candidate in known]
-        return profiles
+    def _not_known(self, key: str) -> UnknownNameError:
+        """The error that leads to what an unknown key may stand for, the profile mended before the quantity."""
+        asked = ".".join(key.split())
+        kind = "key" if "." in asked else "profile or key"
+        named = [row["name"] for row in self.profiles if row["name"] == asked.casefold()]
+        named = named or [row["name"] for row in self.profiles if asked.casefold() in _words(row)]
+        if named:
+            return _unknown(kind, key, named if len(named) <= MOST_NAMED else [])
+        parts = asked.split(".")
+        # plane.wedge is a profile of two words, cone one of one
+        stems = ((".".join(parts[:n]), ".".join(parts[n:]), row["name"]) for n in (1, 2) for row in self.profiles)
+        likeness, rest, profile = max((_likeness(stem, name), rest, name) for stem, rest, name in stems)
+        if likeness < LEAST_LIKE:
+            return _unknown(kind, key, [])
+        if not rest:
+            return _unknown(kind, key, [profile])
+        quantities = self._quantities(profile)
+        name = rest if rest in quantities else rest.casefold()
+        near = [quantities[one] for one in difflib.get_close_matches(name, quantities, n=1, cutoff=LEAST_LIKE)]
+        return _unknown(kind, key, near or ([profile] if likeness < 1.0 else []), f"show {profile}")
+
+    def _quantities(self, profile: str) -> dict[str, str]:
+        """Keys of a profile by what follows its name: p, adh, adh.p, and the functions pressure, adh.pressure."""
+        found: dict[str, str] = {}
+        for row in (row for row in self.entries if row["profile"] == profile):
+            part = row["problem"].removeprefix(profile).removeprefix(".")
+            names = {row["quantity"]: row["key"], row["function"]: row["key"]}
+            own = {f"{part}.{name}".lstrip("."): key for name, key in names.items()}
+            found = {**own, **(dict.fromkeys((part, row["physics"]), row["problem"]) if part else {}), **found}
+        return {name.casefold(): key for name, key in found.items()} | found
 
     def source(self, entry: Row) -> str:
         """Text of the generated function behind an entry."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from typing import Any
@@ -84,6 +85,19 @@ def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
     }
 
 
+def _held(chapters: Chapters) -> str:
+    """36 profiles, 4 prescribed pressures and the elastic constants: neither of the last two is a profile."""
+    kinds = dict(zip(CHAPTERS, ("profile",) * 3 + ("prescribed pressure", ""), strict=True))
+    counts: Counter[str] = Counter()
+    for title, members in chapters:
+        counts[kinds[title]] += len(members)
+    words = [
+        f"{count} {kind}{'s' * (count > 1)}" if kind else "the elastic constants" for kind, count in counts.items()
+    ]
+    *most, last = words
+    return f"{', '.join(most)} and {last}" if most else last
+
+
 def model(
     summaries: Sequence[Mapping[str, Any]],
     chapter11: Mapping[str, Any] | None,
@@ -117,7 +131,8 @@ def model(
         ],
         "symbol_index": symbol_index(summaries),
         "key_groups": front.by_problem(keys),
-        "keys_count": {"profiles": len(summaries), "entries": len(keys)},
+        "held": _held(chapters),
+        "formulas": len(keys),
         "version": __version__,
     }
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 
-from ..exits import USAGE, CommandError
+from ..exits import ENVIRONMENT, USAGE, CommandError
 from ..writing import write_atomic
 from . import interface, text
 from .compose import Result, Typesetter, composed, manifest
@@ -142,6 +142,10 @@ def _write(result: Result, folder: Path, further: Mapping[str, bytes] = MappingP
     files = {**result.files, **further}
     files["MANIFEST.json"] = manifest(files)
     _spare(folder, files)
-    for name, content in files.items():
-        write_atomic(folder / name, content)
+    try:
+        for name, content in files.items():
+            write_atomic(folder / name, content)
+    except OSError as error:
+        message = f"cannot write to {folder}: {error.strerror or error}; choose another folder with --out"
+        raise CommandError(message, ENVIRONMENT) from error
     print(f"wrote     {os.path.relpath(folder)}: {', '.join(sorted(n for n in files if '/' not in n))}")

@@ -87,7 +87,9 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
         return
     profile = scene.profile
-    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile is None or profile.contact != "compact":
+    if profile is None:  # which is a problem of its own
+        return
+    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile.contact != "compact":
         message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
         text.problem("want", "at", message)
         return

@@ -20,7 +20,7 @@ or the bare words."""
 
 _GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
 _TOKEN = re.compile(
-    rf"""(?P<formula>(?<!\\)\$(?P<tex>(?:[^$\\]|\\.)+)\$)
+    rf"""(?P<open>\(?)(?<!\\)\$(?P<tex>(?:[^$\\]|\\.)+)\$(?P<close>[,.;:)]*)
     |\\\((?P<quoted>.+?)\\\)
     |\\hyperref\[(?P<label>[^\]]*)\]{_GROUP.replace("(", "(?P<linked>", 1)}
     |\\own\{{(?P<own>[^}}]*)\}}
@@ -67,8 +67,10 @@ def words(text: str, link: Link) -> Markup:
 def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
     for match in _TOKEN.finditer(text):
         found = match.groupdict()
-        if found["tex"] or found["quoted"]:
-            yield formula(found["tex"] or found["quoted"])
+        if found["tex"]:
+            yield _kept(found["open"], formula(found["tex"]), found["close"])
+        elif found["quoted"]:
+            yield formula(found["quoted"])
         elif found["label"]:
             yield link(found["label"], found["linked"])
         elif found["own"]:
@@ -89,6 +91,11 @@ def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
             yield "\N{NO-BREAK SPACE}"
         elif found["plain"]:
             yield found["plain"]
+
+
+def _kept(opened: str, inner: Markup, closed: str) -> Markup:
+    """A formula on one line with the brackets and the comma beside it: a browser breaks a line at every formula."""
+    return Markup('<span class="kept">{}{}{}</span>').format(opened, inner, closed) if opened or closed else inner
 
 
 def _macro(macro: str, text: str) -> Markup | str:
