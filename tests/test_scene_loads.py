@@ -38,9 +38,9 @@ def test_frozen_values_are_folded_in():
 @pytest.mark.parametrize(
     ("load", "right", "wrong"),
     [
-        ("uniform", "p_0 / E_star * uniform", "p_0 * uniform"),
-        ("hertzian", "hertzian(r, a)", "hertzian(a, r)"),
-        ("punch", "np.pi / 2.0", "np.pi"),
+        ("uniform", "p_0 / E_star * a * uniform", "p_0 * a * uniform"),
+        ("hertzian", "a * beside(", "2 * a * beside("),
+        ("punch", "inside = np.pi", "inside = 2 * np.pi"),
     ],
 )
 def test_a_wrong_rule_does_not_pass(load, right, wrong, monkeypatch):
