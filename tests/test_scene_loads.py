@@ -14,7 +14,7 @@ WORST = 1e-14
 """Relative; measured 2.4e-16 at worst."""
 
 
-@pytest.mark.parametrize("load", ["uniform", "hertzian", "punch"])
+@pytest.mark.parametrize("load", ["uniform", "hertzian", "punch", "power"])
 def test_the_module_agrees_with_the_definition_and_its_test_runs(load, tmp_path):
     result = composed_from(LOADS.format(load, "") + NO_PDF)
     evidence = json.loads(result.files["evidence.json"])

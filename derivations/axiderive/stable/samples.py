@@ -167,10 +167,14 @@ class Draw:
         return self.rng.choice((-1.0 + near, -near, near, 1.0 - near))
 
     def _eccentricity(self) -> float:
-        """Of a load on either side; a third of them next to half the half-width, where an edge lifts off."""
-        share = self.ratio()
-        if self.rng.random() < 1 / 3:
+        """Of a load on either side: a third of them anywhere, a third next to a/2, where an edge lifts off."""
+        kind = self.rng.randrange(3)
+        if kind == 0:
+            share = self.rng.random()
+        elif kind == 1:
             share = 0.5 * (1.0 + self.rng.choice((-1, 1)) * 10 ** self.rng.uniform(self.domain.close, -1))
+        else:
+            share = self.ratio()
         return self.rng.choice((-1.0, 1.0)) * share * float(self[nt.a])
 
     def _place(self) -> float:
