@@ -72,8 +72,8 @@ SUMMED = {
     "polynomial.p": "power_pressure(r, a, j)", "polynomial.w": "power_displacement(r, a, j)",
     "plane.concave_parabola.p": "carried / (np.pi * root)", "plane.concave_quartic.p": "carried / (np.pi * root)",
     "plane.sextic.d": "15 * np.arcsinh(root / a)", "plane.truncated_wedge.p": "np.arcsinh(root_ax / root_xb)",
-    "loads.uniform.w": "uniform(r, a)", "loads.power.w": "power(r, a, s)", "loads.hertzian.w": "hertzian(r, a)",
-    "loads.punch.w": "np.arctan2(a, difference_root(np.maximum(r, a), a))",
+    "loads.uniform.w": "uniform(r, a)", "loads.power.w": "power(r, a, s)",
+    "loads.hertzian.w": "beside(r, a, OUTSIDE_2)", "loads.punch.w": "np.arctan(a / root)",
 }  # fmt: skip
 """What the generated module calls for the forms that are not the evaluation form of their entry."""
 

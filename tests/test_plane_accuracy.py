@@ -7,6 +7,7 @@ import random
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -25,7 +26,7 @@ from axiderive.proof import plane_quadrature
 from axiderive.stable.measure import samples, ulps
 from axiderive.stable.measure import value as measured
 from axiderive.stable.reference import condition
-from axiderive.stable.samples import DOMAINS
+from axiderive.stable.samples import DOMAINS, Domain, floats
 
 Values = dict[sp.Symbol, float]
 UNITS = 5.0
@@ -161,25 +162,39 @@ def test_pressure_of_the_eccentric_punch_carries_load_and_moment(
     assert module.pressure(lifted, P, a=a, e=e) == 0.0 or width == 2 * a
 
 
-def test_accuracy_of_the_eccentric_punch(plane_module: Callable[[str], ModuleType]) -> None:
-    """Near lift-off, near overturning, and near either end of the contact."""
-    module, own, draw = plane_module("eccentric_punch"), entries("eccentric_punch"), random.Random(3)
-    order = (nt.x, nt.P, nt.a, nt.e, nt.E_star)
-    curves = {(s, i): sp.lambdify(order, c.expr, "mpmath") for s, e in own.items() for i, c in enumerate(e.cases)}
-    for _ in range(600):
-        a = 10 ** draw.uniform(-9, 1)
-        near = a / 2 * (1 + draw.choice((-1, 1)) * 10 ** draw.uniform(-6, -1))
-        e = draw.choice((-1, 1)) * (near if draw.random() < 0.4 else a * ratio(draw))
-        x = draw.choice((-1, 1)) * a * ratio(draw)
-        if abs(e) > a / 2 and draw.random() < 0.3:
-            x = -math.copysign(min(a, abs(4 * abs(e) - 3 * a)) * (1 - 10 ** draw.uniform(-6, -1)), e)
-        values = {nt.x: x, nt.P: 10 ** draw.uniform(-3, 6), nt.a: a, nt.e: e, nt.E_star: 10 ** draw.uniform(3, 11)}
-        if abs(x) >= a or abs(e) >= a:
-            continue
-        for suffix, entry in own.items():
-            with mp.workdps(50):
-                exact = curves[suffix, int(abs(e) > a / 2)](*(mp.mpf(values[symbol]) for symbol in order))
-                assert abs(called(module, entry, values) - exact) <= ACCURACY * abs(exact), (suffix, values)
+@pytest.mark.parametrize("domain", DOMAINS, ids=lambda domain: domain.name)
+def test_accuracy_of_the_eccentric_punch(domain: Domain, plane_module: Callable[[str], ModuleType]) -> None:
+    """A load on either side, next to the middle, to lift-off and to overturning, and places next to either end."""
+    module, own = plane_module("eccentric_punch"), entries("eccentric_punch")
+    for suffix, entry in own.items():
+        points = list(samples(own, suffix, domain, 360))
+        assert len(points) > 320
+        for point in points:
+            error = ulps(measured(getattr(module, entry.quantity.function), point), point.exact)
+            assert error <= UNITS, (suffix, point.arguments, point.keywords)
+
+
+def test_points_of_an_eccentric_load() -> None:
+    """Both signs of load and place, and every end: the middle, lift-off, overturning, the edges, the lifted end."""
+    for domain, small, close in ((DOMAINS[0], 1e-5, 1e-5), (DOMAINS[1], 1e-100, 1e-14)):
+        points = list(floats(entries("eccentric_punch")["p"], domain, 700))
+        shares = [abs(point[nt.e] / point[nt.a]) for point in points]
+        assert min(shares) < small
+        assert min(1.0 - share for share in shares) < close
+        for side in (-1.0, 1.0):
+            assert 0.0 < min(side * (share - 0.5) for share in shares if side * (share - 0.5) > 0.0) < close
+            places = [side * point[nt.x] / point[nt.a] for point in points if side * point[nt.e] > 0.0]
+            assert min(1.0 - place for place in places) < 10 * close
+            assert min(1.0 + place for place in places) < 10 * close
+            apart = [point for point in points if side * point[nt.e] > point[nt.a] / 2]
+            reached = [reach for reach in map(from_lifted_end, apart) if reach > 0]
+            assert min(reached) < 100 * close
+
+
+def from_lifted_end(point: Values) -> Fraction:
+    """Over the half-width."""
+    x, a, e = (Fraction(float(point[symbol])) for symbol in (nt.x, nt.a, nt.e))
+    return ((x if e > 0 else -x) + 3 * a - 4 * abs(e)) / a
 
 
 def mutant(entry: Entry, change: Callable[[sp.Expr], sp.Expr]) -> Entry:

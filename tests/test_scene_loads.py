@@ -14,7 +14,7 @@ WORST = 1e-14
 """Relative; measured 2.4e-16 at worst."""
 
 
-@pytest.mark.parametrize("load", ["uniform", "hertzian", "punch"])
+@pytest.mark.parametrize("load", ["uniform", "hertzian", "punch", "power"])
 def test_the_module_agrees_with_the_definition_and_its_test_runs(load, tmp_path):
     result = composed_from(LOADS.format(load, "") + NO_PDF)
     evidence = json.loads(result.files["evidence.json"])
@@ -38,9 +38,9 @@ def test_frozen_values_are_folded_in():
 @pytest.mark.parametrize(
     ("load", "right", "wrong"),
     [
-        ("uniform", "p_0 / E_star * uniform", "p_0 * uniform"),
-        ("hertzian", "hertzian(r, a)", "hertzian(a, r)"),
-        ("punch", "np.pi / 2.0", "np.pi"),
+        ("uniform", "p_0 / E_star * a * uniform", "p_0 * a * uniform"),
+        ("hertzian", "a * beside(", "2 * a * beside("),
+        ("punch", "inside = np.pi", "inside = 2 * np.pi"),
     ],
 )
 def test_a_wrong_rule_does_not_pass(load, right, wrong, monkeypatch):

@@ -29,7 +29,7 @@ from axiderive.stable.cost import POWER, cost
 from axiderive.stable.drift import better, drift, settled
 from axiderive.stable.measure import Sample
 from axiderive.stable.records import record
-from axiderive.stable.selection import MARGIN, TOLERANCE, Candidate, Points, choose
+from axiderive.stable.selection import FIRST, MARGIN, TOLERANCE, Candidate, Points, choose
 from axiderive.stable.slopes import RATE, rate
 from axiderive.stable.variants import FULL
 from axiderive.stable.written import Written, modules
@@ -182,6 +182,30 @@ def forms_of(*own: Written) -> dict[str, Any]:
     texts = closure(RUNTIME | {path: module_source(entries)} | others, path, *others)
     found: dict[str, Any] = record("plane.truncated_wedge", texts, entries, ["d"], variants={"d": own})["d"]
     return dict(found["selection"]["runner_up"])
+
+
+def test_dear_rivals_are_not_measured() -> None:
+    """Nor what is wrong at the first points, unless nothing else comes second."""
+    called: list[str] = []
+
+    def counted(name: str, cost: int, units: float, elsewhere: float | None = None) -> Candidate:
+        own = candidate(name, cost, units, elsewhere)
+        inner = own.call
+        own.call = lambda point: called.append(name) or inner(point)  # type: ignore[func-returns-value]
+        return own
+
+    numbers = [1.25 + i / 64 for i in range(30)]
+    rivals: Sequence[Candidate] = (
+        counted("cheap and wrong", 2, 50.5),
+        counted("next", 21, 2.5),
+        counted("dear", 22, 0.5),
+    )
+    assert chosen_of(candidate("now", 20, 2.5), *rivals, given=points(*numbers)) == ("now", "next")
+    assert {name: called.count(name) for name in set(called)} == {"cheap and wrong": FIRST, "next": 30}
+    called.clear()
+    rivals = (counted("cheap and wrong", 2, 50.5), counted("worse", 1, 80.5))
+    assert chosen_of(candidate("now", 20, 2.5), *rivals, given=points(*numbers)) == ("now", "cheap and wrong")
+    assert called.count("cheap and wrong") == called.count("worse") == 30
 
 
 def test_planted_variants_of_a_real_function() -> None:

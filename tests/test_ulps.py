@@ -130,6 +130,18 @@ def test_fresh_points(name: str) -> None:
     check(name, MANY, seed=2026)
 
 
+@pytest.mark.sweep
+def test_eccentric_punch() -> None:
+    """1e5 points; 4.5 units are measured, in the pressure."""
+    entries, module = problem("plane.eccentric_punch").derive(), import_module("axicontact.plane.eccentric_punch")
+    for suffix, entry in entries.items():
+        function = getattr(module, entry.quantity.function)
+        for domain in DOMAINS:
+            for point in samples(entries, suffix, domain, 17000, seed=2026):
+                error = ulps(value(function, point), point.exact)
+                assert error <= ELEMENTARY, (suffix, point.arguments, point.keywords)
+
+
 @pytest.mark.parametrize(("name", "suffix", "values"), LOST)
 def test_points_where_digits_were_lost(name: str, suffix: str, values: dict[str, Any]) -> None:
     entries, point = derive(load(name)), {getattr(nt, letter): number for letter, number in values.items()}

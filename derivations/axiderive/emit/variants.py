@@ -13,6 +13,7 @@ from ..stable.slopes import RATE, rate
 from ..stable.variants import FULL, SPLITS, VARIANTS
 from ..stable.written import Written
 from . import plane, python
+from .physics import loads
 from .plane.compact import Compact as Strips
 from .private import Private, PrivateFunctions
 from .rates import add_rate
@@ -36,11 +37,14 @@ class Family:
 FAMILIES = {
     "normal": Family(python.bodies, python.bodies_source),
     "plane": Family(plane.bodies, plane.bodies_source),
+    "loads": Family(loads.bodies, loads.bodies_source),
 }
 """The systems whose functions are written by the rules of `stable`.
 
 All others call them or the shapes of the runtime; the radius of pull-off of a power law and the depth and force of a
-flat face have one text in every variant.
+flat face have one text in every variant.  So has a partial slip: its bodies call the normal contact, whose stick radius
+is the radius of a force, and what a contact gains from c to a is a shape of the runtime for its power, which errs as
+much as the rule for any power and takes a hundredth of the time.
 """
 
 

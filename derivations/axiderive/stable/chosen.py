@@ -13,6 +13,7 @@ CHOSEN = {
     "flat_punch.w": "angles of quotients",
     "hyperboloid.d": "angles of quotients",
     "hyperboloid.slope": "angles of quotients",
+    "loads.punch.w": "angles of quotients",
     "plane.rounded_punch.P": "angles of quotients, beyond 2 b",
     "plane.rounded_punch.slope": "angles of quotients",
     "plane.rounded_wedge.P": "angles of quotients",

@@ -23,11 +23,11 @@ ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_o
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
-        "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap", "struve_h0", "struve_h1",
-        "tanh_gap",
+        "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap", "struve_h0",
+        "struve_h1", "tanh_gap", "uniform",
     )
 )  # fmt: skip
-ARRAYS = frozenset(("outside_zero_pressure", "power_displacement", "power_pressure", "power_strips"))
+ARRAYS = frozenset(("outside_zero_pressure", "power", "power_displacement", "power_pressure", "power_strips"))
 """Kernels that are rules themselves."""
 
 

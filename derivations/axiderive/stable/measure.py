@@ -17,7 +17,7 @@ from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
 from .reference import CURVES, UnknownError, of_contact, reference
-from .samples import LARGEST, SMALLEST, Domain, Floats, floats
+from .samples import LARGEST, SMALLEST, Domain, Floats, floats, keyword
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def _inverse(entry: Entry) -> bool:
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
     fields = _fields(entry)
-    keywords = {str(getattr(s, "label", s)): values[s] for s in entry.parameters if s not in fields}
+    keywords = {keyword(s): values[s] for s in entry.parameters if s not in fields}
     return tuple(values[symbol] for symbol in fields), keywords
 
 

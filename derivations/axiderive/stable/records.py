@@ -10,7 +10,6 @@ from typing import Any
 
 import sympy as sp
 
-from .. import notation as nt
 from ..contact.systems import problem
 from ..entry import Entry
 from .emitted import form, loaded
@@ -22,7 +21,7 @@ from .slopes import RATE, rate
 from .written import Variants, call, modules, selection
 
 COUNT, SEED = 30, 17
-OWN = ("normal", "plane")
+OWN = ("normal", "plane", "loads")
 """Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 SYSTEMS = (*OWN, "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
 """Systems whose functions are measured."""
@@ -92,10 +91,10 @@ def record(
                 evaluate = partial(value, getattr(module, entry.quantity.function))
                 row = _form(sources[found.module], entry) if system in OWN else {}
             row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
-            points = _points(entries, suffix, evaluate, row["sample"])
-            row |= _errors(entries, suffix, evaluate, points)
+            points, errors = _measured(entries, suffix, evaluate, row["sample"])
+            row |= _errors(entries, suffix, points, errors)
             if own:
-                row["selection"] = selection(package, entries, suffix, own, points, _summary)
+                row["selection"] = selection(package, entries, suffix, own, points, errors, _summary)
             rows[suffix] = row
     return rows
 
@@ -105,9 +104,7 @@ def _direct(entry: Entry, system: str) -> bool:
     known = entry.status == "closed" or entry.suffix in CURVES
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
-    # the load of an eccentric punch acts on either side: no length that could be drawn
-    own = system in OWN and nt.e not in entry.parameters
-    return own or entry.suffix in DIRECT and entry.profile.contact == "compact"
+    return system in OWN or entry.suffix in DIRECT and entry.profile.contact == "compact"
 
 
 def _form(source: str, entry: Entry) -> Record:
@@ -115,33 +112,36 @@ def _form(source: str, entry: Entry) -> Record:
     return {"form": kind, "nodes": nodes}
 
 
-def _points(
+def _measured(
     entries: Mapping[str, Entry], suffix: str, evaluate: Callable[[Sample], float], sample: Record
-) -> dict[str, list[Sample]]:
-    drawn = {domain.name: samples(entries, suffix, domain, sample["count"], sample["seed"]) for domain in DOMAINS}
-    return {name: [point for point in some if _accepted(evaluate, point)] for name, some in drawn.items()}
+) -> tuple[dict[str, list[Sample]], dict[str, list[float]]]:
+    """Points and errors by domain; at points that break a rule of the function there are none.
+
+    The waves of a graded contact have a rule with k.
+    """
+    points: dict[str, list[Sample]] = {domain.name: [] for domain in DOMAINS}
+    errors: dict[str, list[float]] = {domain.name: [] for domain in DOMAINS}
+    for domain in DOMAINS:
+        for point in samples(entries, suffix, domain, sample["count"], sample["seed"]):
+            try:
+                error = ulps(evaluate(point), point.exact)
+            except ValueError:
+                continue
+            points[domain.name].append(point)
+            errors[domain.name].append(error)
+    return points, errors
 
 
 def _errors(
-    entries: Mapping[str, Entry], suffix: str, evaluate: Callable[[Sample], float], points: Mapping[str, list[Sample]]
+    entries: Mapping[str, Entry], suffix: str, points: Mapping[str, list[Sample]], errors: Mapping[str, list[float]]
 ) -> Record:
     row: Record = {}
     printed = naive(entries[suffix]) if suffix != RATE.suffix else None
     for domain, some in points.items():
-        errors = [ulps(evaluate(point), point.exact) for point in some]
-        row[domain] = _summary(errors) | _conditioned(entries, suffix, some, errors)
+        row[domain] = _summary(errors[domain]) | _conditioned(entries, suffix, some, errors[domain])
         if printed is not None:
             row[domain]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in some])
     return row
-
-
-def _accepted(evaluate: Callable[[Sample], float], point: Sample) -> bool:
-    """Whether the point keeps the rules of the function: the waves of a graded contact have one with k."""
-    try:
-        evaluate(point)
-    except ValueError:
-        return False
-    return True
 
 
 def _summary(errors: list[float]) -> Record:

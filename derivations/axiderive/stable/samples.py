@@ -135,6 +135,12 @@ class Draw:
             return 10 ** rng.uniform(-3, 0)
         if symbol == nt.k:
             return self._grading()
+        if symbol == nt.sigma:
+            return 10 ** rng.uniform(*domain.exponents) - 1.0
+        if symbol == nt.e:
+            return self._eccentricity()
+        if symbol == nt.x and nt.e in profile.parameters:
+            return self._place()
         if symbol == nt.c:
             return self[nt.a] * self.ratio()
         if symbol == nt.coefficients:
@@ -160,6 +166,25 @@ class Draw:
         near = 10 ** self.rng.uniform(self.domain.close, -1)
         return self.rng.choice((-1.0 + near, -near, near, 1.0 - near))
 
+    def _eccentricity(self) -> float:
+        """Of a load on either side: a third of them anywhere, a third next to a/2, where an edge lifts off."""
+        kind = self.rng.randrange(3)
+        if kind == 0:
+            share = self.rng.random()
+        elif kind == 1:
+            share = 0.5 * (1.0 + self.rng.choice((-1, 1)) * 10 ** self.rng.uniform(self.domain.close, -1))
+        else:
+            share = self.ratio()
+        return self.rng.choice((-1.0, 1.0)) * share * float(self[nt.a])
+
+    def _place(self) -> float:
+        """On either side of the middle; half of those after lift-off by their distance from the end of the contact."""
+        a, e = float(self[nt.a]), float(self[nt.e])
+        end, width = 2.0 * (2.0 * abs(e) - a) - a, 4.0 * (a - abs(e))
+        if width < 2.0 * a and self.rng.random() < 0.5:
+            return math.copysign(1.0, e) * (end + width * 10 ** self.rng.uniform(self.domain.close, 0))
+        return self.rng.choice((-1.0, 1.0)) * a * self.ratio()
+
     def _amplitude(self, n: float) -> float:
         """A of A r**n such that the height at r = a is a length."""
         if not SMALLEST < self[nt.a] < LARGEST:
@@ -168,14 +193,19 @@ class Draw:
         return 10**decades if abs(decades) < 308 else 0.0
 
     def allowed(self) -> bool:
-        sizes = [value for symbol, value in self.values.items() if symbol != nt.k]
+        sizes = [value for symbol, value in self.values.items() if symbol not in (nt.k, nt.sigma)]
         numbers = [x for value in sizes for x in (value if isinstance(value, tuple) else (value,))]
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles
-        if not all(SMALLEST < x < LARGEST for x in numbers):
+        if not all(SMALLEST < abs(x) < LARGEST for x in numbers):
             return False
         if self.profile.largest is not None and not self[nt.a] <= self.largest():
             return False
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)
+
+
+def keyword(symbol: Any) -> str:
+    """The name of an argument of an emitted function."""
+    return "s" if symbol == nt.sigma else str(getattr(symbol, "label", symbol))
 
 
 @cache

@@ -6,7 +6,8 @@ The variant that is chosen now stays unless another is better by a margin that n
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .measure import Sample, ulps
@@ -19,6 +20,8 @@ CHEAPER = 0.9
 """The share of the cost that another variant may have at most: weights are no better than that."""
 FEW, MANY = (20, 4711), (300, 1234)
 """Points in either domain and their seeds, at which a variant must keep its digits before it is taken."""
+FIRST = 5
+"""Of the recorded points in either domain, at which most rivals lose."""
 Points = Mapping[str, Sequence[Sample]]
 """Calls and exact values by domain."""
 Draw = Callable[[int, int], Points]
@@ -40,9 +43,13 @@ class Candidate:
     """By domain, at the points that are recorded."""
 
     def measure(self, points: Points) -> dict[str, list[float]]:
-        found = {domain: [ulps(self.call(point), point.exact) for point in some] for domain, some in points.items()}
-        self.worst = max(self.worst, *(error for errors in found.values() for error in errors), 0.0)
-        return found
+        return self.met(
+            {domain: [ulps(self.call(point), point.exact) for point in some] for domain, some in points.items()}
+        )
+
+    def met(self, errors: dict[str, list[float]]) -> dict[str, list[float]]:
+        self.worst = max(self.worst, *(error for some in errors.values() for error in some), 0.0)
+        return errors
 
     def keeps(self, tolerance: float) -> bool:
         return self.worst <= tolerance
@@ -54,7 +61,7 @@ def choose(candidates: Sequence[Candidate], given: Points, draw: Draw) -> tuple[
     Parameters
     ----------
     candidates : sequence of Candidate
-        All without errors.
+        All without errors, the first may have its own.
     given : mapping
         The points whose errors are recorded: most candidates lose here, where the exact values are known anyway.
     draw : callable
@@ -63,11 +70,46 @@ def choose(candidates: Sequence[Candidate], given: Points, draw: Draw) -> tuple[
     standing, *others = candidates
     if not others or not any(given.values()):
         return standing, None
-    for candidate in candidates:
-        candidate.errors = candidate.measure(given)
-    rivals = sorted((other for other in others if _wins(other, standing)), key=_merit)
+    standing.errors = standing.met(standing.errors) if standing.errors else standing.measure(given)
+    measured = list(_measured(sorted(others, key=_cost), standing, given))
+    rivals = sorted((rival for rival in measured if _wins(rival, standing)), key=_merit)
     best = next((rival for rival in rivals if _confirmed(rival, standing, draw)), standing)
-    return best, min((candidate for candidate in candidates if candidate is not best), key=_merit)
+    if best is not standing or not any(rival.keeps(TOLERANCE) for rival in measured):
+        _complete(others, given)
+        measured = others
+    return best, min((candidate for candidate in (standing, *measured) if candidate is not best), key=_merit)
+
+
+def _cost(candidate: Candidate) -> int:
+    return candidate.cost
+
+
+def _measured(others: Sequence[Candidate], standing: Candidate, given: Points) -> Iterator[Candidate]:
+    """Those that may win or come second, in the order of their cost, with all errors.
+
+    What errs too much at a few points can do neither, unless the standing one errs too; nor can what costs as much as
+    that and more than one that keeps its digits.
+    """
+    second = math.inf
+    for other in others:
+        if other.cost > max(second, CHEAPER * standing.cost) and standing.keeps(TOLERANCE + MARGIN):
+            return
+        if standing.keeps(TOLERANCE + MARGIN):
+            other.errors = other.measure({domain: some[:FIRST] for domain, some in given.items()})
+            if not other.keeps(TOLERANCE):
+                continue
+        _complete([other], given)
+        if other.keeps(TOLERANCE):
+            second = min(second, other.cost)
+        yield other
+
+
+def _complete(others: Sequence[Candidate], given: Points) -> None:
+    """Measure what has not been measured."""
+    for other in others:
+        left = {domain: some[len(other.errors.get(domain, ())) :] for domain, some in given.items()}
+        found = other.measure(left)
+        other.errors = {domain: [*other.errors.get(domain, ()), *errors] for domain, errors in found.items()}
 
 
 def _confirmed(rival: Candidate, standing: Candidate, draw: Draw) -> bool:

@@ -10,9 +10,10 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
+from .. import notation as nt
 from ..entry import Entry
 from .measure import Sample, count_for, samples
-from .samples import DOMAINS
+from .samples import DOMAINS, Floats, keyword
 from .selection import Candidate, Points, choose
 
 Record = dict[str, Any]
@@ -48,7 +49,13 @@ def modules(variants: Variants) -> dict[str, str]:
 
 
 def selection(
-    package: str, entries: Mapping[str, Entry], suffix: str, own: Sequence[Written], fresh: Points, summary: Summary
+    package: str,
+    entries: Mapping[str, Entry],
+    suffix: str,
+    own: Sequence[Written],
+    points: Points,
+    errors: Mapping[str, list[float]],
+    summary: Summary,
 ) -> Record:
     """What is recorded of the choice: the form the module has, and the next best or, where there is one, a better one.
 
@@ -62,8 +69,8 @@ def selection(
         The function.
     own : sequence of Written
         Its variants, the one that the published module has first.
-    fresh : mapping
-        The points whose errors are recorded.
+    points, errors : mapping
+        The points whose errors are recorded, and those of the published function there.
     summary : callable
         Errors as they are recorded.
     """
@@ -76,8 +83,9 @@ def selection(
     if len(own) > 1:
         for i, candidate in enumerate(candidates):
             candidate.call = call(package, entries[suffix], own, i)
-    best, second = choose(candidates, fresh, draw)
     standing = candidates[0]
+    standing.errors = dict(errors)
+    best, second = choose(candidates, points, draw)
     row: Record = {"chosen": _described(standing), "candidates": len(own)}
     if best is not standing:
         row["better"] = best.variant
@@ -103,7 +111,7 @@ def call(package: str, entry: Entry, own: Sequence[Written], i: int) -> Callable
     names, fields = list(inspect.signature(body).parameters), {str(symbol) for symbol in entry.quantity.arguments}
 
     def value(point: Sample) -> float:
-        values = {str(getattr(symbol, "label", symbol)): number for symbol, number in point.values.items()}
+        values = {keyword(symbol): number for symbol, number in _turned(point.values).items()}
         given = {name: values[name] for name in names if name not in fields}
         several = {name: number for name, number in given.items() if isinstance(number, tuple)}
         function = partial(body, **several) if several else body
@@ -114,3 +122,10 @@ def call(package: str, entry: Entry, own: Sequence[Written], i: int) -> Callable
             return math.nan
 
     return value
+
+
+def _turned(values: Floats) -> Floats:
+    """Seen from the side of x: bodies take distances from the middle."""
+    if nt.e in values and values.get(nt.x, 0.0) < 0.0:
+        return {**values, nt.x: -values[nt.x], nt.e: -values[nt.e]}
+    return values

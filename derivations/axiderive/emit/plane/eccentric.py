@@ -11,8 +11,8 @@ from ...notation import P, a, e, x
 from ..code import python
 from ..private import PrivateFunctions
 
-SIDE, SHORT, NEAR, REACH, FAR, BEYOND = (
-    sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach", "far", "beyond")
+SIDE, SHORT, NEAR, REACH, FAR, BEYOND, ALONG, END = (
+    sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach", "far", "beyond", "along", "end")
 )
 LEAN = {"short": "a - np.abs(e)", "side": "np.sign(e)"}
 """Distance of the load from its edge, and the side it leans to."""
@@ -45,8 +45,8 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
     """The punch at x >= 0: the numerator linear in x between its values in the middle and at the edge.
 
     Both values are positive as long as both edges touch, so that nothing cancels.
-    After lift-off the extent of the contact is written in the distances from that
-    edge which is nearer to its end: they are exact where they are small.
+    After lift-off a point is `reach` away from the end of the contact.  Next to that end both of the places that it
+    is the difference of are exact: counted from the lifted edge up to half way to the middle, from the middle beyond.
     """
     touching, apart = (case.expr for case in entry.cases)
     numerator = sp.expand(touching * sp.pi * a**2 * sp.sqrt(a**2 - x**2) / P)
@@ -57,15 +57,15 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
     share = sp.factor(edge / a) * x + sp.factor(middle / a) * (a - x)
     (extent,) = apart.atoms(sp.Max)
     reach = sp.Add(*extent.args)
-    from_edge = _lifted(reach)
     from_lifted = _in_distances(reach, SIDE * (FAR - a), (a + BEYOND) / 2)
+    from_middle = _in_distances(reach, SIDE * ALONG, (3 * a + END) / 4)
     pressed = _lifted(apart.subs(extent, REACH))
     lines = [
         "root = np.sqrt((a - x) * (a + x))",
         f"touching = P * ({python(share)}) / (np.pi * a**2 * root)",
-        f"short, near = {LEAN['short']}, a - np.sign(e) * x",
-        "beyond, far = 2 * np.abs(e) - a, a + np.sign(e) * x",
-        f"reach = np.maximum(np.where(beyond < short, {python(from_lifted)}, {python(from_edge)}), 0.0)",
+        f"short, beyond, along = {LEAN['short']}, 2 * np.abs(e) - a, np.sign(e) * x",
+        "near, far, end = a - along, a + along, 2 * beyond - a",
+        f"reach = np.maximum(np.where(end < -a / 2, {python(from_lifted)}, {python(from_middle)}), 0.0)",
         f"apart = {python(pressed)}",
         f"pressed = np.where({_limit(entry)}, touching, apart)",
         "return np.where((x <= a) & (P > 0.0), pressed, 0.0)",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import mpmath as mp
 import sympy as sp
@@ -14,6 +15,7 @@ from ..example import NUMERIC
 DECADES = range(-24, 25)
 
 
+@cache
 def exponents(entry: Entry) -> tuple[str, str]:
     """Whole numbers between which d ln P/d ln t lies; a = t, and a = b sqrt(1 + t^2) over a flat face of half-width b.
 
