@@ -148,8 +148,10 @@ class Complete:
         base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
+        # by the depth itself: a power of rho takes up its roundings as often
+        pressed = sp.cancel(inner["F"] / depth.subs(a, sp.Symbol("rho", positive=True)))
         values = {
-            "F": f"{python(inner['F'])} + {python(stiffness)} * {punch}",
+            "F": f"{python(pressed)} * np.minimum(d, {python(depth)}) + {python(stiffness)} * {punch}",
             "k": f"{python(inner['k'])}",
         }
         for suffix, value in values.items():
