@@ -33,13 +33,8 @@ FORWARD = ("_depth", "_depth_at", "_depth_beyond", "_force", "_force_at", "_forc
 EPS = 2.0**-52
 MISSED = 1.8
 """4e-16 in units of EPS, over 1 + the change of the value by a unit of the radius."""
-NEAR_THE_MAXIMUM = 2.5
-"""Of a Gaussian bump: no radius is told from another there, and what is missed is the rounding of the form.
-
-Its depth alone is up to 2.34 units off the exact one, the exact depth of the radius that is found up to 2.37.
-"""
 NEAR_A_GRADED_MAXIMUM = 4.0
-"""There the load is an integral; 2.9 measured."""
+"""Of a Gaussian bump, where no radius is told from another and the load is an integral; 2.9 measured."""
 GAUSSIAN_END = 1.5019752682686114
 COMPACT_WAVES = 12.391420936291584
 Numbers = dict[str, Any]
@@ -161,9 +156,7 @@ def check(module: ModuleType, name: str, calls: list[int], graded: bool) -> None
                 calls[0] = 0
                 found = inverse(value, *arguments(inverse, known))
                 most, tried = max(most, calls[0]), tried + 1
-                bound = MISSED
-                if name == "gaussian":
-                    bound = NEAR_A_GRADED_MAXIMUM if graded else NEAR_THE_MAXIMUM
+                bound = NEAR_A_GRADED_MAXIMUM if graded and name == "gaussian" else MISSED
                 assert missed(forward, found, value, known) <= bound, (quantity, known, radius, float(found[0]))
         assert most <= STEPS + (BESIDE if graded else 0), (known, radius, most)
     assert tried > points

@@ -148,8 +148,9 @@ class Complete:
         base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
+        pressed = sp.cancel(inner["F"] / depth.subs(a, sp.Symbol("rho", positive=True)))
         values = {
-            "F": f"{python(inner['F'])} + {python(stiffness)} * {punch}",
+            "F": f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}",
             "k": f"{python(inner['k'])}",
         }
         for suffix, value in values.items():
@@ -194,15 +195,20 @@ class Complete:
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
         self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
-        scale, sunk = python(HOMOGENEOUS.displacement_scale), python(depth.subs(a, rho))
+        scale = python(HOMOGENEOUS.displacement_scale)
         lines = [
             *start,
-            f"face = {sunk} * {beside('rho', sp.degree(depth, a))}",
+            f"face = {_sunk(depth)} * {beside('rho', sp.degree(depth, a))}",
             "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]
         value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
         self._add("w", value, lines, base | set(slope.needs) | set(profile.needs))
+
+
+def _sunk(depth: sp.Expr) -> str:
+    """The depth up to that of the edge: a power of the radius below it would take up its roundings as often."""
+    return f"np.minimum(d, {python(depth)})"
 
 
 def _is_square(face: sp.Expr) -> bool:

@@ -122,7 +122,7 @@ def _spelled(expr: sp.Expr) -> sp.Expr:
 
 
 GAPS = {
-    opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda x: x - sp.tanh(x),
+    opaque.ArctanGap: lambda x: x - sp.atan(x), opaque.TanhGap: lambda y, x: y - x,
     opaque.Log1p: lambda x: sp.log(1 + x), opaque.Expm1: lambda x: sp.exp(x) - 1,
 }  # fmt: skip
 """Functions that keep the digits of a difference, as that difference."""

@@ -36,6 +36,19 @@ def root_gap(q: mp.mpf) -> mp.mpf:
     return (x - mp.atan(x)) / q**1.5
 
 
+def tanh_gap(v: mp.mpf) -> mp.mpf:
+    """(y - tanh y)/tanh(y)**3 over v = y**2."""
+    with mp.extradps(20):
+        y = mp.sqrt(v)
+        return (y - mp.tanh(y)) / mp.tanh(y) ** 3
+
+
+def dawson(v: mp.mpf) -> mp.mpf:
+    """x/D(x) over v = x**2; D(x) over exp(-x**2) would take up the rounding of that."""
+    x = mp.sqrt(v)
+    return 2 * x * mp.exp(v) / (mp.sqrt(mp.pi) * mp.erfi(x))
+
+
 STRUVE_END = mp.mpf(4)
 """Where the series in ascending powers ends; below the first zero of H_0."""
 
@@ -78,9 +91,9 @@ POLYNOMIALS = ("LEGENDRE_CHI",)
 KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     "ARCTAN_GAP": ("(x - atan x)/x**3, x**2 <= 1", lambda v: (mp.sqrt(v) - mp.atan(mp.sqrt(v))) / v**1.5, 1.0),
     "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
-    "TANH_GAP": ("(y - tanh y)/y**3, y**2 <= 1", lambda v: (mp.sqrt(v) - mp.tanh(mp.sqrt(v))) / v**1.5, 1.0),
+    "TANH_GAP": ("(y - tanh y)/tanh(y)**3 over y**2 <= 1", tanh_gap, 1.0),
     "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
-    "DAWSON": ("exp(x**2) D(x)/x, x**2 <= 4", lambda v: mp.erfi(mp.sqrt(v)) * mp.sqrt(mp.pi / v) / 2, 4.0),
+    "DAWSON": ("x/D(x), x <= 25/16", dawson, (25 / 16) ** 2),
 } | {
     name: (words, function, end)
     for nu in (0, 1)

@@ -144,12 +144,14 @@ class Names:
 
     def with_named_arguments(self, value: sp.Expr) -> sp.Expr:
         """The argument of Struve's and Dawson's functions as z."""
-        arguments = {call.args[-1] for call in value.atoms(StruveH, Dawson) if not call.args[-1].is_Symbol}
+        calls = {call: sp.Dummy(positive=True) for call in value.atoms(StruveH, Dawson)}
+        arguments = {call.args[-1] for call in calls if not call.args[-1].is_Symbol}
         if len(arguments) != 1:
             return value
         (argument,), symbol = arguments, named("z")
         self.definitions[symbol] = argument
-        return value.replace(lambda e: isinstance(e, (StruveH, Dawson)), lambda e: e.func(*e.args[:-1], symbol))
+        shape = _shape(value.xreplace(calls), a / argument, symbol, set(calls.values()))
+        return shape.xreplace({dummy: call.func(*call.args[:-1], symbol) for call, dummy in calls.items()})
 
     def with_named_powers(self, value: sp.Expr) -> sp.Expr:
         """What is raised to a power of the exponent n that is split when printed, as `ratio`."""
@@ -159,3 +161,10 @@ class Names:
                 self.definitions[symbol] = power.base
                 value = value.subs(power, symbol**power.exp)
         return value
+
+
+def _shape(value: sp.Expr, length: sp.Expr, z: sp.Symbol, calls: set[sp.Symbol]) -> sp.Expr:
+    """The value in z = a/length if it and its calls depend on no other ratio; powers of lengths would be rounded."""
+    scaled = sp.factor_terms(sp.expand(value.subs(a, z * length)))
+    factor, shape = scaled.as_independent(z, *calls, as_Add=False)
+    return factor * sp.horner(shape, wrt=z) if shape.free_symbols <= {z, *calls} else value

@@ -62,9 +62,9 @@ class RootGap(sp.Function):
 
 
 class TanhGap(sp.Function):
-    """y - tanh(y)."""
+    """y - x of an angle and its hyperbolic tangent, (y, x)."""
 
-    nargs = 1
+    nargs = 2
 
 
 class GammaRatio(sp.Function):

@@ -75,7 +75,7 @@ class Rewriting(Names):
             lost = sp.expand(-rest / self.hyperbolic[angle])
             kept = sp.expand(value.coeff(angle) - lost)
             if sign(rest, self.facts) == -1 and (kept == 0 or sign(kept, self.facts) == 1):
-                value = kept * angle + lost * TanhGap(angle)
+                value = kept * angle + lost * TanhGap(angle, sp.tanh(angle))
         return value
 
     def _by_roots(self, value: sp.Expr) -> sp.Expr:
