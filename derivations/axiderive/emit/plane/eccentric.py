@@ -14,7 +14,7 @@ from ..private import PrivateFunctions
 SIDE, SHORT, NEAR, REACH, FAR, BEYOND = (
     sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach", "far", "beyond")
 )
-LEAN = {"short": "a - np.abs(e)", "side": "np.sign(e)"}
+LEAN = {"short": "a - np.abs(e)", "side": "np.copysign(1.0, e)"}
 """Distance of the load from its edge, and the side it leans to."""
 
 
@@ -63,8 +63,9 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
     lines = [
         "root = np.sqrt((a - x) * (a + x))",
         f"touching = P * ({python(share)}) / (np.pi * a**2 * root)",
-        f"short, near = {LEAN['short']}, a - np.sign(e) * x",
-        "beyond, far = 2 * np.abs(e) - a, a + np.sign(e) * x",
+        f"short, side = {LEAN['short']}, {LEAN['side']}",
+        "near, far = a - side * x, a + side * x",
+        "beyond = 2 * np.abs(e) - a",
         f"reach = np.maximum(np.where(beyond < short, {python(from_lifted)}, {python(from_edge)}), 0.0)",
         f"apart = {python(pressed)}",
         f"pressed = np.where({_limit(entry)}, touching, apart)",
