@@ -143,15 +143,22 @@ class _Complete:
             f"complete = _minimum_force({', '.join(self.material)}) * (1.0 - 1e-15) <= F",
             f"return np.where(complete, F / punch_stiffness(a, H, k) - {offset}, np.nan)",
         )  # fmt: skip
-        ring = f"ring_of_zero_pressure({order}, k)"
-        self.rule("_zero_radius", [], self.geometry, f"return a * np.sqrt(1.0 - {ring}) + 0.0 * h")
-        self.rule(
-            "_minimum_depth", [], self.geometry,
-            f"lifted = {order} * {ring} - 1.0 + k",
-            f"return h * power_factor({order}, k) * (1.0 - k) / lifted + 0.0 * a",
-        )  # fmt: skip
+        self.thresholds(order)
         least = f"_minimum_depth({', '.join(self.geometry)})"
         self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
+
+    def thresholds(self, order: str) -> None:
+        """The ring of zero pressure and the least depth: by their formulas where these are closed."""
+        ring, least = (self.entries[suffix] for suffix in ("rz", "dmin"))
+        if ring.status == "root":
+            place = f"a * ring_of_zero_pressure({order}, k)"
+            depth = f"h * power_factor({order}, k) * (1.0 - k) / lifted_at_zero_pressure({order}, k)"
+        else:
+            place, depth = (python(sp.factor(entry.cases[0].expr)) for entry in (ring, least))
+            place = "0.0 * a" if place == "0" else place
+        # the parameters that do not count as well
+        self.rule("_zero_radius", [], self.geometry, f"return {place} + 0.0 * h")
+        self.rule("_minimum_depth", [], self.geometry, f"return {depth} + 0.0 * a")
 
 
 def order_of(profile: Profile) -> str:
