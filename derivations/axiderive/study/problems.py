@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .. import notation as nt
-from ..profiles import COMPACT_NAMES, COMPLETE_NAMES
+from ..profiles import COMPACT_NAMES
 
 NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
 """Normal contacts that are measured beside every other way, whether a rule evaluates them or not."""
@@ -21,10 +21,10 @@ NORMAL = {
     **dict.fromkeys(("wavy_paraboloid", "concave_power"), ("p", "w")),
 }
 """Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
-CURVED_FACES = tuple(name for name in COMPLETE_NAMES if name != "flat_punch")
 RULED = {
     **NORMAL,
-    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, *CURVED_FACES)},
+    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, "capped_cylinder", "concave_power")},
+    **{f"{name}.fgm": ("w",) for name in ("concave_paraboloid", "concave_quartic")},
     **{f"plane.{name}": ("p",) for name in ("power_law", "rounded_wedge", "rounded_punch", "concave_power")},
 }
 """The same with the graded and the plane contacts."""
