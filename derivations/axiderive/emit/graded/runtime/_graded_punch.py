@@ -20,7 +20,7 @@ def punch_stiffness(a: Array, H: Array, k: Array) -> Array:
 def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
     """Pressure per depth: infinite at the edge, zero outside."""
     root = difference_root(a, r)
-    return np.where(r <= a, H / np.pi * root**k / root, 0.0)
+    return np.where(r < a, H / np.pi * root**k / root, np.where(r > a, 0.0, np.inf))
 
 
 def punch_displacement(r: Array, a: Array, k: Array) -> Array:
