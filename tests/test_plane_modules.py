@@ -258,3 +258,28 @@ def test_one_number_is_computed_without_arrays(
         assert (call(np.float64(place), field, **keywords), call(int(place), field, **keywords)) == (
             values[0], call(np.array([int(place)]), field, **keywords)[0],
         )  # fmt: skip
+
+
+@pytest.mark.parametrize("rule", ["load_beyond", "slope_beyond", "depth_beyond"])
+def test_a_break_far_inside_costs_a_few_panels(rule: str, plane_module: Callable[[str], ModuleType]) -> None:
+    """A hundred decades took 26 of them; the strips that are left out add nothing, as little far out as at the edge."""
+    growth = plane_module("rounded_wedge")._growth_beyond
+    integral = getattr(import_module(f"{PACKAGE}._plane"), rule)
+    calls = []
+
+    def counted(t: np.ndarray, root: np.ndarray, *parameters: np.ndarray) -> np.ndarray:
+        calls.append(t.size)
+        return growth(t, root, *parameters)
+
+    b, far = np.full(3, 1e-100), np.array([1.0 + 1e-9, 1.5, 1e6])
+    lengths = (far, b) if rule == "load_beyond" else (far, np.ones(3), b)
+    value = integral(counted, (0.3, b), *lengths)
+    assert sum(calls) <= 8 * 64 * 3
+    # up to 1e-50 of the contact the growth is tan(theta) to all digits, whatever the break
+    same = integral(lambda t, root, theta, b: np.tan(theta) + 0.0 * t, (0.3, b), *lengths)
+    np.testing.assert_allclose(value, same, rtol=16 * EPS)
+    exact = {
+        "load_beyond": far, "slope_beyond": np.arcsin(1.0 / far),
+        "depth_beyond": np.arccosh(far) + far * np.arcsin(1.0 / far),
+    }[rule]  # fmt: skip
+    np.testing.assert_allclose(value, np.tan(0.3) * exact, rtol=1e-13)

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 Growth = Callable[..., Array]
+FADED = 42.0
+"""exp(-42) = 6e-19: strips that much narrower than the contact, in powers of e, add nothing to it."""
 
 
 def even(function: Callable[..., Array], x: ArrayLike, *fields: ArrayLike, **parameters: ArrayLike) -> Result:
@@ -70,7 +72,7 @@ def load_beyond(growth: Growth, root: Array, b: Array) -> Strip:
         side = root * fallen(v)
         return growth(np.sqrt(b * b + side * side), side) * side
 
-    return integrand, stop, 1.0, True, 0.0
+    return integrand, np.minimum(stop, FADED), 1.0, True, 0.0
 
 
 @in_groups
@@ -108,6 +110,8 @@ def _beyond(x: Array, edge: Array, far: Array, b: Array) -> tuple[Array, Callabl
     ratio, end = b / x, edge / far
     stop, widest = np.arcsinh(end / ratio), np.sqrt(1.0 + end * end)
     fallen = falling(stop)
+    # where x is close to the edge the strips count from tan(phi) = 1 on
+    stop = np.minimum(stop, FADED + np.arcsinh(end))
 
     def place(v: Array) -> tuple[Array, ...]:
         part = fallen(v)
