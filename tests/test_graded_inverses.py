@@ -126,6 +126,23 @@ def test_least_depth_of_a_concave_face(n: float, k: str) -> None:
     assert face.depth_from_force(face.minimum_force(**given, H=2.0), **given, H=2.0) == pytest.approx(depth, rel=1e-13)
 
 
+@pytest.mark.parametrize(("name", "n"), [("concave_paraboloid", 2.0), ("concave_quartic", 4.0)])
+@pytest.mark.parametrize("k", (-0.6, 0.3))
+def test_special_concave_faces_are_those_of_the_law(name: str, n: float, k: float) -> None:
+    """Their pressures and least depths are closed, that of the law is a rule and a search."""
+    face, law, given = emitted(f"normal.{name}"), emitted("normal.concave_power"), {"a": 1.5, "h": 0.2, "k": k}
+    least = face.minimum_depth(**given)
+    assert least == pytest.approx(law.minimum_depth(**given, n=n), rel=4e-15)
+    assert face.zero_radius(**given) == pytest.approx(law.zero_radius(**given, n=n), rel=4e-15)
+    r = np.linspace(0.0, 1.49, 40)
+    exact = law.pressure(r, 1.3 * least, **given, n=n, H=2.0)
+    np.testing.assert_allclose(face.pressure(r, 1.3 * least, **given, H=2.0), exact, rtol=2e-13)
+    for module, more in ((face, {}), (law, {"n": n})):
+        beyond = module.pressure(np.array([1.5, 1.6]), 1.3 * least, **given, **more, H=2.0)
+        assert beyond.tolist() == [math.inf, 0.0]
+    assert np.isnan(face.pressure(r, 0.999 * least, **given, H=2.0)).all()
+
+
 @pytest.mark.parametrize("k", (-0.6, 0.3))
 @pytest.mark.parametrize("power", [-450, 900])
 @pytest.mark.parametrize("name", ["sphere", "rounded_punch", "capped_paraboloid"])

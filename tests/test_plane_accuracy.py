@@ -97,7 +97,7 @@ def worst(module: ModuleType, name: str, suffix: str, count: int) -> tuple[float
 @pytest.mark.parametrize("name", SMOOTH)
 def test_accuracy_against_the_exact_entries(name: str, count: int, plane_module: Callable[[str], ModuleType]) -> None:
     for suffix in entries(name):
-        # the place of zero pressure of a power is bisected for every value, here and there
+        # the place of zero pressure of a power is searched in many digits for every value
         error, where = worst(plane_module(name), name, suffix, count // 5 if name == "concave_power" else count)
         assert error <= UNITS, (suffix, where)
 

@@ -8,6 +8,7 @@ import math
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
@@ -17,6 +18,7 @@ from plane_modules import ACCURACY, CONCAVE, PACKAGE, SMOOTH, entries
 
 from axiderive.profiles import plane
 
+EPS = 2.0**-52
 BROKEN = [name for name in plane.COMPACT_NAMES if plane.load(name).breaks]
 
 
@@ -226,3 +228,58 @@ def test_arrays_broadcast_and_numbers_give_floats(name: str, plane_module: Calla
         assert many.shape == (2, 3) or (many.shape == (2, 1) and keywords[0] not in call.__doc__)
         assert np.allclose(many, single, rtol=1e-14, atol=0.0)
         assert (kept == values[0]).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "function", "x", "given"),
+    [
+        ("rounded_wedge", "pressure", 0.3, {"a": 1.0, "theta": 0.3, "b": 0.5, "E_star": 2.0}),
+        ("rounded_wedge", "slope", 2.3, {"a": 1.0, "theta": 0.3, "b": 0.5}),
+        ("power_law", "pressure", 0.3, {"a": 1.0, "A": 0.2, "n": 2.7, "E_star": 2.0}),
+        ("concave_power", "slope", 2.3, {"P": 1.0, "a": 1.0, "h": 0.1, "n": 2.7, "E_star": 2.0}),
+        ("eccentric_punch", "pressure", 0.3, {"P": 1.0, "a": 1.0, "e": 0.7}),
+    ],
+)
+def test_one_number_is_computed_without_arrays(
+    name: str, function: str, x: float, given: dict[str, float], plane_module: Callable[[str], ModuleType]
+) -> None:
+    """On both sides of the middle, but for a load that leans away: an array of one number takes ten times as long."""
+    module = plane_module(name)
+    call = getattr(module, function)
+    known = import_module(f"{PACKAGE}._elementwise")._formulas
+    field = next(iter(given.values()))
+    keywords = dict(list(given.items())[1:])
+    for place in (x, -x):
+        values = call(np.array([place]), field, **keywords)
+        known.clear()
+        one = call(place, field, **keywords)
+        assert (getattr(module, f"_{function}") in known) == (place > 0.0 or "e" not in given)
+        assert one == pytest.approx(values[0], rel=16 * EPS)
+        assert (call(np.float64(place), field, **keywords), call(int(place), field, **keywords)) == (
+            values[0], call(np.array([int(place)]), field, **keywords)[0],
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize("rule", ["load_beyond", "slope_beyond", "depth_beyond"])
+def test_a_break_far_inside_costs_a_few_panels(rule: str, plane_module: Callable[[str], ModuleType]) -> None:
+    """A hundred decades took 26 of them; the strips that are left out add nothing, as little far out as at the edge."""
+    growth = plane_module("rounded_wedge")._growth_beyond
+    integral = getattr(import_module(f"{PACKAGE}._plane"), rule)
+    calls = []
+
+    def counted(t: np.ndarray, root: np.ndarray, *parameters: np.ndarray) -> np.ndarray:
+        calls.append(t.size)
+        return growth(t, root, *parameters)
+
+    b, far = np.full(3, 1e-100), np.array([1.0 + 1e-9, 1.5, 1e6])
+    lengths = (far, b) if rule == "load_beyond" else (far, np.ones(3), b)
+    value = integral(counted, (0.3, b), *lengths)
+    assert sum(calls) <= 8 * 64 * 3
+    # up to 1e-50 of the contact the growth is tan(theta) to all digits, whatever the break
+    same = integral(lambda t, root, theta, b: np.tan(theta) + 0.0 * t, (0.3, b), *lengths)
+    np.testing.assert_allclose(value, same, rtol=16 * EPS)
+    exact = {
+        "load_beyond": far, "slope_beyond": np.arcsin(1.0 / far),
+        "depth_beyond": np.arccosh(far) + far * np.arcsin(1.0 / far),
+    }[rule]  # fmt: skip
+    np.testing.assert_allclose(value, np.tan(0.3) * exact, rtol=1e-13)

@@ -45,6 +45,7 @@ CASES = (
     ("capped_paraboloid", "p"), ("sphere_tipped_cone", "w"), ("hyperboloid", "p"), ("concave_power", "p"),
     ("concave_power", "w"), ("truncated_cone.fgm", "p"), ("capped_cylinder.fgm", "p"), ("sphere_tipped_cone.fgm", "w"),
     ("capped_cylinder.fgm", "w"), ("gaussian.fgm", "w"), ("plane.rounded_punch", "p"),
+    ("plane.concave_power", "p"), ("concave_quartic.fgm", "w"),
 )  # fmt: skip
 GIVEN = ("depth", "depth_mp", "rate", "rate_scalar", "rate_mp", "slope", "slope_mp")
 OWN = ("emitted", "lambdify")

@@ -71,7 +71,7 @@ class Complete:
     def _thresholds(self) -> None:
         ring = self.entries["rz"]
         if ring.status == "root":
-            lines = ["return a * np.sqrt(ring_of_zero_pressure(n))"]
+            lines = ["return a * ring_of_zero_pressure(n)"]
             self.functions.add("zero_radius", (), lines, {"a", "n"})
         else:
             value = python(ring.cases[0].expr) if ring.cases[0].expr != 0 else "0.0"

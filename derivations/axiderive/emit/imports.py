@@ -25,13 +25,8 @@ class Public:
 
 
 WITH_MATH = "with_math"
-POWERS = (
-    "outside_zero_pressure",
-    "power_displacement",
-    "power_pressure",
-    "power_punches",
-    "ring_of_zero_pressure",
-)
+POWERS = ("power_displacement", "power_pressure", "power_punches")
+RING = ("outside_zero_pressure", "ring_of_zero_pressure")
 RATES = ("_slope", "_slope_beyond")
 
 
@@ -100,6 +95,9 @@ def imports(module: ModuleText) -> list[str]:
     powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")
+    ring = [name for name in RING if f"{name}(" in text]
+    if ring:
+        blocks.append(f"from .._ring import {', '.join(ring)}")
     rules = sorted({name for name in _rule_names() if f"{name}(" in text})
     if rules:
         line = f"from .._rules import {', '.join(rules)}"

@@ -23,24 +23,23 @@ NORMAL = {
 """Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
 RULED = {
     **NORMAL,
-    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, "capped_cylinder")},
-    **dict.fromkeys(("plane.power_law", "plane.rounded_wedge", "plane.rounded_punch"), ("p",)),
+    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, "capped_cylinder", "concave_power")},
+    **{f"{name}.fgm": ("w",) for name in ("concave_paraboloid", "concave_quartic")},
+    **{f"plane.{name}": ("p",) for name in ("power_law", "rounded_wedge", "rounded_punch", "concave_power")},
 }
-"""The same with the graded and the plane contacts.
-
-Under a graded concave face nearly all of the time goes to the least depth of complete contact, not to the rule.
-"""
+"""The same with the graded and the plane contacts."""
 EVERY = dict.fromkeys(NAMES, QUANTITIES) | {name: RULED[name] for name in NORMAL if name not in NAMES} | OTHERS
 EVERY |= {name: RULED[name] for name in RULED if name not in EVERY}
 """The quantities of each problem whose error is measured against run time."""
 RADIUS = 2.0
 PARAMETERS = {
     nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
+    nt.P: 0.5,
 }  # fmt: skip
 FURTHER: dict[str, dict[Any, Any]] = {
     "capped_cylinder": {nt.d: 1.5},
     "capped_paraboloid": {nt.R1: 6.0, nt.R2: 3.0},
-    "concave_power": {nt.h: 0.1, nt.d: 0.5},
+    **dict.fromkeys(("concave_power", "concave_paraboloid", "concave_quartic"), {nt.h: 0.1, nt.d: 0.5}),
     "ellipsoid": {nt.h: 2.0, nt.b: 3.0},
     "gaussian": {nt.h: 0.5, nt.s: 2.0},
     "polynomial": {nt.coefficients: (0.02, 0.1, 0.03)},

@@ -21,6 +21,7 @@ from .. import notation as nt
 from ..contact import systems
 from ..contact.complete import edge_depth
 from ..contact.medium import GRADED, HOMOGENEOUS
+from ..contact.plane import Superposition
 from ..entry import Case, Entry
 from ..profiles.profile import Piece as ProfilePiece
 from ..profiles.profile import Profile
@@ -79,9 +80,8 @@ class Subject:
     def parameters(self) -> dict[Any, Any]:
         """The values of what the emitted functions are called with."""
         known = PARAMETERS | self.further | {nt.a: RADIUS}
-        load = self.entries["P" if self.plane else "F"]
-        given = {symbol: known[symbol] for symbol in load.parameters} | {nt.a: RADIUS}
-        return given | ({nt.d: known[nt.d]} if self.complete else {})
+        given = {symbol: known[symbol] for symbol in self.entries["p" if self.plane else "F"].parameters}
+        return given | {nt.a: RADIUS} | ({self.free: known[self.free]} if self.complete else {})
 
     @cached_property
     def values(self) -> dict[Any, Any]:
@@ -122,8 +122,12 @@ class Subject:
 
     @property
     def complete(self) -> bool:
-        """The radius is that of the body and the depth is free."""
+        """The radius is that of the body and the depth is free, or the load of a strip."""
         return self.profile.contact == "complete"
+
+    @property
+    def free(self) -> sp.Symbol:
+        return nt.P if self.plane else nt.d
 
     @property
     def exponent(self) -> float:
@@ -151,12 +155,16 @@ class Subject:
 
     @cached_property
     def excess(self) -> float:
-        """Depth beyond that of the profile, d - g(a): of a complete contact."""
-        return float(self.values[nt.d] - self.depth(np.float64(RADIUS))) if self.complete else 0.0
+        """Depth beyond that of the profile, d - g(a): of a complete contact; of a strip the load over E*."""
+        return float(self._freed - self.depth(np.float64(RADIUS))) if self.complete else 0.0
 
     def excess_mp(self) -> mp.mpf:
         """The same at the digits in force."""
-        return mp.mpf(self.values[nt.d]) - self.depth_mp(mp.mpf(RADIUS)) if self.complete else mp.mpf(0)
+        return mp.mpf(self._freed) - self.depth_mp(mp.mpf(RADIUS)) if self.complete else mp.mpf(0)
+
+    @property
+    def _freed(self) -> float:
+        return float(self.values[self.free] / (self.modulus if self.plane else 1.0))
 
     @cached_property
     def largest(self) -> float:
@@ -215,11 +223,17 @@ class Subject:
         """
         if self.complete:
             (face,) = self.profile.pieces
-            power = sp.cancel(nt.r * sp.diff(face.expr, nt.r) / face.expr)
-            whole = edge_depth(self.profile, GRADED if self.graded else HOMOGENEOUS) * (nt.t / nt.a) ** power
+            power = sp.cancel(self.across * sp.diff(face.expr, self.across) / face.expr)
+            whole = self._at_edge() * (nt.t / nt.a) ** power
             return Given((Piece(0.0, math.inf, whole),), nt.t, self.values)
         pieces = [self._case(case) for case in self.entries["P" if self.plane else "d"].cases]
         return Given(joined(pieces), nt.a, self.values)
+
+    def _at_edge(self) -> sp.Expr:
+        """g(a) of a face between sharp edges."""
+        if self.plane:
+            return Superposition.of(self.profile.pieces).load((nt.a,)).expr()
+        return edge_depth(self.profile, GRADED if self.graded else HOMOGENEOUS)
 
     def _case(self, case: Case) -> Piece:
         place = case.chain.index(nt.a)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ...contact.medium import GRADED
 from ...entry import COMPLETE, Entry
 from ...notation import a, d, r
 from ...profiles.profile import Profile
@@ -126,12 +127,7 @@ class _Complete:
             "_force", ["d"], self.material, complete,
             f"return np.where(complete, punch_stiffness(a, H, k) * (d + {offset}), np.nan)",
         )  # fmt: skip
-        self.rule(
-            "_pressure", ["r", "d"], self.material, complete,
-            f"edge = (d + h * power_factor({order}, k)) * punch_pressure(r, a, H, k)",
-            f"hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, {order}, k) / a**{order}",
-            "return np.where(complete, np.where(r < a, edge - hollow, edge), np.nan)",
-        )  # fmt: skip
+        self.concave_pressure(order, complete)
         self.rule(
             "_displacement", ["r", "d"], self.geometry, complete,
             f"outside = d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
@@ -143,15 +139,48 @@ class _Complete:
             f"complete = _minimum_force({', '.join(self.material)}) * (1.0 - 1e-15) <= F",
             f"return np.where(complete, F / punch_stiffness(a, H, k) - {offset}, np.nan)",
         )  # fmt: skip
-        ring = f"ring_of_zero_pressure({order}, k)"
-        self.rule("_zero_radius", [], self.geometry, f"return a * np.sqrt(1.0 - {ring}) + 0.0 * h")
-        self.rule(
-            "_minimum_depth", [], self.geometry,
-            f"lifted = {order} * {ring} - 1.0 + k",
-            f"return h * power_factor({order}, k) * (1.0 - k) / lifted + 0.0 * a",
-        )  # fmt: skip
+        self.thresholds(order)
         least = f"_minimum_depth({', '.join(self.geometry)})"
         self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
+
+    def concave_pressure(self, order: str, complete: str) -> None:
+        """From the least depth on where the face is algebraic: there nothing cancels."""
+        excess = excess_over_threshold(self.entries)
+        if excess is not None:
+            least = f"least = _minimum_depth({', '.join(self.geometry)})"
+            self.rule(
+                "_pressure", ["r", "d"], self.material, least,
+                f"face = {python(excess)}",
+                "pressure = (d - least + face) * punch_pressure(r, a, H, k)",
+                "return np.where(least * (1.0 - 1e-15) <= d, pressure, np.nan)",
+            )  # fmt: skip
+            return
+        self.rule(
+            "_pressure", ["r", "d"], self.material, complete,
+            f"edge = (d + h * power_factor({order}, k)) * punch_pressure(r, a, H, k)",
+            f"hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, {order}, k) / a**{order}",
+            "return np.where(complete, np.where(r < a, edge - hollow, edge), np.nan)",
+        )  # fmt: skip
+
+    def thresholds(self, order: str) -> None:
+        """The ring of zero pressure and the least depth: by their formulas where these are closed."""
+        ring, least = (self.entries[suffix] for suffix in ("rz", "dmin"))
+        if ring.status == "root":
+            place = f"a * ring_of_zero_pressure({order}, k)"
+            depth = f"h * power_factor({order}, k) * (1.0 - k) / lifted_at_zero_pressure({order}, k)"
+        else:
+            place, depth = (python(sp.factor(entry.cases[0].expr)) for entry in (ring, least))
+            place = "0.0 * a" if place == "0" else place
+        # the parameters that do not count as well
+        self.rule("_zero_radius", [], self.geometry, f"return {place} + 0.0 * h")
+        self.rule("_minimum_depth", [], self.geometry, f"return {depth} + 0.0 * a")
+
+
+def excess_over_threshold(entries: Mapping[str, Entry]) -> sp.Expr | None:
+    """M(r) >= 0 in p = (d - d_min + M) times the pressure of a punch per depth, where the face is algebraic."""
+    depth = sp.powsimp(sp.expand(entries["p"].cases[0].expr / GRADED.punch_pressure()))
+    face = sp.factor(sp.expand(depth - d + entries["dmin"].cases[0].expr))
+    return face if face.is_polynomial(r) else None
 
 
 def order_of(profile: Profile) -> str:

@@ -29,6 +29,7 @@ SHARED = (
     "..._domain: numbers, require, require_coefficients, require_order, require_reach",
     "..._elementwise: Array, Result, elementwise",
     "..._integrals: difference_root",
+    "..._ring: lifted_at_zero_pressure, ring_of_zero_pressure",
     "..._slip: stick_force",
     "..._stable: stable_radius",
     "..._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",

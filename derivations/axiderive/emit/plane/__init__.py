@@ -27,7 +27,8 @@ IMPORTS = (
     f".._functions: {', '.join(HELPERS)}",
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
-    ".._powers: outside_zero_pressure, power_pressure, power_strips, ring_of_zero_pressure",
+    ".._powers: power_pressure, power_strips",
+    ".._ring: outside_zero_pressure, ring_of_zero_pressure",
     ".._rules: pressure_integral_beyond",
 )
 EVALUATED = {"f": "even", "p": "even", "s": "odd"}

@@ -75,7 +75,7 @@ class Complete:
     def _zero_distance(self) -> None:
         entry = self.entries["xz"]
         if entry.status == "root":
-            value, needs = "a * np.sqrt(ring_of_zero_pressure(n))", {"a", "n"}
+            value, needs = "a * ring_of_zero_pressure(n)", {"a", "n"}
         else:
             place = entry.cases[0].expr
             value, needs = python(place) if place != 0 else "0.0 * a", {"a"}

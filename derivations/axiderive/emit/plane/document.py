@@ -99,7 +99,7 @@ def notes(profile: Profile, quantity: Quantity, body: str) -> list[str]:
     if "_integral" in body or "_beyond(_growth" in body or "power_" in body:
         out.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
     if "zero_pressure(" in body:
-        out.append("The place of first zero pressure is found by bisection.")
+        out.append("The place of first zero pressure is found by Newton's method.")
     if "inverse(" in body:
         out.append("Evaluated by a safeguarded Newton iteration.")
     if profile.note and quantity.suffix in ("p", "cw"):

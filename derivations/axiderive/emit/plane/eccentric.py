@@ -14,7 +14,7 @@ from ..private import PrivateFunctions
 SIDE, SHORT, NEAR, REACH, FAR, BEYOND, ALONG, END = (
     sp.Symbol(name, positive=True) for name in ("side", "short", "near", "reach", "far", "beyond", "along", "end")
 )
-LEAN = {"short": "a - np.abs(e)", "side": "np.sign(e)"}
+LEAN = {"short": "a - np.abs(e)", "side": "np.copysign(1.0, e)"}
 """Distance of the load from its edge, and the side it leans to."""
 
 
@@ -63,7 +63,8 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
     lines = [
         "root = np.sqrt((a - x) * (a + x))",
         f"touching = P * ({python(share)}) / (np.pi * a**2 * root)",
-        f"short, beyond, along = {LEAN['short']}, 2 * np.abs(e) - a, np.sign(e) * x",
+        f"short, side = {LEAN['short']}, {LEAN['side']}",
+        "beyond, along = 2 * np.abs(e) - a, side * x",
         "near, far, end = a - along, a + along, 2 * beyond - a",
         f"reach = np.maximum(np.where(end < -a / 2, {python(from_lifted)}, {python(from_middle)}), 0.0)",
         f"apart = {python(pressed)}",
