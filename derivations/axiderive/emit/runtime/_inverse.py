@@ -7,12 +7,9 @@ from collections.abc import Callable
 import numpy as np
 
 from ._elementwise import Array
-from ._functions import nth_root
-from ._starts import joining, leaving_power
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
-Beyond = Callable[[Array, Array], tuple[Array, Array]]
 ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
 """Normal contacts need at most five evaluations and two at single points, mostly three; the rest is for others."""
 
@@ -135,7 +132,7 @@ def inverse_below(
         t = largest / (1.0 + s)
         y, slope = curve(t)
         short = (top - y) / y
-        return _above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
+        return above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
 
     # the largest value and the argument are both rounded
     short = np.maximum((top - value) / value, 0.0)
@@ -145,7 +142,7 @@ def inverse_below(
     return np.where(value <= top * (1.0 + 2.0**-48), t, np.nan)
 
 
-def _above_noise(
+def above_noise(
     difference: Array, rate: Array, size: Array, power: float | None, least: Array | float
 ) -> tuple[Array, Array]:
     """A difference of numbers of one `size` and its logarithmic slope; near zero it is all rounding, its rate is not.
@@ -158,77 +155,3 @@ def _above_noise(
     else:
         known = np.where(difference > LOST * tiny, difference, np.maximum(rate / power, ROUNDING * tiny))
     return known, np.maximum(rate / known, least)
-
-
-def inverse_across(
-    curve: Curve,
-    beyond: Beyond,
-    value: Array,
-    b: Array,
-    tip: Array | float,
-    end: Array | None = None,
-    least: Array | float = 1.0,
-    base: Array | None = None,
-    powers: tuple[float, float] | None = None,
-    leaving: tuple[float, float] | None = None,
-) -> Array:
-    """The radius with curve(radius) = value, for a curve whose slope jumps or bends sharply at b.
-
-    It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the
-    curve below would be infinitely steep at `end`.
-    Above, the excess over `base`, the curve at b, grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a
-    higher one, even where the curve leaves b with an infinite slope.  Those for small and for large t are the
-    `powers`; or, where the tip is a power of the radius, `leaving` are those of what comes to its continuation.
-    There `beyond` gives the value and its derivative by ln t, from the radius and b t.
-    """
-    like = np.ones_like(value)
-    if base is None:
-        base = curve(b * like)[0]
-    above = value > base
-    radius = b * like
-    if not np.all(above):
-        lower = np.where(above, base, value)
-        # of a power nothing is left to iterate
-        power = end is None and (powers or leaving)
-        radius = b * nth_root(lower / base, tip) if power else _below(curve, lower, base, b, tip, end)
-    if not np.any(above):
-        return radius
-    high = np.where(above, value, 2.0 * base)
-
-    def excess(t: Array) -> tuple[Array, Array]:
-        y, rate = beyond(b * np.sqrt(1.0 + t * t), b * t)
-        return _above_noise(y - base, rate, base, small, least)
-
-    start, small = like, None if powers is leaving else (powers or (2.0,))[0]
-    if powers is not None or leaving is not None:
-        one, slope = excess(1.0)
-        more = (high - base) / one
-        if powers is not None:
-            start = joining(more, slope, *powers)
-        elif leaving is not None:
-            start = leaving_power(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
-    # both the value and that at the break are rounded, some of them sums
-    noise = 5.0 * ROUNDING * high
-    t = inverse(excess, high - base, start, (least, np.inf), smooth=True, noise=noise)
-    return np.where(above, b * np.sqrt(1.0 + t * t), radius)
-
-
-def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float, end: Array | None) -> Array:
-    """The radius up to b."""
-    if end is None:
-        # a parabolic tip is met at once
-        return inverse(curve, value, b * (value / base) ** (1.0 / tip), (tip, np.inf), b, smooth=True)
-    reach = np.arctanh(np.minimum(b / end, 1.0 - ROUNDING))
-
-    def share(t: Array) -> Array:
-        return t / (np.sinh(t) * np.cosh(t))
-
-    def bent(t: Array) -> tuple[Array, Array]:
-        y, slope = curve(end * np.tanh(t))
-        return y, slope * share(t)
-
-    last, slope = bent(reach)
-    # the curve beyond b may begin a few roundings later
-    value = np.minimum(value, last)
-    start = reach * joining(value / last, slope, tip, 1.0)
-    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), reach, share, smooth=True)))
