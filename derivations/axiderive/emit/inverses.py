@@ -124,15 +124,15 @@ class Inverses:
         if self.profile.truncated:
             b = str(self.compact.b)
             place = PLACES["beyond"].code.format(b)
-            rate = f"root * root / a * {slope.call('a', 'root')}"
+            scale = f"{python(HOMOGENEOUS.stiffness() / a)} * root * root" if suffix == "aF" else "root * root / a"
+            rate = f"{scale} * {slope.call('a', 'root')}"
             needs = {b}
         else:
             R = str(self.compact.scale("tip")[1])
             place = PLACES["below"].code.format(R)
-            rate = f"t * root * root / {R} * {slope.call('a', 'root')}"
+            scale = f"{python(HOMOGENEOUS.stiffness())} * t" if suffix == "aF" else "t"
+            rate = f"{scale} * root * root / {R} * {slope.call('a', 'root')}"
             needs = {R}
-        if suffix == "aF":
-            rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
         like = start(self.compact, suffix)
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
@@ -189,14 +189,15 @@ class Inverses:
         lines = [
             "def curve(a: Array) -> tuple[Array, Array]:",
             f"    value = {target.call('a')}",
-            f"    return value, {self._scaled(suffix, 'a')} * {slope} / value",
+            f"    return value, {self._rate(suffix)} * {slope} / value",
             "",
         ]
         return lines, {*target.needs, *more, *({"E_star"} if suffix == "aF" else ())}
 
     @staticmethod
-    def _scaled(suffix: str, factor: str) -> str:
-        return f"{python(HOMOGENEOUS.stiffness())} * {factor}" if suffix == "aF" else factor
+    def _rate(suffix: str) -> str:
+        """What the slope g' is multiplied with in the derivative by ln a."""
+        return python(HOMOGENEOUS.stiffness() * a) if suffix == "aF" else "a"
 
     def _across(self, suffix: str, name: str) -> Private:
         """Beyond the break where the tip is a power, else on both sides, each with its own unknown."""
@@ -211,7 +212,7 @@ class Inverses:
         target = self.functions.functions.get(f"{curve}_at") or self.functions.functions[f"{curve}_beyond"]
         lines = [
             "def curve(a: Array, root: Array) -> tuple[Array, Array]:",
-            f"    rate = {self._scaled(suffix, 'a')} * {slope.call('a', 'root')}",
+            f"    rate = {self._rate(suffix)} * {slope.call('a', 'root')}",
             f"    return {target.call('a', 'root')}, rate",
             "",
             f"return {found}",

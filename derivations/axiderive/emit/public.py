@@ -64,7 +64,7 @@ def _notes(profile: Profile, quantity: Quantity, private: Private, functions: Pr
             text += "\n" + "\n".join(other.lines)
     if "_integral" in text or "power_pressure" in text or "power_displacement" in text or "power_punches" in text:
         notes.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
-    if re.search(r"\binverse(_across|_below|_over_waves)?\(", text):
+    if re.search(r"\binverse(_across|_below|_beyond|_over_waves)?\(", text):
         notes.append("Evaluated by a safeguarded Newton iteration.")
     if profile.note and quantity.suffix in ("p", "F", "d") and coefficients not in profile.parameters:
         notes.append(f"{profile.note[:1].upper()}{profile.note[1:]}.")

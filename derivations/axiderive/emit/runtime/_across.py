@@ -80,7 +80,7 @@ def inverse_across(
         np.where(above, np.inf, reach),
         lambda t: np.where(above, 1.0, share(np.minimum(t, reach))),
         smooth=True,
-        noise=np.where(above, NOISE * value, 0.0),
+        noise=np.where(above, NOISE, ROUNDING) * value,
     )
     return np.where(above, b * np.sqrt(1.0 + t * t), np.minimum(b, radius_at(np.minimum(t, reach))))
 

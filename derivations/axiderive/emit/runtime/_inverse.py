@@ -1,4 +1,7 @@
-"""Roots of increasing functions without a closed inverse, by a safeguarded iteration of high order."""
+"""Roots of increasing functions without a closed inverse, by a safeguarded iteration of high order.
+
+Whether a point is left is asked by np.count_nonzero: `_trace` takes np.any for a question about a rare branch.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from ._elementwise import Array
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
-ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
+ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 3, 1e-9, 2.0**-53, 16.0
 """Normal contacts need at most five evaluations and two at single points, mostly three; the rest is for others."""
 
 
@@ -22,35 +25,36 @@ def inverse(
     largest: Array | float = np.inf,
     share: Callable[[Array], Array] | None = None,
     smooth: bool = False,
-    noise: Array | float = 0.0,
+    noise: Array | None = None,
 ) -> Array:
-    """The t with curve(t) = value, for 0 < t <= largest.
+    """The t > 0 with curve(t) = value.  It is at most `largest`.
 
     `curve` returns its value and its logarithmic slope d ln curve/d ln t.  Where that slope lies between the two
     `exponents`, which count as no more than a guess, the root lies in ln t between ln(value/curve) over either.
     The guarantee are signs, whatever the exponents: an increasing curve that is met below the value at one point and
     above it at another has its root between the two, and no step leaves such an interval.  Steps that do not settle
     within `PATIENCE` alternate with halves of it; if it is still open, with steps that double until it is not.
-    A point that is settled stays: where the curve is met within a rounding or within `noise`, or where a step no
-    longer changes what t stands for, a quantity whose logarithm moves with `share` of that of t.  What is left then
-    is removed by a step that is linear in t, without a second look where the curve is `smooth`, without kinks.
+    A point that is settled stays: where the curve is met within its rounding.  With `noise`, where it is met within
+    that.  With `share`, where a step no longer changes what t stands for, a quantity whose logarithm moves with that
+    share of that of t.  What is left then is removed by a step that is linear in t.  Where the curve may have kinks
+    and is not `smooth`, it is looked at again after that step.
     """
     t = np.minimum(start, largest)
     position = np.log(t)
     y, slope = curve(t)
     error = _missed(value, y)
-    low, high = np.full_like(position, -np.inf), np.log(largest) + np.zeros_like(position)
+    low, high = np.full_like(position, -np.inf), np.full_like(position, np.log(largest))
     step = error / slope
+    close = ROUNDING * value if noise is None else noise
     solvable = (value > 0.0) & (value < np.inf) & (y == y)
     for iteration in range(ITERATIONS):
         # written so that a curve which has left the range of doubles is not met
         left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
-        left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
+        left = left & ~(np.abs(value - y) <= close)
         if share is not None:
             # of where the step leads too: far below the root t may stand for nothing
             moved = np.maximum(share(t), share(np.minimum(t * np.exp(np.minimum(step, 700.0)), largest)))
             left = left & ~(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
-        # not np.any, which `_trace` takes for a question about a rare branch
         if not np.count_nonzero(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)
@@ -63,15 +67,21 @@ def inverse(
         y = np.where(y == y, y, np.inf)
         error = _missed(value, y)
         step = _step(step, before, slope_before, error, slope)
-    for _ in range(1 if smooth else POLISHING):
-        change = t * ((value - y) / y) / slope
-        change = np.where(np.abs(change) < 1e-3 * t, change, 0.0)
-        t = t + change
-        if smooth or not np.any(np.abs(change) > 1e-14 * t):
-            break
-        y, slope = curve(t)
+    change = _last_step(t, value, y, slope)
+    t = t + change
+    if not smooth:
+        for _ in range(POLISHING):
+            if not np.any(np.abs(change) > 1e-14 * t):
+                break
+            change = _last_step(t, value, *curve(t))
+            t = t + change
     root = np.where(value >= 0.0, np.minimum(t, largest), np.nan)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))
+
+
+def _last_step(t: Array, value: Array, y: Array, slope: Array) -> Array:
+    change = t * ((value - y) / y) / slope
+    return np.where(np.abs(change) < 1e-3 * t, change, 0.0)
 
 
 def _missed(value: Array, y: Array) -> Array:
