@@ -171,7 +171,7 @@ class Inverses:
                 f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
             ]
             return self.functions.add(name, (field,), lines, needs)
-        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self.first_radius())})"
+        first = "start" if self.compact.summed else f"{python(self.first_radius())} * np.ones_like({field})"
         needs = needs | {str(s) for s in self.first_radius().free_symbols}
         lines += self._least_start(suffix)
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
