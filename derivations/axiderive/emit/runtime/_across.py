@@ -33,7 +33,7 @@ def inverse_beyond(
     base = curve(b, np.zeros_like(b))[0]
     above = value > base
     radius = b * nth_root(np.where(above, base, value) / base, tip)
-    if not np.any(above):
+    if not np.count_nonzero(above):
         return radius
     high = np.where(above, value, 2.0 * base)
     return np.where(above, _beyond(curve, high, base, b, tip, powers, leaving), radius)
@@ -69,7 +69,7 @@ def inverse_across(
     wanted = np.where(above, value - base, np.minimum(value, last))
     like = np.where(above, last, wanted) / last
     start = reach * (like ** (1.0 / tip) if end is None else joining(like, rate / last * share(reach), tip, 1.0))
-    if np.any(above):
+    if np.count_nonzero(above):
         start = np.where(above, _start(curve, np.where(above, wanted, base), base, b, tip, powers), start)
     least, most = (tip, np.inf) if end is None else (1.0, tip)
     t = inverse(
