@@ -6,7 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact import _arcs, _inverse
+from axicontact import _across, _arcs, _inverse
 from axicontact._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axicontact._nodes import gauss_legendre
 from axicontact._powers import power_displacement, power_pressure, power_punches
@@ -121,19 +121,17 @@ def test_a_root_across_an_infinite_slope_takes_few_steps() -> None:
     """Next to the corner of a capped paraboloid too, where Newton's iteration in the radius took 120 steps."""
     calls = []
 
-    def curve(a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def curve(a: np.ndarray, root: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         calls.append(a)
-        return a * a, 2.0 * np.ones_like(a)
+        return a * (a + 3.0 * root), 2.0 * a * a + 3.0 * a * root + np.where(a > 1.0, 3.0 * a * a * (a / root), 0.0)
 
-    def beyond(a: np.ndarray, root: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        calls.append(a)
-        return a * (a + 3.0 * root), root * (2.0 * root + 3.0 * root * root / a + 3.0 * a)
-
-    for radius in (1e-3, 0.999, 1.0 - 1e-14, 1.0 + 1e-14, 1.0 + 1e-9, 1.001, 2.0, 1e3):
+    radii = np.array([1e-3, 0.999, 1.0 - 1e-14, 1.0 + 1e-14, 1.0 + 1e-9, 1.001, 2.0, 1e3])
+    for a in (*radii[:, None], radii):
         calls.clear()
-        a = np.array([radius])
         with np.errstate(all="ignore"):
-            value = curve(a)[0] if radius < 1.0 else beyond(a, np.sqrt((a - 1.0) * (a + 1.0)))[0]
-            got = _inverse.inverse_across(curve, beyond, value, 1.0, 2.0)
-        assert abs(got[0] / radius - 1.0) <= 4 * EPS
-        assert len(calls) <= 2 + 6, (radius, len(calls))
+            value = curve(a, np.sqrt(np.maximum(a - 1.0, 0.0) * (a + 1.0)))[0]
+            across = _across.inverse_across(curve, value, 1.0, 2.0)
+            assert len(calls) <= 2 + 6, (a, len(calls))
+            beyond = _across.inverse_beyond(curve, value, 1.0, 2.0, leaving=(1.0, 2.0))
+        np.testing.assert_allclose(across, a, rtol=4 * EPS)
+        np.testing.assert_allclose(beyond, a, rtol=4 * EPS)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ast
 import doctest
-import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from inspect import getmembers, isfunction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -39,12 +39,13 @@ def example(function: Callable[..., Any]) -> Call:
     raise LookupError(function.__name__)
 
 
-def public(name: str) -> Iterator[tuple[Callable[..., Any], Call]]:
+def public(name: str, at_a_point: bool = True) -> Iterator[tuple[Callable[..., Any], Call]]:
+    """The public functions of a module with their examples; with fields alone, if not told otherwise."""
     module = import_module(f"axicontact.{name}")
     for key, function in getmembers(module, isfunction):
         if function.__module__ == module.__name__ and not key.startswith("_"):
             own = example(function)
-            if own[0]:
+            if own[0] or not at_a_point:
                 yield function, own
 
 
@@ -69,16 +70,25 @@ def test_results_have_the_shape_of_the_fields(name: str) -> None:
         assert turned == pytest.approx(many, rel=ROUNDED, abs=ABSOLUTE, nan_ok=True), function
 
 
-@pytest.mark.parametrize("name", MODULES)
-def test_results_have_the_shape_of_the_parameters(name: str) -> None:
-    """But for those that the docstring names as of no influence."""
-    for function, (fields, keywords) in public(name):
-        named = re.search(r"Not broadcast with ([\w, ]+), on", " ".join((function.__doc__ or "").split()))
-        apart = named[1].split(", ") if named else []
-        for key, value in keywords.items():
-            if isinstance(value, float):
-                found = function(*fields, **keywords | {key: np.full((2, 1), value)})
-                assert np.shape(found) == (() if key in apart else (2, 1)), (function, key)
+@pytest.mark.parametrize(
+    "package",
+    ["normal", "adhesive", "tangential", "viscoelastic", "plane", "loads"]
+    + [pytest.param(f"graded.{name}", marks=pytest.mark.slow) for name in ("normal", "adhesive", "tangential")],
+)
+def test_results_have_the_shape_to_which_all_arguments_broadcast(package: str) -> None:
+    """Each argument of every function along an axis of its own, also one on which the value does not depend."""
+    tried = 0
+    for path in sorted(Path(_rules.__file__).parent.joinpath(*package.split(".")).glob("[!_]*.py")):
+        for function, (fields, keywords) in public(f"{package}.{path.stem}", at_a_point=False):
+            own = {**dict(enumerate(fields)), **keywords}
+            several = [key for key, value in own.items() if isinstance(value, float)]
+            axes = {key: [2 if key == other else 1 for other in several] for key in several}
+            given = {key: np.full(axes[key], value) if key in axes else value for key, value in own.items()}
+            found = function(*[given.pop(i) for i in range(len(fields))], **given)
+            for part in found if isinstance(found, tuple) else (found,):
+                assert part.shape == (2,) * len(several), (path.stem, function.__name__)
+            tried += 1
+    assert tried > 3
 
 
 def test_an_integral_in_groups_takes_a_grid_of_radii() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import sympy as sp
 
@@ -71,12 +71,6 @@ def docstring(
     if sources:
         lines += ["", "References", "----------", *_wrapped("; ".join(sources) + ".")]
     return [*lines, "", "Examples", "--------", *example]
-
-
-def checked_only(names: Iterable[str], used: Iterable[str]) -> list[str]:
-    """The note on parameters that a value does not depend on, and therefore is not broadcast with."""
-    rest = [name for name in names if name not in set(used)]
-    return [f"Not broadcast with {', '.join(rest)}, on which the value does not depend."] if rest else []
 
 
 def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:

@@ -69,6 +69,9 @@ def imports(module: ModuleText) -> list[str]:
     if "np." in text:
         blocks.append("import numpy as np")
     blocks.append("")
+    across = [name for name in ("inverse_across", "inverse_beyond") if f"{name}(" in text]
+    if across:
+        blocks.append(f"from .._across import {', '.join(across)}")
     if "arc_strips(" in text:
         blocks.append("from .._arcs import arc_strips")
     domain = [
@@ -82,7 +85,7 @@ def imports(module: ModuleText) -> list[str]:
         blocks.append(f"from .._functions import {', '.join(helpers)}")
     if "difference_root(" in text:
         blocks.append("from .._integrals import difference_root")
-    roots = [name for name in ("inverse", "inverse_across", "inverse_below") if f"{name}(" in text]
+    roots = [name for name in ("inverse", "inverse_below") if f"{name}(" in text]
     if roots:
         blocks.append(f"from .._inverse import {', '.join(roots)}")
     starts = ["from .._starts import between"] if "between(" in text else []

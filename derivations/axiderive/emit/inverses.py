@@ -5,7 +5,7 @@ where two do, and over waves on a Taylor series.  Where `slope_bounds` proves th
 signs guarantee the bracket.  The count is not fixed: mostly three evaluations are enough, and the last point of an
 array ends it.  At most six have been seen in `tests/test_inverse_steps.py`, and elsewhere seven at four of 180 points
 next to the edge of a spherical tip and at one of 1200 beside a rounded edge; arrays on both sides of the edge of a
-spherical tip, which are two iterations, need up to ten.
+spherical tip, which are one iteration, need up to five of the whole array and three of numbers.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from ..entry import Entry
 from ..notation import a
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.signs import facts_of
+from ..stable.slopes import ROOT
 from .code import python
 from .compact import Compact
 from .growth import QUANTITY, exponents, powers, start, tip_exponent
@@ -123,15 +124,15 @@ class Inverses:
         if self.profile.truncated:
             b = str(self.compact.b)
             place = PLACES["beyond"].code.format(b)
-            rate = f"root * root / a * {slope.call('a', 'root')}"
+            scale = f"{python(HOMOGENEOUS.stiffness() / a)} * root * root" if suffix == "aF" else "root * root / a"
+            rate = f"{scale} * {slope.call('a', 'root')}"
             needs = {b}
         else:
             R = str(self.compact.scale("tip")[1])
             place = PLACES["below"].code.format(R)
-            rate = f"t * root * root / {R} * {slope.call('a', 'root')}"
+            scale = f"{python(HOMOGENEOUS.stiffness())} * t" if suffix == "aF" else "t"
+            rate = f"{scale} * root * root / {R} * {slope.call('a', 'root')}"
             needs = {R}
-        if suffix == "aF":
-            rate = f"{python(HOMOGENEOUS.stiffness())} * {rate}"
         like = start(self.compact, suffix)
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
@@ -154,10 +155,10 @@ class Inverses:
         curve, field = TARGET[suffix]
         if self.compact.scale("tip")[0] == "waves":
             return self._over_waves(suffix, name)
-        lines, needs = self._curve(suffix)
-        largest = self.profile.largest
         if self.compact.b is not None:
             return self._across(suffix, name)
+        lines, needs = self._curve(suffix)
+        largest = self.profile.largest
         if largest is not None:
             needs = needs | {str(s) for s in largest.free_symbols}
             like = start(self.compact, suffix)
@@ -170,7 +171,7 @@ class Inverses:
                 f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
             ]
             return self.functions.add(name, (field,), lines, needs)
-        first = "start" if self.compact.summed else f"np.full_like({field}, {python(self.first_radius())})"
+        first = "start" if self.compact.summed else f"{python(self.first_radius())} * np.ones_like({field})"
         needs = needs | {str(s) for s in self.first_radius().free_symbols}
         lines += self._least_start(suffix)
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
@@ -188,34 +189,36 @@ class Inverses:
         lines = [
             "def curve(a: Array) -> tuple[Array, Array]:",
             f"    value = {target.call('a')}",
-            f"    return value, {self._scaled(suffix, 'a')} * {slope} / value",
+            f"    return value, {self._rate(suffix)} * {slope} / value",
             "",
         ]
         return lines, {*target.needs, *more, *({"E_star"} if suffix == "aF" else ())}
 
     @staticmethod
-    def _scaled(suffix: str, factor: str) -> str:
-        return f"{python(HOMOGENEOUS.stiffness())} * {factor}" if suffix == "aF" else factor
+    def _rate(suffix: str) -> str:
+        """What the slope g' is multiplied with in the derivative by ln a."""
+        return python(HOMOGENEOUS.stiffness() * a) if suffix == "aF" else "a"
 
     def _across(self, suffix: str, name: str) -> Private:
-        """Below and beyond the break, each with its own unknown."""
-        curve, field = TARGET[suffix]
-        target, b = self.functions.functions[curve], str(self.compact.b)
-        slope = self.compact.slopes["beyond"][0]
-        beyond = self.functions.functions[f"{curve}_beyond"]
-        lines, needs = self._curve(suffix)
+        """Beyond the break where the tip is a power, else on both sides, each with its own unknown."""
+        (curve, field), b = TARGET[suffix], str(self.compact.b)
         grown, leaves = tip_exponent(self.compact, suffix), powers(self.compact, suffix)
-        kind, length = self.compact.scale("tip")
-        end = f", {length}" if kind == "tanh" else ""
-        lines += [
-            "def beyond(a: Array, root: Array) -> tuple[Array, Array]:",
-            f"    value = {beyond.call('a', 'root')}",
-            f"    return value, {self._scaled(suffix, 'root * root / a')} * {slope.call('a', 'root')}",
+        if self.compact.scale("tip")[0] == "tanh":
+            slope = self._joined_slope()
+            found = f"inverse_across(curve, {field}, {b}, {grown}, {self.compact.scale('tip')[1]}, {leaves})"
+        else:
+            slope = self.compact.slopes["beyond"][0]
+            found = f"inverse_beyond(curve, {field}, {b}, {grown}, {leaves})"
+        target = self.functions.functions.get(f"{curve}_at") or self.functions.functions[f"{curve}_beyond"]
+        lines = [
+            "def curve(a: Array, root: Array) -> tuple[Array, Array]:",
+            f"    rate = {self._rate(suffix)} * {slope.call('a', 'root')}",
+            f"    return {target.call('a', 'root')}, rate",
             "",
-            f"base = {beyond.call(b, f'0.0 * {b}')}",
-            f"return inverse_across(curve, beyond, {field}, {b}, {grown}{end}, base=base, {leaves})",
+            f"return {found}",
         ]
-        return self.functions.add(name, (field,), lines, {*needs, *slope.needs, *target.needs, b})
+        needs = {*target.needs, *slope.needs, b, *({"E_star"} if suffix == "aF" else ())}
+        return self.functions.add(name, (field,), lines, needs)
 
     def _least_start(self, suffix: str) -> list[str]:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
@@ -240,34 +243,23 @@ class Inverses:
         return lengths[-1] / 1000 if lengths else sp.S.One
 
     def _slope_of_radius(self) -> tuple[str, set[str]]:
-        """Text of g'(a) in all regimes."""
+        """Text of g'(a) without a break."""
         if self.compact.summed:
             depth = self.functions.functions["slope"]
             return depth.call("a"), set(depth.needs)
         tip = self.compact.slopes.get("tip")
-        if self.compact.b is None:
-            assert tip is not None
-            return tip[0].call("a"), set(tip[0].needs)
-        beyond = self.compact.slopes["beyond"][0]
-        slope = self._joined_slope(tip[0] if tip else None, beyond)
-        return slope.call("a"), set(slope.needs)
-
-    def _joined_slope(self, tip: Private | None, beyond: Private) -> Private:
-        known = self.functions.functions.get("slope_at")
-        if known:
-            return known
         assert tip is not None
-        b = str(self.compact.b)
-        root = "np.sqrt((R - a) * (R + a))" if len(tip.fields) == 2 else ""
-        inner = tip.call("a", root) if root else tip.call("a")
+        return tip[0].call("a"), set(tip[0].needs)
+
+    def _joined_slope(self) -> Private:
+        tip, beyond = (self.compact.slopes[side][0] for side in ("tip", "beyond"))
+        b, end = self.compact.b, self.compact.scale("tip")[1]
         lines = [
-            f"root = np.sqrt((a - {b}) * (a + {b}))",
-            f"return np.where(a < {b}, {inner}, {beyond.call('a', 'root')})",
+            f"root_tip = np.sqrt(({end} - a) * ({end} + a))",
+            f"return np.where(a < {b}, {tip.call('a', 'root_tip')}, {beyond.call('a', 'root')})",
         ]
         doc = "Rate g'(a) of the indentation depth on both sides of the break."
-        return self.functions.add(
-            "slope_at", ("a",), lines, {*tip.needs, *beyond.needs, b} | ({"R"} if root else set()), doc
-        )
+        return self.functions.add("slope_at", ("a", ROOT), lines, {*tip.needs, *beyond.needs, str(b), str(end)}, doc)
 
     def _exponents(self, suffix: str) -> str:
         """Whole numbers between which d ln value/d ln t lies."""

@@ -29,6 +29,9 @@ class Lumped(Regimes):
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
         if len(forms) > 1 and suffix != "pm":
+            if self.scale("tip")[0] == "tanh":
+                inner = self._joined(name, self._of_lengths(suffix, forms), ("a", ROOT))
+                return self.functions.add(name, ("a",), [f"return {inner.call('a', self._reach())}"], inner.needs)
             self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
             return self._joined(name, self._of_lengths(suffix, forms))
@@ -45,9 +48,11 @@ class Lumped(Regimes):
     def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
         """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
-        for key, form in forms.items():
-            lines += self.functions.steps(form, given)
-            needs |= self.functions.needs(form, given)
+        # where a root is given the tip comes last: it may have one of its own
+        for key, form in sorted(forms.items(), reverse=ROOT not in given):
+            own = ("a",) if len(forms) > 1 and key == "tip" else given
+            lines += self.functions.steps(form, own)
+            needs |= self.functions.needs(form, own)
             value = self.functions.value_lines(form.value, lines)
             lines.append(f"{key} = {value}" if len(forms) > 1 else f"return {value}")
         if len(forms) > 1:
@@ -103,7 +108,7 @@ class Lumped(Regimes):
         lines.append("return tip + beyond")
         needs = {*needs, *slope.needs, str(self.b)}
         # the root says more of a radius next to the break: for the inverse
-        whole = self.functions.add("force_beyond", ("a", "reach"), lines, needs)
+        whole = self.functions.add("force_at", ("a", "reach"), lines, needs)
         reach = self._reach()
         own = needs if reach.startswith("difference_root") else needs - {str(self.b)}
         return self.functions.add("force", ("a",), [f"return {whole.call('a', reach)}"], own)

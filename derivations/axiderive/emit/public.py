@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
@@ -14,7 +14,7 @@ from ..notation import a, coefficients, r
 from ..profiles.profile import Profile
 from . import example
 from .code import python
-from .docstring import SUMMARY, checked_only, docstring
+from .docstring import SUMMARY, docstring
 from .imports import WITH_MATH, Public
 from .private import Private, PrivateFunctions, parameter_name
 
@@ -41,9 +41,9 @@ def public(
         body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
         if "A" in private.needs:
             function, passed = f"partial({private.name}, A=A)", [p for p in passed if p != "A=A"]
-    body.append(f"return elementwise({', '.join([function, *fields, *passed])})")
+    spread = unused(name for name in required if name not in private.needs)
+    body.append(f"return elementwise({', '.join([function, *fields, *passed, *spread])})")
     notes = _notes(profile, quantity, private, functions)
-    notes[0] = " ".join([notes[0], *checked_only(required, private.needs)])
     doc = docstring(profile, quantity, entry, notes, shown)
     signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
     if len(signature) > 120:
@@ -51,6 +51,12 @@ def public(
     # a rule between parameters and a sequence of coefficients are checked by the function itself
     decorator = "" if summed or profile.rules else WITH_MATH
     return Public(signature, SUMMARY[quantity.suffix], doc, body, decorator)
+
+
+def unused(names: Iterable[str]) -> list[str]:
+    """The argument of `elementwise` for parameters on which the value does not depend, if there are any."""
+    given = "".join(f"{name}, " for name in names)
+    return [f"unused=({given.strip() if given.count(',') == 1 else given.strip(', ')})"] if given else []
 
 
 def _notes(profile: Profile, quantity: Quantity, private: Private, functions: PrivateFunctions) -> list[str]:
@@ -64,7 +70,7 @@ def _notes(profile: Profile, quantity: Quantity, private: Private, functions: Pr
             text += "\n" + "\n".join(other.lines)
     if "_integral" in text or "power_pressure" in text or "power_displacement" in text or "power_punches" in text:
         notes.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
-    if re.search(r"\binverse(_across|_below|_over_waves)?\(", text):
+    if re.search(r"\binverse(_across|_below|_beyond|_over_waves)?\(", text):
         notes.append("Evaluated by a safeguarded Newton iteration.")
     if profile.note and quantity.suffix in ("p", "F", "d") and coefficients not in profile.parameters:
         notes.append(f"{profile.note[:1].upper()}{profile.note[1:]}.")

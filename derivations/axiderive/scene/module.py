@@ -5,14 +5,15 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, MutableMapping, Sequence
 from dataclasses import dataclass
 
 from ..emit.python import NODE_COUNTS
 from .assembled import REQUIRE_ORDER, Assembled
 from .library import Key, Module
-from .linking import OWN, Linker, Wanted
+from .linking import OWN, SHARED, Linker, Wanted
 from .rewriting import documented
+from .specialising import specialised
 
 CORE = '''def _elementwise(function{option}):
     """Numbers or arrays in, a float or an array out{nan}."""
@@ -64,7 +65,7 @@ class Constant:
 
 def module_text(
     head: str,
-    modules: Mapping[str, Module],
+    modules: MutableMapping[str, Module],
     wanted: Sequence[Wanted],
     constants: Sequence[Constant],
     domains: Mapping[str, tuple[str, str]],
@@ -93,6 +94,7 @@ def module_text(
     frozen = frozenset(c.name for c in constants)
     positive = frozenset(c.name for c in constants if c.value > 0.0)
     roots = (*(one.key for one in above), *([(OWN, REQUIRE_ORDER)] if order else []))
+    modules = specialised(modules, [*(one.key for one in wanted), *roots], frozenset(SHARED))
     linker = Linker(modules, wanted, frozen, positive, roots)
     checks = _Checks(frozen, order)
     public, merged = [], set()

@@ -19,7 +19,7 @@ PACKAGE = "axicontact"
 RULES = ("integral", "panels")
 STRIPS = frozenset(("depth_beyond", "load_beyond", "slope_beyond"))
 """Rules of the plane problem; private functions of other modules end on the same words."""
-ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_over_waves"))
+ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_beyond", "inverse_over_waves"))
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",

@@ -63,7 +63,8 @@ class _Complete:
         body = [f"require({', '.join(f'{name}={name}' for name in names)})", *(ORDER if "n" in names else [])]
         fields = [str(argument) for argument in entry.quantity.arguments]
         used = ["a", "H", "k"] if suffix == "k" and not fields else names
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used)}")
+        apart = [name for name in names if name not in used]
+        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
         notes = f"Valid for {self.profile.validity}."
         if fields:
             notes += " Negative or NaN field values give NaN"

@@ -122,8 +122,11 @@ class Writer:
             source = "\n".join([*fit(head, 0), body])
         self.private.append(source)
 
-    def evaluated(self, function: str, fields: Sequence[str], names: Sequence[str], **signed: str) -> str:
-        return evaluate(function, fields, names, self.summed and "A" in names, **signed)
+    def evaluated(
+        self, function: str, fields: Sequence[str], names: Sequence[str], apart: Sequence[str] = (), **signed: str
+    ) -> str:
+        apart = [name for name in apart if not (self.summed and name == "A")]
+        return evaluate(function, fields, names, self.summed and "A" in names, apart, **signed)
 
     def source(self, title: str) -> str:
         body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)

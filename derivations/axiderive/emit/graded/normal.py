@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...entry import COMPACT, Entry
 from ...notation import a
-from ..docstring import SUMMARY, checked_only
+from ..docstring import SUMMARY
 from ..layout import fit
 from ..physics.text import name_of
 from .families import Family, family
@@ -56,12 +56,12 @@ class _Normal:
         body = writer.checks(entry.parameters, reach=profile.truncated and at_radius)
         fields = [str(argument) for argument in entry.quantity.arguments]
         used = ["H", "k"] if suffix == "k" else [name_of(symbol) for symbol in entry.parameters]
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used)}")
+        apart = self.writer.geometry if suffix == "k" else []
+        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
         outside = "Negative or NaN field values"
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
         notes = [f"Valid for {profile.validity}. {outside} give NaN."]
-        notes += checked_only(self.writer.geometry if suffix == "k" else [], fields)
         if suffix in METHOD:
             notes.append(METHOD[suffix])
         if suffix in INVERSES and self.family.power is None:

@@ -72,11 +72,17 @@ def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str
 
 def _rate(module: NormalModule) -> list[str]:
     functions, profile = module.functions, module.profile
-    if "_slope_at" in functions:
+    known = functions.get("_slope_at")
+    if known is not None and known[1:2] != ["root"]:
         return [f"return {module.call('_slope_at', 'a')}"]
     if "_slope_beyond" in functions:
-        root = "np.sqrt(np.maximum(a - b, 0.0) * (a + b))"
-        return [f"root = {root}", f"return {module.call('_slope_beyond', 'a', 'root')}"]
+        b = profile.breaks[0]
+        lines = [f"{symbol} = {python(own)}" for symbol, own in profile.abbreviations if symbol == b]
+        lines.append(f"root = np.sqrt(np.maximum(a - {b}, 0.0) * (a + {b}))")
+        rate = module.call("_slope_at" if known else "_slope_beyond", "a", "root")
+        if known is None and "_slope" in functions:
+            rate = f"np.where(a < {b}, {module.call('_slope', 'a')}, {rate})"
+        return [*lines, f"return {rate}"]
     if functions["_slope"][1:2] == ["root"]:
         end = profile.chain[-1]
         root = f"np.sqrt(np.maximum({end} - a, 0.0) * ({end} + a))"

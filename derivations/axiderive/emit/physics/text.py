@@ -16,6 +16,7 @@ from ...profiles.profile import Profile
 from .. import docstring
 from ..layout import fit, from_import
 from ..private import parameter_name
+from ..public import unused
 from ..symbols import LETTERS, LOADED
 
 PACKAGE = "axicontact"
@@ -196,11 +197,22 @@ def private(name: str, fields: Sequence[str], needs: Sequence[str], lines: Seque
     return "\n".join([*head, *shown, *(f"    {line}" for own in lines for line in fit(own))]) + "\n"
 
 
-def evaluate(function: str, fields: Sequence[str], keywords: Sequence[str], summed: bool, **signed: str) -> str:
-    """The evaluation of a private function over arrays; fields that may be negative are passed by name."""
+def evaluate(
+    function: str,
+    fields: Sequence[str],
+    keywords: Sequence[str],
+    summed: bool,
+    apart: Sequence[str] = (),
+    **signed: str,
+) -> str:
+    """The evaluation of a private function over arrays; fields that may be negative are passed by name.
+
+    Parameters that stand `apart` only have a say in the shape.
+    """
     passed = [f"{name}={name}" for name in keywords if not (summed and name == "A")]
     if summed:
         function = f"partial({function}, A=A)"
+    passed += unused(apart)
     return f"elementwise({', '.join([function, *fields, *(f'{k}={v}' for k, v in signed.items()), *passed])})"
 
 

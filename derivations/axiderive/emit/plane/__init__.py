@@ -12,7 +12,7 @@ from ...profiles.profile import Profile
 from ..physics import text
 from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
-from ..public import PACKAGE, check
+from ..public import PACKAGE, check, unused
 from ..splits import split
 from ..vocabulary import HELPERS
 from . import document, eccentric, shown
@@ -97,7 +97,7 @@ class _Module:
         symbols = entry.parameters if entry else self.profile.parameters
         fields, keywords = [str(field) for field in quantity.arguments], [str(symbol) for symbol in symbols]
         private = self.functions.functions[quantity.function]
-        body = [*self._checks(keywords, fields), f"return {self._evaluation(quantity, private, fields)}"]
+        body = [*self._checks(keywords, fields), f"return {self._evaluation(quantity, private, fields, keywords)}"]
         whole = "\n".join(line for own in self._used(private) for line in own.lines)
         example = shown.lines(self.profile, self.entries, quantity, symbols)
         doc = document.text(
@@ -115,11 +115,12 @@ class _Module:
             lines.append(f'require_reach(a, {self.profile.breaks[0]}, "plane.flat_punch")')
         return lines
 
-    def _evaluation(self, quantity: Quantity, private: Private, fields: list[str]) -> str:
+    def _evaluation(self, quantity: Quantity, private: Private, fields: list[str], keywords: list[str]) -> str:
         given = {"e": "turned(x, e)"} if quantity.suffix == "p" else {}
         passed = [f"{name}={given.get(name, name)}" for name in private.needs]
         wrapper = EVALUATED.get(quantity.suffix, "elementwise")
-        return f"{wrapper}({', '.join([private.name, *fields, *passed])})"
+        spread = unused(name for name in keywords if name not in private.needs)
+        return f"{wrapper}({', '.join([private.name, *fields, *passed, *spread])})"
 
     def _used(self, private: Private) -> list[Private]:
         """The function and those it calls or hands to a rule."""

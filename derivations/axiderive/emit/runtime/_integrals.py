@@ -71,12 +71,15 @@ def integral_in_strip(
     width: Array | float = 1.0,
     lengths: tuple[tuple[float, int], ...] = STRIPS,
 ) -> Array:
-    """Integral from 0 to `stop`, without singularities closer than width*pi/2 to the real axis; see STRIPS."""
+    """Integral from 0 to `stop` by the rules of STRIPS, without singularities closer than pi/2 to the real axis.
+
+    With a `width`, closer than width*pi/2.
+    """
     longest = float(np.max(np.where(np.isfinite(stop), stop / width, 0.0), initial=0.0))
     for length, count in lengths:
         if longest <= length:
             return integral(integrand, stop, count)
-    return integral_by_panels(integrand, stop, np.ones_like(stop) * (length * width), count)
+    return integral_by_panels(integrand, stop, np.full_like(stop, length * width), count)
 
 
 def integral_by_length(

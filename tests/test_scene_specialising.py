@@ -1,0 +1,105 @@
+"""A scene holds no parameter that its calls leave at one value, and nothing that such a value decides."""
+
+from __future__ import annotations
+
+import ast
+import re
+
+import pytest
+from scenes import EXAMPLES, composed_from
+
+from axiderive.scene.library import Module
+from axiderive.scene.specialising import specialised
+
+RULE = '''
+LENGTHS = (1.0, 2.0)
+
+
+def rule(x, stop, width=1.0, lengths=LENGTHS, tip=None, smooth=False, least=0.0):
+    """The rule.  Without `width` it is none of this.
+
+    Up to `stop`.  A `tip` is said in two
+    words.
+    """
+    longest = np.minimum((x + stop) / width, np.inf)
+    # of the tip
+    if tip is not None:
+        longest = tip(longest)
+    if not smooth:
+        # twice
+        longest = longest + 0.0 * least
+        return longest if tip is None else tip
+    return many(x, width=width) - lengths[0]
+
+
+def many(x, width=1.0):
+    def inner(y):
+        return width * (y - 1.0)
+
+    return inner(x) + x if width > 2.0 else inner(x) * width
+'''
+
+
+def texts(callers: str) -> dict[str, str]:
+    modules = {"rules": Module("rules", RULE), "own": Module("own", f"from .rules import many, rule\n{callers}")}
+    found = specialised(modules, [("own", "f")], frozenset())
+    return {
+        name: found["rules"].source(found["rules"].definitions[name].node) for name in ("rule", "many")
+    } | {"f": found["own"].source(found["own"].definitions["f"].node)}  # fmt: skip
+
+
+def test_what_a_default_decides_is_decided():
+    """The condition, its branch and its comment, the operation, the sentence; bodies keep all else as it was."""
+    found = texts("def f(x):\n    return rule(x, 2.0, least=3.0)\n")
+    assert found["f"] == "def f(x):\n    return rule(x, 2.0)"
+    assert found["rule"] == (
+        'def rule(x, stop):\n    """The rule.\n\n    Up to `stop`.\n    """\n'
+        "    longest = np.minimum(x + stop, np.inf)\n"
+        "    # twice\n    longest = longest + 0.0 * 3.0\n    return longest"
+    )
+
+
+def test_a_value_that_all_calls_pass_is_one_as_well():
+    """Through another function too; the constant of a module keeps its name."""
+    found = texts("def f(x):\n    return rule(x, 2.0, 1.0, smooth=True) + many(x)\n")
+    assert "return many(x) - LENGTHS[0]" in found["rule"]
+    assert "if" not in found["rule"]
+    assert found["many"].endswith("return y - 1.0\n\n    return inner(x)")
+    assert found["f"] == "def f(x):\n    return rule(x, 2.0) + many(x)"
+
+
+@pytest.mark.parametrize(
+    "caller",
+    [
+        "def f(x):\n    return many(x, 3.0) + many(x)\n",
+        "def f(x):\n    return many(x, x)\n",
+        "def f(*x):\n    return many(*x)\n",
+        "def f(x):\n    return x(many) + many(x)\n",
+    ],
+    ids=["two values", "no constant", "unpacked", "handed on"],
+)
+def test_what_is_not_one_value_stays(caller):
+    assert texts(caller)["many"] == RULE[RULE.index("def many") :].strip()
+
+
+def test_what_is_asked_of_the_scene_stays():
+    found = specialised({"rules": Module("rules", RULE)}, [("rules", "many")], frozenset())
+    assert found["rules"].text == RULE
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_default_of_an_example_is_used_and_left(path):
+    """With the inverses of a rounded punch: none but what is said where it is called, and no constant without use."""
+    source = re.sub(r"(?s)\[want\].*", "", path.read_text())
+    module = next(t.decode() for n, t in composed_from(source).files.items() if n.endswith(".py") and "test_" not in n)
+    tree = ast.parse(module)
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    for function in (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name.startswith("_")):
+        own = [call for call in calls if ast.unparse(call.func) == function.name]
+        names = [arg.arg for arg in function.args.args]
+        for name in names[len(names) - len(function.args.defaults) :]:
+            said = [len(c.args) > names.index(name) or name in {k.arg for k in c.keywords} for c in own]
+            assert not own or (any(said) and not all(said)), (function.name, name)
+    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    constants = {node.targets[0].id for node in tree.body if isinstance(node, ast.Assign)}
+    assert constants <= used, constants - used
