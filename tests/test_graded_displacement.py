@@ -14,8 +14,8 @@ import pytest
 
 UNITS = 4.5
 """Of 2**-52; 3.6 is the most of 40 points of every profile."""
-WITH_A_POWER = 9.0
-"""The same of a paraboloid and waves, of which the factor of the power loses 7 at k = -0.2."""
+WITH_A_POWER = 5.5
+"""The same of a paraboloid and waves, of which the factor of the power loses up to 5."""
 SOFTEST = (1.0 - 1e-14, 1.0 - 3e-12)
 GRADINGS = (1.0 - 1e-4, 0.36, -0.2)
 Numbers = dict[str, Any]

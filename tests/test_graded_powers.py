@@ -22,18 +22,17 @@ def exact(suffix: str, **values: float) -> float:
     return float(evaluate(case_at(ENTRIES[suffix], known).expr, known, 30))
 
 
-@pytest.mark.parametrize("k", [-1 + 1e-15, -0.9, 1e-9, 0.3, 1 - 1e-15])
+@pytest.mark.parametrize("k", [-1 + 1e-15, -0.9, 1e-9, 0.3, 0.6995366749323075, 1 - 1e-15])
 def test_depth_and_force_for_any_exponent(k: float) -> None:
-    """Measured over 1500 draws: 14 units; quotients of math.gamma lose 54, a rounded n + 1 + k loses 325."""
+    """A product of quotients loses 17 units, quotients of math.gamma 54, a rounded n + 1 + k 325; 8 are left."""
     draw = random.Random(7)
-    for _ in range(60):
-        n = 10 ** draw.uniform(-3, 3)
+    for n in (2.0, 4.0, 12.0, *(10 ** draw.uniform(-3, 3) for _ in range(60))):
         with mp.workdps(40):
             m, q = mp.mpf(n), mp.mpf(k)
             depth = mp.gamma(m / 2 + 1) * mp.gamma((1 + q) / 2) / mp.gamma((m + 1 + q) / 2)
             force = 2 / (1 + q) * depth * m / (m + 1 + q)
-        assert power_law.depth(1.0, A=1.0, n=n, k=k) == pytest.approx(float(depth), rel=20 * EPS)
-        assert power_law.force(1.0, A=1.0, n=n, H=1.0, k=k) == pytest.approx(float(force), rel=20 * EPS)
+        assert power_law.depth(1.0, A=1.0, n=n, k=k) == pytest.approx(float(depth), rel=10 * EPS, abs=0.0)
+        assert power_law.force(1.0, A=1.0, n=n, H=1.0, k=k) == pytest.approx(float(force), rel=10 * EPS, abs=0.0)
 
 
 @pytest.mark.parametrize("n", [300.0, 896.7655093517493])
@@ -41,7 +40,7 @@ def test_displacement_far_outside_a_steep_profile(n: float) -> None:
     """With n in the weight of the rule the sum cancels: a per cent of the value is lost."""
     for k, r in ((0.8, 44162.455), (-0.5, 1.0001), (0.3, 7.0)):
         found = power_law.displacement(r, 1.0, A=1.0, n=n, k=k)
-        assert found == pytest.approx(exact("w", r=r, a=1.0, A=1.0, n=n, k=k), rel=40 * EPS)
+        assert found == pytest.approx(exact("w", r=r, a=1.0, A=1.0, n=n, k=k), rel=40 * EPS, abs=0.0)
 
 
 @pytest.mark.parametrize("gap", [1e-15, 1e-9])
@@ -50,4 +49,4 @@ def test_pressure_next_to_the_least_grading(gap: float) -> None:
     k = -1.0 + gap
     for n, r in ((0.13, 0.3), (1.0, 1e-7), (5.7, 0.999)):
         found = power_law.pressure(r, 1.0, A=1.0, n=n, H=1.0, k=k)
-        assert found == pytest.approx(exact("p", r=r, a=1.0, A=1.0, n=n, H=1.0, k=k), rel=40 * EPS)
+        assert found == pytest.approx(exact("p", r=r, a=1.0, A=1.0, n=n, H=1.0, k=k), rel=40 * EPS, abs=0.0)
