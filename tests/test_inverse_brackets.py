@@ -12,6 +12,7 @@ import pytest
 import sympy as sp
 
 from axicontact import _inverse, _waves
+from axicontact.normal import polynomial, power_law
 from axiderive.contact.normal import derive
 from axiderive.emit.compact import Compact
 from axiderive.emit.growth import DIGITS, Growth, exponents
@@ -119,3 +120,13 @@ def test_a_start_far_below_the_root_is_no_end() -> None:
 
     t = _inverse.inverse(straight, np.ones(1), np.full(1, 1e-9), (0.5, 2.0), share=share)
     assert t[0] == pytest.approx(1.0, rel=4 * EPS)
+
+
+def test_a_coefficient_next_to_the_largest_double() -> None:
+    """Its product with the numbers of the formula overflows; the radii are those of the power law of the same term."""
+    height = 1.7e308
+    for inverse, value in (("radius_from_depth", 1e3), ("radius_from_force", 1e-80)):
+        given = {"E_star": 1e9} if inverse == "radius_from_force" else {}
+        wanted = getattr(power_law, inverse)(value, A=height, n=3.0, **given)
+        found = getattr(polynomial, inverse)(value, A=(0.0, 0.0, height), **given)
+        assert 0.0 < wanted and abs(found / wanted - 1.0) <= 4 * EPS

@@ -66,6 +66,7 @@ LOST = (
     ("sphere_tipped_cone", "F", {"R": 3.0, "theta": 1.495, "a": 3.1}),
     ("sphere_tipped_cone", "d", {"R": 3.0, "theta": 1.495, "a": 3.001}),
     ("polynomial", "p", {"r": 1e-296, "a": 3e-5, "coefficients": (1e9, 1e-20, 1e-130)}),
+    ("polynomial", "F", {"a": 1e-60, "coefficients": (1e-6, 1.0, 1.7e308), "E_star": 1e3}),
     ("power_law", "p", {"r": 1e-280, "a": 1.0, "A": 1.0, "n": 0.98}),
     ("rounded_punch", "d", {"a": 1.8746813415594177e-39, "b": 1.8746813415583988e-39, "R": 1.29e-288}),
     ("rounded_punch", "pm", {"a": 2.175644678052423e-15, "b": 2.1756446780471034e-15, "R": 1.2854777830565116e-105}),
@@ -82,7 +83,8 @@ LOST = (
     ("capped_cylinder", "F", {"d": 0.00015821124921569212, "a": 0.3636404211891072, "R": 24.86252514700571}),
 )
 """Points where forms that nearly do lose 3 to 460 units: b = R sin(theta) rounded next to a = b, the cube of a root
-or of an angle that is rounded, 64 nodes for a power close to 1 over hundreds of decades."""
+or of an angle that is rounded, 64 nodes for a power close to 1 over hundreds of decades, a coefficient
+whose product with numbers alone is no double."""
 
 
 def bound(entry: Entry) -> float:

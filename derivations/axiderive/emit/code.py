@@ -66,8 +66,9 @@ def _function(expr: sp.Expr) -> str:
         return f"np.log1p(({python(x - y)} + {_wrapped(root, PRODUCT)}) / {_wrapped(y, ATOM)})"
     if isinstance(expr, sp.Sum):
         (index, first, _), base = expr.limits[0], expr.function.atoms(sp.IndexedBase).pop()
-        term = expr.function.subs(base[index], sp.Symbol(f"{base.label}_{index}", positive=True))
-        return f"sum({python(term)} for {index}, {base.label}_{index} in enumerate({base.label}, {first}))"
+        # last, because its product with numbers alone may overflow
+        term = f"{_wrapped(expr.function / base[index], PRODUCT)} * {base.label}_{index}"
+        return f"sum({term} for {index}, {base.label}_{index} in enumerate({base.label}, {first}))"
     if isinstance(expr, masters.StruveH):
         return f"struve_h{expr.args[0]}({python(expr.args[1])})"
     return f"{FUNCTIONS[expr.func]}({', '.join(python(arg) for arg in expr.args)})"

@@ -228,12 +228,12 @@ class Inverses:
         value = evaluation_form(self.compact.entries[quantity].cases[0].expr, facts_of((a,))).value
         (series,) = value.atoms(sp.Sum)
         (coefficient,) = series.function.atoms(sp.Indexed)
-        first = series.function.subs({coefficient: sp.Symbol("A_j", positive=True), a: 1})
-        alone = python(value.subs(series, first))
+        share = python(sp.Symbol(field, positive=True) / value.subs(series, (series.function / coefficient).subs(a, 1)))
         degree = "j" if suffix == "ad" else "(j + 1)"
         return [
-            f"alone = ({alone} for j, A_j in enumerate(A, 1))",
-            f"terms = (np.log({field} / term) / {degree} for j, term in enumerate(alone, 1))",
+            # the coefficient by itself, because its product with numbers alone may overflow
+            f"alone = ({share} / A_j for j, A_j in enumerate(A, 1))",
+            f"terms = (np.log(share) / {degree} for j, share in enumerate(alone, 1))",
             "start = np.exp(reduce(np.minimum, terms))",
         ]
 
