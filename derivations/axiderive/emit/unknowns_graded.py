@@ -157,8 +157,11 @@ def _across(entries: Mapping[str, Entry], own: Family) -> Iterator[Unknown]:
         yield Unknown("x", BOTH, f"a<{b}", (_like_the_tip("x", a, end), _like_the_tip("x_1", b, end)))
     for suffix in BOTH:
         text, value = _share(entries, b, suffix)
-        begins = ("x", "x_0", "x_1", LAST) if own.has("tipped") else ("a", "a", str(b), b)
-        yield _begun(suffix, f"a<{b}", *begins, text, value)
+        if own.has("tipped"):
+            letter, begins = "x", Equation("x_0", f"x_1 {text}", LAST * value)
+        else:
+            letter, begins = "a", Equation("a", f"{b} {text}", b * value)
+        yield Unknown(letter, (suffix,), f"a<{b}", (begins,), half=True)
     if not own.has("tipped") and not bends:
         yield Unknown("t", BOTH, f"a>{b}", (is_worth("a", b * sp.sqrt(1 + T**2)),), "start at one")
         return
@@ -176,12 +179,6 @@ def _share(entries: Mapping[str, Entry], b: sp.Symbol, suffix: str) -> tuple[str
     ratio = rf"\frac{{{name}}}{{{_named(suffix, str(b))}}}"
     text = rf"\sqrt{{{ratio}}}" if tip == 2 else rf"\Bigl[{ratio}\Bigr]^{{{Printer().exponent(1 / tip)}}}"
     return text, (load / _worth(entries, suffix, b)) ** (1 / tip)
-
-
-def _begun(
-    suffix: str, small: str, letter: str, left: str, scale: str, length: sp.Expr, text: str, value: sp.Expr
-) -> Unknown:
-    return Unknown(letter, (suffix,), small, (Equation(left, f"{scale} {text}", length * value),), half=True)
 
 
 def _like_the_tip(name: str, place: sp.Symbol, end: sp.Expr) -> Equation:
