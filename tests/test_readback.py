@@ -10,6 +10,7 @@ from stored_book import HANDBOOK, KEYS, PROFILES, front_readings, panel_readings
 
 from axiderive.contact.systems import problem
 from axiderive.emit import front, front_rules
+from axiderive.emit.handbook import behind
 from axiderive.emit.readback.source import Formula, arguments, formulas, without_remark
 
 READ_BACK = mp.mpf(10) ** -20
@@ -111,6 +112,16 @@ def test_arguments_of_a_row() -> None:
     tex = r"[p, q]{Force}{$a<b$}{\frac{1}{2}\{x\}\remark{with $a$ from \own{ad}}}{}"
     assert arguments(tex) == ["Force", "$a<b$", r"\frac{1}{2}\{x\}\remark{with $a$ from \own{ad}}", ""]
     assert without_remark(arguments(tex)[2]) == r"\frac{1}{2}\{x\}"
+
+
+@pytest.mark.parametrize("words", ["", "at small $s$", "words that fill a line of their own " * 4])
+@pytest.mark.parametrize("tex", ["a=b", r"\begin{aligned}[t]&a=b,\\[1.5mm]&\qquad c=d\end{aligned}"])
+def test_words_stand_behind_the_last_line_and_are_taken_off_again(tex: str, words: str) -> None:
+    shown = behind(tex, words)
+    assert without_remark(shown) == tex
+    *_, last = shown.removesuffix(r"\end{aligned}").split(r"\\[1.5mm]&")
+    assert last.endswith(f"\\remark{{{words}}}" if words else ("c=d", "a=b"))
+    assert last.startswith(r"\remark") == (len(words) > 60)
 
 
 HAND_SET = 0.15

@@ -127,7 +127,7 @@ def blocks(
             rows = rows_of(system, derived[problem.key], derived, problem.name)
             found[system.name] = _block(system, profile_id, rows, heading(system, derived[problem.key]))
             further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
-            found[system.name].further.extend(_halved(further))
+            found[system.name].further.extend(halved(further))
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found
@@ -172,7 +172,7 @@ def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mappin
     return [*found, *field_rows(problem.profile, entries)]
 
 
-def _halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
     """Lines of one row, or of two of a kind that take half a line each."""
     lines: list[list[dict[str, Any]]] = []
     for one in rows:

@@ -80,7 +80,7 @@ def _by_curve(key: str, load: str, n: sp.Expr, medium: Medium) -> dict[str, Any]
         own = _quotient(p, 2 * q, r"\frac{{{}}}{{{}}}", "{}")
         parts += [r"\frac{(1+s)^{m}-1-m s}{m-1}=y", f"y={excess}", f"m={own}", r"s_0=\sqrt{\frac{2 y}{m}}"]
     lines = packed(parts)
-    remark = "at small $s$" if m != 2 and max(map(width, lines)) + REMARK <= LINE else ""
+    remark = "at small $s$" if m != 2 and width(lines[-1]) + REMARK <= LINE else ""
     return _row("solved", f"{key}.a{load}", "Solved for $s$", _from(load), Region("", tuple(lines)).tex, remark)
 
 

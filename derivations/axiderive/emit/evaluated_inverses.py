@@ -18,7 +18,8 @@ from .places import PLACES, UNKNOWN
 from .printer import Printer
 from .private import PrivateFunctions
 from .rows import Region
-from .unknowns import Unknown, graded_unknowns, smooth, unknowns
+from .unknowns import Unknown, smooth, unknowns
+from .unknowns_graded import graded_unknowns
 
 RADII = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}"}
 
@@ -69,7 +70,7 @@ def _solved(own: Unknown, key: str) -> dict[str, Any]:
     lines = packed([f"{equation.left}={equation.right}" for equation in own.equations])
     keys = " ".join(f"{key}.{suffix}" for suffix in own.suffixes)
     tex, small = Region("", tuple(lines)).tex, own.small and f"${own.small}$"
-    return _row("solved", keys, f"Solved for ${own.letter}$", small, tex, remark=own.remark)
+    return _row("solved", keys, f"Solved for ${own.letter}$", small, tex, own.half, own.remark)
 
 
 def _row(

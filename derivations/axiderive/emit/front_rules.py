@@ -22,7 +22,7 @@ RULED = (
 )
 
 
-def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
+def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], list[list[dict[str, Any]]]]]:
     """The rules that hold for every profile, on the graded half-space, by the title of their system.
 
     Behind them stands how they are evaluated.
@@ -31,7 +31,7 @@ def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], Rows]]:
         (
             blocks.TITLES[system][0],
             _paired([_rule_row(system, suffix) for suffix in suffixes]),
-            rule_evaluations().get(system, []),
+            blocks.halved(rule_evaluations().get(system, [])),
         )
         for system, suffixes in RULED
     ]

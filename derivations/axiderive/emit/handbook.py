@@ -18,6 +18,7 @@ from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
 from . import book, references, spread
 from .study.timing import timing
+from .width import width
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -154,6 +155,7 @@ def templates() -> jinja2.Environment:
     )
     environment.globals.update(
         remark=remark,
+        behind=behind,
         shade=shade,
         tone=tone,
         numbers=numbers,
@@ -168,6 +170,24 @@ def remark(one: dict[str, Any]) -> str:
         return ""
     key = rf" \own{{{one['uses']}}}" if one["uses"] else ""
     return rf"\remark{{{one['remark']}{key}}}"
+
+
+ROOM = 380.0
+"""Points for a formula without a key and the words behind it."""
+
+
+def behind(tex: str, words: str) -> str:
+    """A formula with the words behind its last line, or on one more where that is full."""
+    if not words:
+        return tex
+    opening, closing, gap = r"\begin{aligned}[t]&", r"\end{aligned}", r"\\[1.5mm]&"
+    lines = tex.removeprefix(opening).removesuffix(closing).split(gap)
+    # 8.4 point type, and the spaces, which a formula does not have
+    room = ROOM - 12.0 - 0.84 * width(words) - 2.1 * words.count(" ")
+    if width(lines[-1]) > room:
+        lines.append("")
+    lines[-1] += rf"\remark{{{words}}}"
+    return lines[0] if len(lines) == 1 else opening + gap.join(lines) + closing
 
 
 def numbers(equations: Sequence[str]) -> str:

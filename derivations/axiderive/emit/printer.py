@@ -28,6 +28,8 @@ from .order import (
 from .printed_functions import MASTER_NAMES, FunctionPrinter
 
 NAMED = (r"\sin", r"\cos", r"\tan")
+PLAIN = (*TRIGONOMETRIC, sp.sign, sp.Abs)
+"""Functions of a symbol that a numerator may hold."""
 COUNTED = {nt.n, nt.k, nt.sigma, nt.alpha, nt.j, nt.N, sp.Symbol("m", positive=True)}
 """What a plain number is added to behind, as in n + 1; to everything else it is added in front: 1 + x."""
 EXPONENTS_OF_GRADING = (sp.Rational(-99, 100), sp.Rational(99, 100))
@@ -160,7 +162,7 @@ class Printer(FunctionPrinter):
             base.is_Add
             and exponent.is_Integer
             and len(base.args) <= 3
-            and all(isinstance(f, TRIGONOMETRIC) and f.args[0].is_Symbol for f in base.atoms(sp.Function))
+            and all(isinstance(f, PLAIN) and f.args[0].is_Symbol for f in base.atoms(sp.Function))
             and not has_fraction(base)
         )
 

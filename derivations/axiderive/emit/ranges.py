@@ -16,15 +16,38 @@ Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
 
 
 def regions(entry: Entry) -> tuple[tuple[Pairs, sp.Expr], ...]:
-    """As `Entry.regions`, with the whole chain where the cases do not compare the same lengths."""
+    """As `Entry.regions`, with the whole chain where the cases do not compare the same lengths.
+
+    What is zero beyond a place, as the pressure below a lifted edge, is two formulas.
+    """
     lengths = {frozenset(case.chain) for case in entry.cases}
     if len(lengths) == 1 or len(entry.cases) == 1:
-        return entry.regions()
-    return tuple((tuple(zip(case.chain, case.chain[1:], strict=False)), case.expr) for case in entry.cases)
+        found = entry.regions()
+    else:
+        found = tuple((tuple(zip(case.chain, case.chain[1:], strict=False)), case.expr) for case in entry.cases)
+    return tuple(side for pairs, expr in found for side in _sides(pairs, expr))
+
+
+def _sides(pairs: Pairs, expr: sp.Expr) -> tuple[tuple[Pairs, sp.Expr], ...]:
+    """A formula on either side of the place at which its max(0, ...) begins, in the order of the figure."""
+    tops = positive_parts(expr)
+    if not tops:
+        return ((pairs, expr),)
+    ((top, value),) = tops.items()
+    rest, place = value.as_independent(x, as_Add=True)
+    return (
+        ((*pairs, (-rest, place)), expr.xreplace({top: value})),
+        ((*pairs, (place, -rest)), expr.xreplace({top: sp.S.Zero})),
+    )
+
+
+def positive_parts(expr: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """Every max(0, u) of a formula, and its u."""
+    return {top: next(u for u in top.args if u != 0) for top in expr.atoms(sp.Max) if 0 in top.args}
 
 
 def chain_of(entry: Entry, expr: sp.Expr) -> tuple[sp.Expr, ...]:
-    return next(case.chain for case in entry.cases if case.expr == expr)
+    return next(case.chain for case in entry.cases if any(expr == own for _, own in _sides((), case.expr)))
 
 
 def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: Printer) -> str:

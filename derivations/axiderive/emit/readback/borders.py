@@ -14,6 +14,7 @@ import sympy as sp
 from ... import notation as nt
 from ...entry import Case, Entry
 from ...proof.shape import coefficient, number, numeric_symbols
+from ..ranges import positive_parts
 from .points import points_of
 from .printed import holds, name_in_print
 
@@ -28,10 +29,11 @@ PLACES = (nt.r, nt.x, nt.L)
 
 @dataclass(frozen=True)
 class Place:
-    """A point, and which case of its entry contains it; None outside of all."""
+    """A point, which case of its entry contains it, None outside of all, and which positive parts are not zero."""
 
     values: Numbers
     case: int | None
+    parts: tuple[bool, ...] = ()
 
 
 def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place], partial: bool = False) -> Iterator[str]:
@@ -41,11 +43,11 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place], 
     """
     if conditions == [""]:
         return
-    known: dict[int | None, tuple[bool, ...]] = {None: (False,) * len(conditions)}
+    known: dict[tuple[int | None, tuple[bool, ...]], tuple[bool, ...]] = {(None, ()): (False,) * len(conditions)}
     for place in places:
         env = {name: mp.mpf(value) for name, value in _names(place.values)}
         found = tuple(holds(condition, env) for condition in conditions)
-        wanted = known.setdefault(place.case, found)
+        wanted = known.setdefault((place.case, place.parts), found)
         if found != wanted or sum(found) > 1 or (place.case is not None and not partial and not any(found)):
             where = "outside" if place.case is None else f"in case {place.case + 1}"
             yield f"{entry.key}: {conditions} hold as {found} {where}, at {place.values}"
@@ -54,31 +56,39 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place], 
 def places_of(entry: Entry, kind: str, entries: Mapping[str, Entry], seed: int = 17) -> list[Place]:
     """Points inside of every case, and beside every border that moving one length can reach."""
     members = _members(entry)
+    meeting = [*itertools.combinations(members, 2)]
+    meeting += [(part, sp.S.Zero) for case in entry.cases for part in positive_parts(case.expr).values()]
     found = []
     for case, exact in points_of(entry, kind, entries, 1, seed):
         values = {s: float(number(exact[s])) for s in numeric_symbols(exact)}
         values |= {coefficient(i): 1.0 for i in range(1, 1 + int(exact.get(nt.N, 0)))}
-        found.append(Place(values, entry.cases.index(case)))
-        for moved in _moved(entry, members, values):
+        found.append(_placed(entry, values, entry.cases.index(case)))
+        for moved in _moved(entry, meeting, values):
             if _stands(entry, moved):
-                found.append(Place(moved, _case_at(entry.cases, moved)))
+                found.append(_placed(entry, moved, _case_at(entry.cases, moved)))
     return found
+
+
+def _placed(entry: Entry, values: Numbers, case: int | None) -> Place:
+    parts = () if case is None else positive_parts(entry.cases[case].expr).values()
+    return Place(values, case, tuple(_value(part, values) > 0 for part in parts))
 
 
 def _members(entry: Entry) -> tuple[sp.Expr, ...]:
     return tuple(dict.fromkeys(x for case in entry.cases for x in case.chain))
 
 
-def _moved(entry: Entry, members: tuple[sp.Expr, ...], values: Numbers) -> Iterator[Numbers]:
-    """The point with one length moved to either side of where two members meet."""
+def _moved(entry: Entry, meeting: list[tuple[sp.Expr, ...]], values: Numbers) -> Iterator[Numbers]:
+    """The point with one length moved to either side of where two lengths meet."""
     short = dict(entry.profile.abbreviations)
+    members = {x for pair in meeting for x in pair}
     free = {s for x in members for s in x.free_symbols} | {
         s for x in members if x in short for s in short[x].free_symbols
     }
     for symbol in sorted(free - set(short), key=str):
         if symbol not in values:
             continue
-        for pair in itertools.combinations(members, 2):
+        for pair in meeting:
             factor = _crossing(entry, pair, symbol, values)
             if factor:
                 yield from (_with(entry, symbol, values, factor * side) for side in (1 - GAP, 1 + GAP))

@@ -12,18 +12,23 @@ import sympy as sp
 from ... import notation as nt
 from ...proof.evaluate import evaluate
 from ...proof.shape import coefficient, number
-from ..unknowns import END, LAST, NAMES, Equation, T, Unknown, X
+from ..unknowns import END, FIRST, JOINT, LAST, LEADING, NAMES, NEXT, SHARE, Equation, T, Unknown, X
 from .compare import DIGITS
 from .evaluations import Stated, differs
-from .exact import Entries
+from .exact import Entries, functions
 from .grammar import read
 from .left import bound
 from .points import points_of
 from .printed import Printed, Values, holds, named
 
-DRAWN = {T: ("0.7", "1.9"), X: ("0.6", "2.3"), END: ("1.7", "2.9"), LAST: ("0.9", "0.8"), nt.d: ("0.3", "2.7"),
-         nt.F: ("0.4", "3.1")}  # fmt: skip
-"""Values of what is solved for, on both sides of a bend, and of the loads."""
+DRAWN = {T: ("0.75", "1.9"), X: ("0.65", "2.3"), LAST: ("0.9", "0.8"), JOINT: ("0.7", "1.3"), SHARE: ("0.8", "1.7"),
+         LEADING: ("1.1", "0.7"), NEXT: ("0.9", "2.1")}  # fmt: skip
+"""Values of what is solved for, on both sides of a bend."""
+LOADS = {"ad": ("d", nt.d), "aF": ("F", nt.F)}
+SHARES = (sp.Rational(3, 10), sp.Rational(4, 5))
+"""Loads over that of the radius of a point, and so of the last one."""
+SHARPER = sp.Rational(-17, 20)
+"""A grading next to which a bend would be sharp."""
 
 
 def chosen(one: Stated, unknowns: Iterable[Unknown]) -> Unknown | None:
@@ -38,12 +43,16 @@ def equations_differ(one: Stated, own: Unknown, entries: Entries) -> bool:
     if len(statements) != len(own.equations):
         return True
     met = False
-    places = points_of(entries["d"], "formula", entries, 1, 7)
-    for (_, values), side in itertools.product(places, range(2)):
-        known = values | {symbol: sp.Rational(texts[side]) for symbol, texts in DRAWN.items()}
+    quantity, load = LOADS[own.suffixes[-1]]
+    places = points_of(entries[quantity], "formula", entries, 1, 7)
+    gradings = ({}, {nt.k: SHARPER}) if "k" in one.small else ({},)
+    for (case, values), side, grading in itertools.product(places, range(2), gradings):
+        known = values | grading | {symbol: sp.Rational(texts[side]) for symbol, texts in DRAWN.items()}
+        known |= {FIRST: values[nt.a] / 2, END: values[nt.a]}
+        known |= {load: SHARES[side] * evaluate(case.expr, known, 2 * DIGITS)}
         with mp.workdps(2 * DIGITS):
             env = named(known) | {name: number(known[symbol]) for symbol, name in NAMES.items()}
-            env |= Printed(entries, entries).kappa
+            env |= Printed(entries, entries).kappa | functions(entries, known)
             if not holds(one.small, env):
                 continue
             met = True

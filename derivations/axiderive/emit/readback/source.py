@@ -24,6 +24,8 @@ class Formula:
     suffix: str = ""
 
 
+OPENING, GAP = r"\begin{aligned}[t]&", r"\\[1.5mm]&"
+"""Between the lines of a formula; the words behind it stand in the last one, or alone in it."""
 _BOXED = re.compile(r"\\labelbox\{[^}]*\}\{\}\\hspace\{2mm\}\$\\displaystyle (.*?)\$\\hfill")
 _NAMED = re.compile(r"\\hbox to\\textwidth\{\$\\displaystyle (.*?)\$\\hfill\\parbox")
 _CELL = re.compile(r"& \$\\displaystyle (.*?)\$(?= &|\\\\)")
@@ -62,7 +64,12 @@ def formulas(text: str) -> list[Formula]:
 
 def without_remark(tex: str) -> str:
     r"""The formula without the words behind it."""
-    return tex.partition(r"\remark{")[0]
+    formula, words, _ = tex.partition(r"\remark{")
+    if not words or not formula.startswith(OPENING):
+        return formula
+    lines = formula.removeprefix(OPENING).split(GAP)
+    lines = lines if lines[-1] else lines[:-1]
+    return lines[0] if len(lines) == 1 else OPENING + GAP.join(lines) + r"\end{aligned}"
 
 
 def arguments(text: str) -> list[str]:

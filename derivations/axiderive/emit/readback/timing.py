@@ -17,7 +17,8 @@ _SENTENCE = re.compile(
     r"worst error \$(?P<error>[^$]+)\$ at (?P<points>\d+) points"
     r"(?:; (?P<nodes>\d+) nodes of the rule reach \$(?P<reached>[^$]+)\$)?\. "
     r"(?:No other way shown reaches \$(?P<none>[^$]+)\$"
-    r"|The fastest other way to \$(?P<goal>[^$]+)\$, (?P<name>[^$]+), takes \$(?P<times>[^$]+)\$ times as long)\."
+    r"|The fastest other way to \$(?P<goal>[^$]+)\$, (?P<name>[^$]+), "
+    r"takes \$(?P<times>[^$]+)\$ (?P<words>times as long|of the time))\."
 )
 _LETTER = re.compile(r"\\textbf\{(\w)\}~\\textcolor\{note\}\{([^}]+)\}")
 SUFFIX = {"p(r)": "p", "p(x)": "p", "w(r)": "w", r"F_{\mathrm N}(d)": "Fd"}
@@ -56,6 +57,8 @@ def sentences(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Pr
             continue
         best = min(others, key=lambda row: float(row["ratio"]))
         yield Printout(f"{place} times", match["times"], mp.mpf(str(best["ratio"])))
+        faster = float(best["ratio"]) < 1
+        yield Said(match["words"], lambda tex, faster=faster: (tex == "of the time") != faster)  # type: ignore[misc]
         sizes = [_size(best)] if best["setting"] else []
         yield Said(match["name"], lambda tex, want=(best["method"], sizes): _named(tex) != want)  # type: ignore[misc]
 

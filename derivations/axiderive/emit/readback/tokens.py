@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 _LAYOUT = re.compile(
-    r"\\begin\{aligned\}(?:\[t\])?|\\end\{aligned\}|\\[,;:! ]|\\(?:[bB]igg?[lrm]?|displaystyle|allowbreak)(?![A-Za-z])"
+    r"\\begin\{aligned\}(?:\[t\])?|\\end\{aligned\}|\\[,;:! ]|\\(?:displaystyle|allowbreak)(?![A-Za-z])"
+    r"|\\[bB]igg?[lrm]?(?=\s*(?:[()\[\]/]|\\[{}]|\\[lr]?vert(?![a-z])))"
     r"|\\\\(?:\[[^\]]*\])?|\\enspace|\{\}|~|&"
 )
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\[{}]|\d+(?:\.\d+)?|\S")

@@ -10,7 +10,7 @@ import mpmath as mp
 from ... import notation as nt
 from ...proof.evaluate import at_precision, case_at, evaluate
 from ..evaluated_inverses import solved
-from ..unknowns import graded_unknowns
+from ..unknowns_graded import graded_unknowns
 from .compare import DIGITS, balance, difference
 from .evaluations import Stated
 from .exact import Entries, Stored, base_of, functions

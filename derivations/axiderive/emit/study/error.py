@@ -13,8 +13,8 @@ from typing import Any
 
 from ..prose import escaped
 
-WIDTH, HEIGHT = 43.0, 33.0
-"""Millimetres of the frame."""
+WIDTH, HEIGHT = 43.0, 30.0
+"""Millimetres of the frame; twelve fit below the words of the first page."""
 LOWEST = -16
 WORDS = {
     "emitted": "the function of this catalogue",
@@ -29,6 +29,7 @@ WORDS = {
     "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
     "FFT MDR": "dimensionality reduction on a grid by FFT",
     "quad and root": "adaptive quadrature and root finding",
+    "quad, weighted": "adaptive quadrature, singular weight",
     "table": "interpolation in a table",
     "BEM": "boundary elements",
 }
@@ -165,7 +166,7 @@ def _free(own: Sequence[Point], taken: Sequence[Point], scale: Scale) -> Point:
     """Beside one of the points, where points and letters are farthest away."""
 
     def room(place: Point) -> float:
-        inside = 1.0 <= place[0] <= scale.width and 1.0 <= place[1] <= scale.height
+        inside = 1.0 <= place[0] <= scale.width - 1.0 and 1.0 <= place[1] <= scale.height
         return min(math.dist(place, other) for other in taken) if inside else -1.0
 
     places = [(x + dx, y + dy) for x, y in own for dx, dy in AROUND]

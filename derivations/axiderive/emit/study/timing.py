@@ -115,7 +115,7 @@ def _sentence(rows: Sequence[Row]) -> str:
         return rf"{text}. No other way shown reaches ${goal}$."
     best = min(others, key=lambda row: row["ratio"])
     name = NAMED[best["method"]].format(_whole(_count(best)) if best["setting"] else "")
-    return rf"{text}. The fastest other way to ${goal}$, {name}, takes ${_times(best['ratio'])}$ times as long."
+    return rf"{text}. The fastest other way to ${goal}$, {name}, takes ${_times(best['ratio'])}$ {_compared(best)}."
 
 
 def _named(key: str) -> str:
@@ -136,6 +136,10 @@ def _power(goal: float) -> str:
 
 def _error(row: Row) -> str:
     return power_of_ten(f"{row['worst']:.2g}")
+
+
+def _compared(row: Row) -> str:
+    return "times as long" if row["ratio"] >= 1 else "of the time"
 
 
 def _times(ratio: float) -> str:
