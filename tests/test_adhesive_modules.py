@@ -20,8 +20,8 @@ def test_pull_off_of_the_flat_punch() -> None:
     punch = emitted("adhesive.flat_punch")
     assert list(public(punch)) == ["retraction", "pull_off"]
     state = punch.pull_off(a=2.0, E_star=3.0, dgamma=0.5)
-    assert state.force == pytest.approx(-math.sqrt(8 * math.pi * 3.0 * 0.5 * 8.0), rel=CLOSED)
-    assert state.depth == pytest.approx(-math.sqrt(2 * math.pi * 2.0 * 0.5 / 3.0), rel=CLOSED)
+    assert state.force == pytest.approx(-math.sqrt(8 * math.pi * 3.0 * 0.5 * 8.0), rel=CLOSED, abs=0.0)
+    assert state.depth == pytest.approx(-math.sqrt(2 * math.pi * 2.0 * 0.5 / 3.0), rel=CLOSED, abs=0.0)
     assert state.radius == 2.0
 
 
@@ -52,7 +52,7 @@ def test_pull_off_is_the_least_load(name: str, control: str) -> None:
     around = state.radius * (1.0 + np.array([-1e-3, -1e-5, 1e-5, 1e-3, 0.1]))
     loads_around = getattr(module, control)(around, **given)
     assert np.all(np.isnan(loads_around) | (loads_around >= least * (1 + 1e-13)))
-    assert getattr(module, control)(state.radius, **given) == pytest.approx(least, rel=1e-13)
+    assert getattr(module, control)(state.radius, **given) == pytest.approx(least, rel=1e-13, abs=0.0)
     inverse = getattr(module, f"radius_from_{control}")
     assert inverse(least, **given) == pytest.approx(state.radius, rel=1e-7)
     assert math.isnan(inverse(least * 1.001, **given))
@@ -67,7 +67,7 @@ def test_pull_off_of_power_laws_is_that_of_the_entries(name: str, names: tuple[s
     a_c = example.number(entries[names[0]].cases[0].expr, known)
     for suffix, found in zip(names, state, strict=True):
         expected = float(example.number(entries[suffix].cases[0].expr, known | {nt.a_c: a_c}))
-        assert found == pytest.approx(expected, rel=CLOSED), suffix
+        assert found == pytest.approx(expected, rel=CLOSED, abs=0.0), suffix
 
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
@@ -113,10 +113,10 @@ def test_jkr_radius_from_depth_in_many_states() -> None:
 def test_jkr_limits() -> None:
     sphere, given = emitted("adhesive.paraboloid"), {"R": 2.0, "E_star": 1e3, "dgamma": 0.3}
     work = math.pi * 0.3 * 2.0
-    assert sphere.pull_off(**given).force == pytest.approx(-1.5 * work, rel=1e-15)
-    assert sphere.pull_off("depth", **given).force == pytest.approx(-5 / 6 * work, rel=1e-15)
+    assert sphere.pull_off(**given).force == pytest.approx(-1.5 * work, rel=1e-15, abs=0.0)
+    assert sphere.pull_off("depth", **given).force == pytest.approx(-5 / 6 * work, rel=1e-15, abs=0.0)
     # without load the contact of JKR: a^3 = 9 pi dgamma R^2/(2 E_star)
-    assert sphere.radius_from_force(0.0, **given) ** 3 == pytest.approx(4.5 * work * 2.0 / 1e3, rel=1e-14)
+    assert sphere.radius_from_force(0.0, **given) ** 3 == pytest.approx(4.5 * work * 2.0 / 1e3, rel=1e-14, abs=0.0)
 
 
 def test_no_adhesion_is_the_normal_contact() -> None:
@@ -132,7 +132,7 @@ def test_no_adhesion_is_the_normal_contact() -> None:
         ):
             own, other = getattr(module, function), getattr(plain, function)
             expected = other(*fields, **keywords(other, profile, known))
-            assert own(*fields, **keywords(own, profile, known)) == pytest.approx(expected, rel=1e-14)
+            assert own(*fields, **keywords(own, profile, known)) == pytest.approx(expected, rel=1e-14, abs=0.0)
 
 
 def test_edge_of_an_adhesive_contact() -> None:
@@ -200,4 +200,4 @@ def test_inverses_are_scaled_by_powers_of_two(name: str, power: int) -> None:
         load = getattr(module, control)(1.3 * a, **near)
         inverse = getattr(module, f"radius_from_{control}")
         assert inverse(load * scale, **far) == inverse(load, **near) * unit
-        assert inverse(load, **near) == pytest.approx(1.3 * a, rel=2e-14)
+        assert inverse(load, **near) == pytest.approx(1.3 * a, rel=2e-14, abs=0.0)

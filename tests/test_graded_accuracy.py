@@ -79,7 +79,7 @@ def test_round_trips_far_out(name: str, power: int) -> None:
     own = {key: x * unit for key, x in lengths.get(name, {"b": 0.4}).items()}
     own |= {"theta": 0.4} if name == "hyperboloid" else {}
     radius = module.radius_from_depth(module.depth(0.6 * unit, **own, k=0.3), **own, k=0.3)
-    assert radius == pytest.approx(0.6 * unit, rel=1e-14)
+    assert radius == pytest.approx(0.6 * unit, rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize("k", [-0.3, 0.3])
@@ -87,7 +87,7 @@ def test_below_its_break_a_cap_is_a_paraboloid(k: float) -> None:
     """Outside such a contact a term that is zero must not come out as 0/0."""
     capped, plain = emitted("normal.capped_paraboloid"), emitted("normal.paraboloid")
     exact = plain.displacement(2.0, 1.0, R=3.0, k=k)
-    assert capped.displacement(2.0, 1.0, R1=3.0, R2=1.0, b=2.5, k=k) == pytest.approx(exact, rel=1e-14)
+    assert capped.displacement(2.0, 1.0, R1=3.0, R2=1.0, b=2.5, k=k) == pytest.approx(exact, rel=1e-14, abs=0.0)
 
 
 def test_reach_of_a_gaussian_bump_is_a_contact() -> None:

@@ -68,7 +68,7 @@ def check_pull_off(name: str, k: str, control: str) -> None:
     around = state.radius * (1.0 + np.array([-1e-3, -1e-5, 1e-5, 1e-3, 0.1]))
     loads = getattr(module, control)(around, **given)
     assert np.all(np.isnan(loads) | (loads >= least * (1 + 1e-13)))
-    assert getattr(module, control)(state.radius, **given) == pytest.approx(least, rel=1e-12)
+    assert getattr(module, control)(state.radius, **given) == pytest.approx(least, rel=1e-12, abs=0.0)
     inverse = getattr(module, f"radius_from_{control}")
     assert inverse(least, **given) == pytest.approx(state.radius, rel=1e-6)
     assert math.isnan(inverse(least * 1.001, **given))
@@ -87,7 +87,7 @@ def test_pull_off_of_power_laws(name: str, k: str) -> None:
         a_c = example.number(entries[names[0]].cases[0].expr, known)
         for suffix, found in zip(names, state, strict=True):
             expected = float(example.number(entries[suffix].cases[0].expr, known | {nt.a_c: a_c}))
-            assert found == pytest.approx(expected, rel=2e-14), suffix
+            assert found == pytest.approx(expected, rel=2e-14, abs=0.0), suffix
 
 
 def test_pull_off_of_the_graded_sphere() -> None:
@@ -106,7 +106,7 @@ def test_stick_radius_returns(name: str) -> None:
         c = float(low + (known[nt.a] - low) * sp.Rational(part))
         force = module.tangential_force(float(known[nt.a]), c, **keywords(module.tangential_force, profile, known))
         given = keywords(module.stick_radius, profile, known)
-        assert module.stick_radius(force, float(known[nt.a]), **given) == pytest.approx(c, rel=1e-13)
+        assert module.stick_radius(force, float(known[nt.a]), **given) == pytest.approx(c, rel=1e-13, abs=0.0)
         assert math.isnan(module.stick_radius(10.0 * force + 10.0, float(known[nt.a]), **given))
 
 
@@ -122,8 +122,10 @@ def test_least_depth_of_a_concave_face(n: float, k: str) -> None:
     scale = face.pressure(0.0, 2 * depth, **given, H=2.0)
     assert face.pressure(ring, depth, **given, H=2.0) == pytest.approx(0.0, abs=1e-13 * scale)
     assert p.min() > -1e-13 * scale
-    assert face.minimum_force(**given, H=2.0) == pytest.approx(face.force(depth, **given, H=2.0), rel=1e-14)
-    assert face.depth_from_force(face.minimum_force(**given, H=2.0), **given, H=2.0) == pytest.approx(depth, rel=1e-13)
+    assert face.minimum_force(**given, H=2.0) == pytest.approx(face.force(depth, **given, H=2.0), rel=1e-14, abs=0.0)
+    assert face.depth_from_force(face.minimum_force(**given, H=2.0), **given, H=2.0) == pytest.approx(
+        depth, rel=1e-13, abs=0.0
+    )
 
 
 @pytest.mark.parametrize(("name", "n"), [("concave_paraboloid", 2.0), ("concave_quartic", 4.0)])
@@ -132,8 +134,8 @@ def test_special_concave_faces_are_those_of_the_law(name: str, n: float, k: floa
     """Their pressures and least depths are closed, that of the law is a rule and a search."""
     face, law, given = emitted(f"normal.{name}"), emitted("normal.concave_power"), {"a": 1.5, "h": 0.2, "k": k}
     least = face.minimum_depth(**given)
-    assert least == pytest.approx(law.minimum_depth(**given, n=n), rel=4e-15)
-    assert face.zero_radius(**given) == pytest.approx(law.zero_radius(**given, n=n), rel=4e-15)
+    assert least == pytest.approx(law.minimum_depth(**given, n=n), rel=4e-15, abs=0.0)
+    assert face.zero_radius(**given) == pytest.approx(law.zero_radius(**given, n=n), rel=4e-15, abs=0.0)
     r = np.linspace(0.0, 1.49, 40)
     exact = law.pressure(r, 1.3 * least, **given, n=n, H=2.0)
     np.testing.assert_allclose(face.pressure(r, 1.3 * least, **given, H=2.0), exact, rtol=2e-13)
@@ -156,7 +158,7 @@ def test_adhesive_inverses_far_out(name: str, power: int, k: float) -> None:
         a = 1.3 * module.pull_off(control, **given).radius
         load = getattr(module, control)(a, **given)
         if 0.0 < abs(load) < math.inf:
-            assert getattr(module, f"radius_from_{control}")(load, **given) == pytest.approx(a, rel=2e-14)
+            assert getattr(module, f"radius_from_{control}")(load, **given) == pytest.approx(a, rel=2e-14, abs=0.0)
         else:
             assert control == "force"
             assert abs(power) == 900

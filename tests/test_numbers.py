@@ -128,7 +128,7 @@ def test_plain_numbers_pass_by_the_array_machinery(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(cone, "elementwise", None)
     value = cone.pressure(0.3, 1.0, theta=0.4, E_star=2.0)
     assert type(value) is float
-    assert value == pytest.approx(expected[0], rel=4 * EPS)
+    assert value == pytest.approx(expected[0], rel=4 * EPS, abs=0.0)
     assert cone.stiffness(1.0, theta=0.4, E_star=2.0) == 4.0, "an argument that the formula does not need"
     assert cone.pressure(1.5, 1.0, theta=0.4, E_star=2.0) == 0.0, "outside the contact nothing has underflowed"
     for r, a in ((0.0, 1.0), (1e-200, 1.0), (math.nan, 1.0), (np.float32(0.3), 1.0), (0.3, [1.0])):
@@ -160,7 +160,7 @@ def test_plain_numbers_and_arrays_agree() -> None:
             (paraboloid.depth_from_force, {"R": 2.0, "E_star": 2.0}),
         ):
             single, (entry,) = function(float(x), **parameters), function(np.array([x]), **parameters)
-            assert single == pytest.approx(entry, rel=8 * EPS)
+            assert single == pytest.approx(entry, rel=8 * EPS, abs=0.0)
 
 
 @given(st.floats(0.6, 0.999), st.floats(1.01, 50.0), st.integers(-18, 18))
@@ -192,6 +192,6 @@ def test_the_ends_of_the_range_raise_no_warning() -> None:
             module.pressure(r, a, **parameters, E_star=1e10)
             module.displacement(r, a, **parameters)
             module.force_from_depth(ends, **parameters, E_star=1e-300)
-    assert cone.depth(1e-300, theta=0.3) == pytest.approx(1e-300 * cone.depth(1.0, theta=0.3), rel=FOUR_ULP)
-    assert paraboloid.depth(1e-170, R=1e-100) == pytest.approx(1e-240, rel=FOUR_ULP)
-    assert paraboloid.depth(np.array([1e-170]), R=1e-100)[0] == pytest.approx(1e-240, rel=FOUR_ULP)
+    assert cone.depth(1e-300, theta=0.3) == pytest.approx(1e-300 * cone.depth(1.0, theta=0.3), rel=FOUR_ULP, abs=0.0)
+    assert paraboloid.depth(1e-170, R=1e-100) == pytest.approx(1e-240, rel=FOUR_ULP, abs=0.0)
+    assert paraboloid.depth(np.array([1e-170]), R=1e-100)[0] == pytest.approx(1e-240, rel=FOUR_ULP, abs=0.0)

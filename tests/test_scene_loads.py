@@ -32,7 +32,7 @@ def test_frozen_values_are_folded_in():
     assert "_require" not in text
     space: dict[str, object] = {}
     exec(text, space)
-    assert space["displacement"](0.0) == pytest.approx(2.0 * 0.002 * 3e6 / 1e9, rel=1e-14)
+    assert space["displacement"](0.0) == pytest.approx(2.0 * 0.002 * 3e6 / 1e9, rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize(

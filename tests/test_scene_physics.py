@@ -106,7 +106,7 @@ def test_the_worked_example_is_at_the_force_that_was_asked_for():
     assert "at F = 0.05 N it is a = 0.0003205988 m" in docstring
     space: dict[str, object] = {}
     exec(files["needle_on_gel.py"].decode(), space)
-    assert space["force"](0.000320598788133061) == pytest.approx(0.05, rel=1e-12)
+    assert space["force"](0.000320598788133061) == pytest.approx(0.05, rel=1e-12, abs=0.0)
     assert files["test_needle_on_gel.py"].decode().count("0.000320598788133061") == 6
 
 
@@ -128,7 +128,7 @@ def test_the_inverses_of_a_contact_that_is_compact_up_to_a_radius_end_there():
     space: dict[str, object] = {}
     exec(composed_from(source + "[parameters]\nR = 1.0\nc = 1.0\n" + NO_PDF).files["scene.py"].decode(), space)
     reach = (3 / 16) ** 0.5
-    assert space["radius_from_depth"](space["depth"](0.9 * reach)) == pytest.approx(0.9 * reach, rel=1e-12)
+    assert space["radius_from_depth"](space["depth"](0.9 * reach)) == pytest.approx(0.9 * reach, rel=1e-12, abs=0.0)
     assert math.isnan(space["radius_from_depth"](1.01 * space["depth"](reach)))
 
 

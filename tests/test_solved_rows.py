@@ -107,14 +107,14 @@ def test_beyond_an_edge_the_length_of_the_print_is_solved_for(name: str, monkeyp
         for x in (0.6, 2.3):
             printed = number(radius, t=number(length, x=x))
             met = radius_at(monkeypatch, x, _graded_inverse.radius_beyond, np.array([R]), (), ends)
-            assert met == pytest.approx(printed, rel=1e-14)
+            assert met == pytest.approx(printed, rel=1e-14, abs=0.0)
     joined = [own for own in found if own.small == JOINED]
     assert len(joined) == (2 if first == 1.0 else 0)
     for own in joined:
         ends = np.array(first + SHARPER), np.array(last + (1.0 + SHARPER if own.suffixes == ("aF",) else 0.0))
         for t in (0.4, 3.0):
             x = float(equation(own, "x").subs({nt.k: SHARPER, T: t}))
-            assert float(_unknowns.root_of(np.array(x), *ends)[0]) == pytest.approx(t, rel=1e-12)
+            assert float(_unknowns.root_of(np.array(x), *ends)[0]) == pytest.approx(t, rel=1e-12, abs=0.0)
 
 
 GIVEN = {"R1": 2.5, "R2": 1.1, "theta": 0.42, "b": 0.7, "H": 1.9, "h": 0.3, "s": 1.4, "R": 1.3}
@@ -248,7 +248,7 @@ def test_below_a_vertical_flank_the_length_of_the_print_is_solved_for(monkeypatc
         for t in (0.4, 3.0):
             x, at = number(like, t=t), (np.array([R]), (), tip, np.array(K))
             found = radius_at(monkeypatch, x, _graded_inverse.radius_below, *at)
-            assert found == pytest.approx(number(radius, t=t), rel=1e-13)
+            assert found == pytest.approx(number(radius, t=t), rel=1e-13, abs=0.0)
     for own in graded_unknowns(stored("sphere_tipped_cone.fgm")):
         if own.small == "a<b" and len(own.suffixes) == 2:
             printed = number(equation(own, "x"), a=0.9)
@@ -265,4 +265,4 @@ def test_on_a_bump_the_length_of_the_print_is_solved_for(monkeypatch: pytest.Mon
         t = number(unknown.subs(X, share).subs(LAST, last), a_1=end, a=a)
         bump = _unknowns.on_the_bump(np.array(R))
         found = radius_at(monkeypatch, t, _graded_inverse.radius_up_to, np.array([end]), (), bump)
-        assert found == pytest.approx(a, rel=1e-12)
+        assert found == pytest.approx(a, rel=1e-12, abs=0.0)

@@ -193,7 +193,7 @@ def test_what_speed_compares_with_gives_the_same_number(key, field):
     got, steps, expected = (
         speed.called(function, entry, values)(x) for function in (bare, speed.in_steps(entry, module), own)
     )
-    assert got == pytest.approx(expected, rel=1e-13)
+    assert got == pytest.approx(expected, rel=1e-13, abs=0.0)
     assert steps == expected
 
 

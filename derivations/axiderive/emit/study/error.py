@@ -23,7 +23,6 @@ WORDS = {
     "Gauss-Jacobi": "Gauss--Jacobi rule for the defining integral",
     "quad": "adaptive quadrature in double precision",
     "mpmath": "adaptive quadrature in many digits",
-    "quad, weighted": "adaptive quadrature, the singular factor as its weight",
     "quad, substituted": "adaptive quadrature, singularities substituted away",
     "mpmath, substituted": "the same in many digits",
     "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
