@@ -5,72 +5,101 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._gamma import gamma_quotient
-from ._integrals import difference_root, integral
+from ._functions import gamma_ratio
+from ._integrals import integral_in_strip
+from ._rules import falling
+
+STEPS, SHORTEST = 7, 1e-9
+"""Of the means: with six of them the neighbours of the edge lose 44 units; their root is 1.5e-8 of the radius."""
 
 
-def elliptic(kc: Array, a: float, b: Array) -> Array:
-    """Integral of (a cos**2 + b sin**2)/sqrt(cos**2 + kc**2 sin**2) over a quarter turn, by Bulirsch's cel.
+def elliptic(kc: Array, b: Array) -> Array:
+    """4/pi times the integral of (cos**2 + b sin**2)/sqrt(cos**2 + kc**2 sin**2) over a quarter turn, by Bulirsch.
 
-    E = elliptic(kc, 1, kc**2); (E - kc**2 K)/k**2 = elliptic(kc, 1, 0): sums of positive terms.
+    E = pi/4 elliptic(kc, kc**2); (E - kc**2 K)/k**2 = pi/4 elliptic(kc, 0): sums of positive terms.
     """
-    kc = np.maximum(kc, 1e-160)
-    e, m, p = kc, np.ones_like(kc), np.ones_like(kc)
-    f, a = a * np.ones_like(kc), a + b * np.ones_like(kc)
-    b = 2.0 * (b + f * e)
-    p, g, m = e + p, m, kc + m
-    for _ in range(13):
-        kc = 2.0 * np.sqrt(e)
-        e = kc * m
-        f, a = a, a + b / p
-        g = e / p
-        b = 2.0 * (b + f * g)
-        p, m = g + p, kc + m
-    return np.pi / 2.0 * (b + a * m) / (m * (m + p))
+    kc = np.maximum(kc, SHORTEST)
+    product, mean = kc, 1.0 + kc
+    last, a, b = 1.0, 1.0 + b, 2.0 * (b + kc)
+    for _ in range(STEPS):
+        kc = 2.0 * np.sqrt(product)
+        product = kc * mean
+        last, a = a, a + b / mean
+        b = 2.0 * (b + last * kc)
+        mean = kc + mean
+    return (b + a * mean) / (mean * mean)
+
+
+def _far(r: Array, a: Array) -> tuple[Array, Array]:
+    """The longer length, and the root of 1 - (shorter/longer)**2."""
+    far, near = np.maximum(r, a), np.minimum(r, a)
+    return far, np.where(far < np.inf, np.sqrt((far - near) / far * ((far + near) / far)), 1.0)
 
 
 def uniform(r: Array, a: Array) -> Array:
-    """w E_star/p_0 for s = 0."""
-    inner = np.minimum(r, a)
-    kc = difference_root(a, inner) / a
-    inside = 4.0 * a / np.pi * elliptic(kc, 1.0, kc * kc)
-    ratio = a / np.maximum(r, a)
-    outside = 4.0 * a / np.pi * ratio * elliptic(difference_root(np.maximum(r, a), a) / np.maximum(r, a), 1.0, 0.0)
-    return np.where(r <= a, inside, outside)
+    """w E_star/(p_0 a) for s = 0: one integral on either side of the edge."""
+    far, kc = _far(r, a)
+    return a / far * elliptic(kc, np.where(r <= a, kc * kc, 0.0))
 
 
-STEP, ENDS = 1.0 / 48.0, 6.3
-_t = np.arange(-ENDS, ENDS, STEP)
-# psi = pi/2 x, x = 1/(1 + exp(-pi sinh t)): nodes crowd at both ends and psi is exact near 0
-_x = 1.0 / (1.0 + np.exp(np.minimum(-np.pi * np.sinh(_t), 700.0)))
-_rest = 1.0 / (1.0 + np.exp(np.minimum(np.pi * np.sinh(_t), 700.0)))
-PSI, WEIGHTS = np.pi / 2.0 * _x, STEP * np.pi**2 / 2.0 * np.cosh(_t) * _x * _rest
+LAST, STEP = 44.0, 0.23
+"""Exponents of e at which a term is nothing, and the step of the sum outside: with 0.27 it loses 190 units."""
 
 
 def power(r: Array, a: Array, s: Array) -> Array:
-    """w E_star/p_0 for any s > -1, as the integral over the circle of (11.105) in the angle from the edge."""
-    # B(1/2, s + 1)
-    beta = np.sqrt(np.pi) * gamma_quotient(s + 1.0, s + 1.5)
-    scale = 2.0 / np.pi * a * beta
-    power = np.asarray(s) + 0.5
-    inside, outside = np.zeros_like(r), np.zeros_like(r)
-    gap = difference_root(a, np.minimum(r, a)) / a
-    beyond = difference_root(np.maximum(r, a), a) / a
-    for psi, weight in zip(PSI, WEIGHTS, strict=True):
-        sine = np.sin(psi)
-        inside = inside + weight * (np.hypot(sine, gap * np.cos(psi))) ** (2.0 * power)
-        outside = outside + weight * sine ** (2.0 * power + 1.0) / np.hypot(beyond, sine)
-    return scale * np.where(r <= a, inside, outside)
+    """w E_star/(p_0 a) for any s > -1, as the integral over the circle of (11.105) in the angle psi from the edge."""
+    fallen = a / np.maximum(r, a)
+    # all else stays in the range of doubles
+    r, a, s = np.asarray(r), np.asarray(a), np.asarray(s)
+    _, kc = _far(r, a)
+    # Gamma(s + 1)/Gamma(s + 3/2)
+    strength = 1.0 / gamma_ratio(s + 1.0)
+    within = r < a
+    inside = _inside(np.where(within, r / a, 0.0), np.where(within, kc, 1.0), s + 0.5)
+    outside = _outside(np.where(r > a, kc, 1.0), s + 1.0)
+    sides = np.where(within, inside, np.where(r > a, outside, np.sqrt(np.pi) / 2.0 * strength))
+    return fallen * (2.0 / np.sqrt(np.pi) * strength * sides)
 
 
-def hertzian(r: Array, a: Array) -> Array:
-    """w E_star/p_0 for s = 1/2; outside the arc sine and its root nearly cancel far away."""
-    far = np.maximum(r, a)
-    root = difference_root(far, a)
-    angle = np.arctan2(a, root)
-    near = ((2.0 * a * a - far * far) * angle + a * root) / (2.0 * a)
-    # with z = sin(angle): angle - z sqrt(1 - z**2) over 2 z**2, as an integral of positive terms
-    z = a / far
-    gap = integral(lambda x: 2.0 * np.sin(x) ** 2, angle, 16)
-    outside = np.where(z > 0.5, near, a * (angle - gap / (2.0 * z * z)))
-    return np.where(r > a, outside, np.pi * (2.0 * a * a - r * r) / (4.0 * a))
+def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
+    """Integral of (1 - ratio**2 cos(psi)**2)**exponent over a quarter turn, kc**2 = 1 - ratio**2.
+
+    With tan(psi/2) = least sinh(whole - v) the nearest zeros of the base are pi/2 away from all v.
+    """
+    least = np.maximum(kc / (1.0 + ratio), SHORTEST)
+    whole = np.arcsinh(1.0 / least)
+    positive = np.maximum(exponent, 0.0)
+    cosine = np.minimum(np.sqrt(-np.expm1(-LAST / positive)) / ratio, 1.0)
+    stop = whole - np.arcsinh(np.sqrt((1.0 - cosine) / (1.0 + cosine)) / least)
+    fallen = falling(whole)
+
+    def integrand(v: Array) -> Array:
+        tangent = fallen(v)
+        square = tangent * tangent
+        cosine = (1.0 - square) / (1.0 + square)
+        taken = (ratio * cosine) * (ratio * cosine)
+        base = 4.0 * square / ((1.0 + square) * (1.0 + square)) + (kc * cosine) * (kc * cosine)
+        logarithm = np.where(taken < 0.5, np.log1p(-np.minimum(taken, 0.5)), np.log(base))
+        # dpsi/dv
+        stretch = 2.0 * np.sqrt(least * least + square) / (1.0 + square)
+        return np.exp(exponent * logarithm) * stretch
+
+    return integral_in_strip(integrand, stop, 1.0 / np.sqrt(1.0 + positive / 4.0))
+
+
+def _outside(kc: Array, power: Array) -> Array:
+    """Sum over equal steps of u, sin(psi) = 1/cosh(u): of sin(psi)**(2 power)/sqrt(1 + kc**2 sinh(u)**2).
+
+    All derivatives vanish at both ends; the nearest singularities are pi/2 away, for large powers less by their width.
+    """
+    step = STEP / np.sqrt(1.0 + power / 4.0)
+    # ln(cosh(u)) of the last term
+    last = np.minimum(LAST / (2.0 * power), (LAST - np.log(np.maximum(kc, SHORTEST))) / (1.0 + 2.0 * power))
+    count = (last + np.log1p(np.sqrt(-np.expm1(-2.0 * last)))) / step
+    total = 0.0
+    # the smallest terms first
+    for number in range(int(np.ceil(np.max(np.where(np.isfinite(count), count, 0.0)))), 0, -1):
+        square = np.sinh(number * step) ** 2
+        fallen = np.exp(np.maximum(-power * np.log1p(square), -16.0 * LAST))
+        total = total + fallen / np.sqrt(1.0 + kc * kc * square)
+    return step * (0.5 + total)

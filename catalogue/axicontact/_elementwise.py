@@ -25,13 +25,14 @@ INFINITE = np.array(np.inf).view(np.uint64)[()]
 _formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
-def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters: ArrayLike) -> Result:
+def elementwise(function: Callable[..., Array], *fields: ArrayLike, unused: Any = (), **parameters: Any) -> Result:
     """Values of `function(*fields, **parameters)`; NaN where a field is negative or NaN.
 
+    They do not depend on the several that are `unused`, but broadcast with them.
     Divisions and roots outside a branch are silent.  A block in which a number leaves the range of doubles
     is evaluated again with numbers that have no such range.
     """
-    for number in (*fields, *parameters.values()):
+    for number in (*fields, *parameters.values(), *unused):
         if type(number) is not float or not SMALL < number < LARGE:
             break
     else:
@@ -40,6 +41,10 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, **parameters
             value = formula(*fields, **parameters)
             if value is not None:
                 return value
+    if unused:
+        result = elementwise(function, *fields, **parameters)
+        shape = np.broadcast_shapes(*(np.shape(value) for value in (result, *unused)))
+        return result if shape == np.shape(result) else np.broadcast_to(result, shape).copy()
     values: list[Array] = [value if type(value) is float else _real(value) for value in (*fields, *parameters.values())]
     several = tuple([type(value) is not float and value.size != 1 for value in values])
     if any(several):

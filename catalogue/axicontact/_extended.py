@@ -182,6 +182,7 @@ RULES: dict[Any, Callable[..., Any]] = {
     np.true_divide: _divide,
     np.negative: _negative,
     np.absolute: lambda x: Extended(np.abs(x.mantissa), x.exponent),
+    np.copysign: lambda x, y: Extended(np.copysign(x.mantissa, y.mantissa), x.exponent),
     np.power: _power,
     np.square: lambda x: _multiply(x, x),
     np.sqrt: _root(2, np.sqrt),

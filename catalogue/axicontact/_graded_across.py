@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._across import Rooted, inverse_across
 from ._elementwise import Array
 from ._graded_inverse import SLACK, Load
 from ._integrals import difference_root
-from ._inverse import LOST, ROUNDING, Beyond, Curve, inverse, inverse_across
+from ._inverse import LOST, ROUNDING, inverse
 from ._unknowns import Unknown, power_of, radius_itself, root_of, up_to
 
 CLOSE, NEAREST = 1e-4, 1e-12
@@ -30,7 +31,7 @@ def radius_across(
     """
     value = value + np.zeros(1)
     if end is None and least is None:
-        return inverse_across(*_sides(load, rate, b, needs), value, b, tip)
+        return inverse_across(_with_rate(load, rate, needs), value, b + np.zeros_like(value), tip)
     # where a steep tip ends, a unit of the radius is thousands of the load, and what is beyond begins at its own
     first = np.zeros_like(value) if end is None else NEAREST * b + np.zeros_like(value)
     base = load(b + np.zeros_like(value), first, *needs)
@@ -48,18 +49,9 @@ def radius_across(
     )
 
 
-def _sides(load: Load, rate: Load, b: Array, needs: tuple[Array, ...]) -> tuple[Curve, Beyond]:
-    """Value and logarithmic slope over the radius; value and derivative by ln t beyond b."""
-
-    def curve(a: Array) -> tuple[Array, Array]:
-        root = difference_root(a, b)
-        own = load(a, root, *needs)
-        return own, a * rate(a, root, *needs) / own
-
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        return load(a, root, *needs), root * (root / a) * rate(a, root, *needs)
-
-    return curve, beyond
+def _with_rate(load: Load, rate: Load, needs: tuple[Array, ...]) -> Rooted:
+    """Value and derivative by ln a."""
+    return lambda a, root: (load(a, root, *needs), a * rate(a, root, *needs))
 
 
 def _below(
@@ -103,10 +95,11 @@ def _beyond(
 
     Both terms are read from the load close to b, and with them the t at which one gives way to the other.
     """
-    beyond = _sides(load, rate, b, needs)[1]
+    curve_at = _with_rate(load, rate, needs)
 
     def more_and_rate(t: Array) -> tuple[Array, Array]:
-        y, slope = beyond(b * np.sqrt(1.0 + t * t), b * t)
+        y, slope = curve_at(b * np.sqrt(1.0 + t * t), b * t)
+        slope = slope * (t * t / (1.0 + t * t))
         more = np.maximum(y - base, ROUNDING * base)
         # above its rounding the excess may grow by less than its first power, where the load saturates
         return more, np.where(more > LOST * ROUNDING * base, slope, np.maximum(slope, np.minimum(least, 1.0) * more))

@@ -99,7 +99,7 @@ def rounding_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     last = end * (end / (a + b))
 
     def beyond(s: Array, z: Array) -> Array:
-        return a * (a / (a + s)) * (last + (end - z) * ((end + z) / (s + b))) / 2.0
+        return a * (a / (a + s)) * (last + _below(s, z, b, end) / (s + b)) / 2.0
 
     return _broken(beyond, lambda s, z: last * last / 2.0, r, a, b, k)
 
@@ -109,7 +109,7 @@ def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     end = difference_root(a, b)
 
     def within(s: Array, z: Array) -> Array:
-        return end * (end / (a + b)) + (z - end) * ((z + end) / (2.0 * b))
+        return end * (end / (a + b)) - _below(s, z, b, end) / (2.0 * b)
 
     tip = power_displacement(r, a, 2.0, k) / (2.0 * b)
     return np.where(a <= b, tip, _broken(lambda s, z: a * (a / (a + s)), within, r, a, b, k))
@@ -120,7 +120,7 @@ def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: A
     root, slope = difference_root(a, b), b / end
 
     def within(s: Array, z: Array) -> Array:
-        return slope * root * (root / (a + b)) + (z - root) * ((z + root) / (end + difference_root(R, s)))
+        return slope * root * (root / (a + b)) - _below(s, z, b, root) / (end + difference_root(R, s))
 
     tip = sphere_displacement(r, np.minimum(a, b), R, k)
     return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, b, k))
@@ -146,6 +146,11 @@ def _gap(r: Array, a: Array, k: Array) -> _Gap:
 
 def _weighed(gap: _Gap, shape: Shape, a: Array) -> Shape:
     return lambda s, z: shape(s, z) * (gap.grown * (z / a) ** 2 + gap.even)
+
+
+def _below(s: Array, z: Array, b: Array, end: Array) -> Array:
+    """s**2 - b**2 = end**2 - z**2, of the pair that is small against the radius."""
+    return np.where(s < z, (s - b) * (s + b), (end - z) * (end + z))
 
 
 def _fall(shape: Shape, r: Array, a: Array) -> Array:

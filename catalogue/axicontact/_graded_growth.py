@@ -65,15 +65,16 @@ def _gamma(x: Array) -> Array:
 def _rising(x: Array, e: Array) -> Array:
     """Gamma(x + e)/Gamma(x) for x >= 1 and 0 < e < 1."""
     x, e = np.asarray(x, dtype=np.float64), np.asarray(e, dtype=np.float64)
-    # Gamma(x + e) takes up the rounding of x + e many times over, 54 units of the last place at x = 39
+    # Gamma(x + e) takes up the rounding of x + e many times over, 54 units of the last place at x = 39;
+    # the quotients (x + i + e)/(x + i) take up the same one within a binade, 12 units
     steps = np.ceil(np.maximum(FAR - x, 0.0))
-    near = np.ones_like(x + e)
-    for i in range(int(np.max(steps, initial=0.0))):
-        near = near * np.where(i < steps, (x + i + e) / (x + i), 1.0)
+    near = np.zeros_like(x + e)
+    for i in reversed(range(int(np.max(steps, initial=0.0)))):
+        near = near + np.where(i < steps, np.log1p(e / (x + i)), 0.0)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
     first, second, third = _series(e)
-    return w**e * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) / near
+    return w**e * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) * np.exp(-near)
 
 
 def _series(e: Array) -> tuple[Array, Array, Array]:

@@ -1,25 +1,21 @@
 """Pressure on the graded half-space: integral of g'(t) (t**2 - r**2)**((k - 1)/2) over the growth from r to a.
 
-`slope` gives g'(t).  In u = sqrt(t**2 - r**2) the weight is u**k; each further substitution keeps
-the singularities of g' away from the path, as in the rules of the homogeneous half-space.
-The pressure is H/pi times this integral.
+`slope` gives g'(t).  The pressure is H/pi times this integral.
 """
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 import numpy as np
 
 from ._elementwise import Array
 from ._graded_breaks import rounded_rate, rounding_rate, tipped_rate
 from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from ._graded_rules import NODES, raised, sine_integral, sinh_over, weighted
+from ._graded_paths import growth_beyond, growth_beyond_cap, sinh_growth, smooth_growth, tanh_growth, wavy_growth
+from ._graded_rules import NODES, sine_integral, weighted
 from ._graded_waves import waves_rate
-from ._integrals import difference_root, integral, integral_by_panels
+from ._integrals import integral
 
-Slope = Callable[..., Array]
-_TERMS, _PANEL = 22, 3.0
+_TERMS = 22
 
 
 def power_pressure(r: Array, a: Array, n: Array, k: Array) -> Array:
@@ -47,7 +43,7 @@ def rim_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def rounding_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral for f' = r - b beyond b."""
-    return growth_beyond(lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k), r, a, b, k)
+    return growth_beyond(lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k), r, a, b, k, 2.0)
 
 
 def rounded_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -138,113 +134,3 @@ def _steep(rest: Array, near: Array, m: Array, half: Array) -> Array:
         return np.exp(-m * y) * (-np.expm1(-2.0 * (near + (rest - y)))) ** half
 
     return integral(integrand, stop, NODES)
-
-
-def smooth_growth(slope: Slope, r: Array, a: Array, k: Array) -> Array:
-    """The integral for g'(t)/t without singularities near."""
-
-    def smooth(u: Array) -> Array:
-        t = np.sqrt(r * r + u * u)
-        return slope(t) / t
-
-    stop = difference_root(a, r)
-    return raised(stop, k) * weighted(smooth, stop, k)
-
-
-def wavy_growth(slope: Slope, r: Array, a: Array, wavelength: Array, k: Array) -> Array:
-    """The integral where g' oscillates with a wavelength: one panel with the weight, then plain ones."""
-    stop = difference_root(a, r)
-    first = np.minimum(stop, wavelength)
-
-    def smooth(u: Array) -> Array:
-        t = np.sqrt(r * r + u * u)
-        return slope(t) / t
-
-    total = raised(first, k) * weighted(smooth, first, k)
-    return total + integral_by_panels(lambda u: smooth(first + u) * (first + u) ** k, stop - first, wavelength, NODES)
-
-
-def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
-    """The integral where g' has a singularity at t**2 = -b**2."""
-    scale = np.hypot(r, b)
-
-    def smooth(v: Array) -> Array:
-        t = np.hypot(r, scale * np.sinh(v))
-        return slope(t) / t * np.cosh(v) * sinh_over(v) ** k
-
-    stop = np.arcsinh(difference_root(a, r) / scale)
-    return raised(scale, k) * raised(stop, k) * weighted(smooth, stop, k)
-
-
-def tanh_growth(slope: Slope, r: Array, a: Array, R: Array, k: Array) -> Array:
-    """The integral where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
-    scale = difference_root(R, r)
-
-    def smooth(v: Array) -> Array:
-        root = scale / np.cosh(v)
-        t = np.hypot(r, scale * np.tanh(v))
-        return slope(t, root) / t * (sinh_over(v) / np.cosh(v)) ** k / np.cosh(v) ** 2
-
-    stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
-    value = raised(scale, k) * raised(stop, k) * weighted(smooth, stop, k)
-    return np.where(a < R, value, np.inf)
-
-
-def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
-    """The integral from max(r, b) on for a profile with a corner at b.
-
-    `slope` takes t and sqrt(t**2 - b**2) and returns g'(t) (sqrt(t**2 - b**2)/t)**(1 - k), which is finite there.
-    """
-    r = np.where(r == b, np.nextafter(b, 0.0), r)
-    within = r < b
-    scale = np.sqrt(np.abs(r - b) * (r + b))
-
-    def smooth(v: Array) -> Array:
-        # on either side of b, the two roots are scale cosh(v) and scale sinh(v)
-        root = scale * np.where(within, np.sinh(v), np.cosh(v))
-        t = np.hypot(b, root)
-        return slope(t, root) * (scale / t * np.cosh(v) * sinh_over(v)) ** k
-
-    span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
-    stop = np.arcsinh(span)
-    first = np.minimum(stop, _PANEL)
-    near = raised(first, k) * weighted(smooth, first, k)
-    value = scale**k * (near + _rest(lambda v: smooth(v) * v**k, first, stop))
-    return np.where(a > np.maximum(r, b), value, 0.0)
-
-
-def _rest(integrand: Callable[[Array], Array], start: Array, stop: Array) -> Array:
-    """Integral from start to stop, long only where r is close to b."""
-    half = (stop - start) / 2.0
-    first = integral(lambda v: integrand(start + v), half, NODES)
-    return first + integral(lambda v: integrand(start + half + v), half, NODES)
-
-
-def growth_beyond_cap(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
-    """The integral from max(r, b) on for a slope continuous at b; `slope` takes t and sqrt(t**2 - b**2), returns g'(t).
-
-    There g' carries a power (t**2 - b**2)**((1 + k)/2), which a cube in the variable makes smooth.
-    """
-    r = np.where(r == b, np.nextafter(b, 0.0), r)
-    within = r < b
-    scale = np.sqrt(np.abs(r - b) * (r + b))
-    span = np.where(within, difference_root(a, b), difference_root(a, r)) / scale
-    stop = np.arcsinh(span)
-
-    first = np.minimum(stop, _PANEL)
-
-    def inner(v: Array) -> Array:
-        root = scale * np.sinh(v)
-        t = np.hypot(b, root)
-        return slope(t, root) * root / t * (scale * np.cosh(v)) ** k
-
-    def outer(v: Array) -> Array:
-        root = scale * np.cosh(v)
-        t = np.hypot(b, root)
-        return slope(t, root) * root / t * sinh_over(v) ** k
-
-    cube = integral(lambda x: inner(first * x**3) * 3.0 * x * x, np.ones_like(stop), NODES)
-    below = first * cube + _rest(inner, first, stop)
-    near = raised(first, k) * weighted(outer, first, k)
-    beyond = scale**k * (near + _rest(lambda v: outer(v) * v**k, first, stop))
-    return np.where(a > np.maximum(r, b), np.where(within, below, beyond), 0.0)

@@ -6,7 +6,6 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_displacement import punch_share
-from ._graded_pressure import power_growth
 from ._integrals import difference_root
 
 STATIONARY = {"force": (3.0, 1.0), "depth": (1.0, -1.0)}
@@ -21,7 +20,7 @@ def punch_stiffness(a: Array, H: Array, k: Array) -> Array:
 def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
     """Pressure per depth: infinite at the edge, zero outside."""
     root = difference_root(a, r)
-    return np.where(r <= a, H / np.pi * root**k / root, 0.0)
+    return np.where(r < a, H / np.pi * root**k / root, np.where(r > a, 0.0, np.inf))
 
 
 def punch_displacement(r: Array, a: Array, k: Array) -> Array:
@@ -51,18 +50,3 @@ def unloading_radius(rate: Array, p: Array, H: Array, k: Array, dgamma: Array, c
     """Pull-off radius where g'(a) = rate a**(p - 1): there a**((1 + k)/2) g'(a) = xi sqrt(pi dgamma/(2 H))."""
     level = stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
     return (level / rate) ** (1.0 / (p - (1.0 - k) / 2.0))
-
-
-def ring_of_zero_pressure(n: Array, k: Array) -> Array:
-    """1 - (r_0/a)**2 where the pressure of a concave face vanishes first on unloading; 1 for n <= 2, at the centre.
-
-    There P (n z - 1 + k) = z**((1 + k)/2), with P the integral of `power_growth` for a = 1.
-    """
-    n, k = np.broadcast_arrays(np.atleast_1d(np.asarray(n, dtype=np.float64)), np.asarray(k, dtype=np.float64))
-    low, high = (1.0 - k) / n, np.ones_like(n)
-    for _ in range(60):
-        z = (low + high) / 2.0
-        growth = power_growth(np.sqrt(1.0 - z), np.ones_like(n), n, k)
-        beyond = growth * (n * z - 1.0 + k) > z ** ((1.0 + k) / 2.0)
-        low, high = np.where(beyond, low, z), np.where(beyond, z, high)
-    return np.where(n > 2.0, (low + high) / 2.0, 1.0)

@@ -14,7 +14,7 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_growth import power_depth, power_factor, power_force, sphere_rate
-from ._graded_pressure import growth_beyond_cap
+from ._graded_paths import growth_beyond_cap
 from ._graded_rules import raised
 from ._integrals import difference_root, integral_by_panels, integral_in_strip
 from ._slip import CLOSE, gained_share

@@ -1,4 +1,7 @@
-"""Roots of increasing functions without a closed inverse, by a safeguarded iteration of high order."""
+"""Roots of increasing functions without a closed inverse, by a safeguarded iteration of high order.
+
+Whether a point is left is asked by np.count_nonzero: `_trace` takes np.any for a question about a rare branch.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,10 @@ from collections.abc import Callable
 import numpy as np
 
 from ._elementwise import Array
-from ._functions import nth_root
-from ._starts import joining, leaving_power
 
 Curve = Callable[[Array], tuple[Array, Array]]
 Exponents = tuple[Array | float, Array | float]
-Beyond = Callable[[Array, Array], tuple[Array, Array]]
-ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 4, 1e-9, 2.0**-53, 16.0
+ITERATIONS, PATIENCE, POLISHING, SETTLED, ROUNDING, LOST = 120, 8, 3, 1e-9, 2.0**-53, 16.0
 """Normal contacts need at most five evaluations and two at single points, mostly three; the rest is for others."""
 
 
@@ -25,35 +25,36 @@ def inverse(
     largest: Array | float = np.inf,
     share: Callable[[Array], Array] | None = None,
     smooth: bool = False,
-    noise: Array | float = 0.0,
+    noise: Array | None = None,
 ) -> Array:
-    """The t with curve(t) = value, for 0 < t <= largest.
+    """The t > 0 with curve(t) = value.  It is at most `largest`.
 
     `curve` returns its value and its logarithmic slope d ln curve/d ln t.  Where that slope lies between the two
     `exponents`, which count as no more than a guess, the root lies in ln t between ln(value/curve) over either.
     The guarantee are signs, whatever the exponents: an increasing curve that is met below the value at one point and
     above it at another has its root between the two, and no step leaves such an interval.  Steps that do not settle
     within `PATIENCE` alternate with halves of it; if it is still open, with steps that double until it is not.
-    A point that is settled stays: where the curve is met within a rounding or within `noise`, or where a step no
-    longer changes what t stands for, a quantity whose logarithm moves with `share` of that of t.  What is left then
-    is removed by a step that is linear in t, without a second look where the curve is `smooth`, without kinks.
+    A point that is settled stays: where the curve is met within its rounding.  With `noise`, where it is met within
+    that.  With `share`, where a step no longer changes what t stands for, a quantity whose logarithm moves with that
+    share of that of t.  What is left then is removed by a step that is linear in t.  Where the curve may have kinks
+    and is not `smooth`, it is looked at again after that step.
     """
     t = np.minimum(start, largest)
     position = np.log(t)
     y, slope = curve(t)
     error = _missed(value, y)
-    low, high = np.full_like(position, -np.inf), np.log(largest) + np.zeros_like(position)
+    low, high = np.full_like(position, -np.inf), np.full_like(position, np.log(largest))
     step = error / slope
+    close = ROUNDING * value if noise is None else noise
     solvable = (value > 0.0) & (value < np.inf) & (y == y)
     for iteration in range(ITERATIONS):
         # written so that a curve which has left the range of doubles is not met
         left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
-        left = left & ~(np.abs(value - y) <= np.maximum(ROUNDING * value, noise))
+        left = left & ~(np.abs(value - y) <= close)
         if share is not None:
             # of where the step leads too: far below the root t may stand for nothing
             moved = np.maximum(share(t), share(np.minimum(t * np.exp(np.minimum(step, 700.0)), largest)))
             left = left & ~(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
-        # not np.any, which `_trace` takes for a question about a rare branch
         if not np.count_nonzero(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)
@@ -66,15 +67,21 @@ def inverse(
         y = np.where(y == y, y, np.inf)
         error = _missed(value, y)
         step = _step(step, before, slope_before, error, slope)
-    for _ in range(1 if smooth else POLISHING):
-        change = t * ((value - y) / y) / slope
-        change = np.where(np.abs(change) < 1e-3 * t, change, 0.0)
-        t = t + change
-        if smooth or not np.any(np.abs(change) > 1e-14 * t):
-            break
-        y, slope = curve(t)
+    change = _last_step(t, value, y, slope)
+    t = t + change
+    if not smooth:
+        for _ in range(POLISHING):
+            if not np.any(np.abs(change) > 1e-14 * t):
+                break
+            change = _last_step(t, value, *curve(t))
+            t = t + change
     root = np.where(value >= 0.0, np.minimum(t, largest), np.nan)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))
+
+
+def _last_step(t: Array, value: Array, y: Array, slope: Array) -> Array:
+    change = t * ((value - y) / y) / slope
+    return np.where(np.abs(change) < 1e-3 * t, change, 0.0)
 
 
 def _missed(value: Array, y: Array) -> Array:
@@ -135,7 +142,7 @@ def inverse_below(
         t = largest / (1.0 + s)
         y, slope = curve(t)
         short = (top - y) / y
-        return _above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
+        return above_noise(short, s / (1.0 + s) * slope * (1.0 + short), 1.0 + short, 2.0, exponents[0])
 
     # the largest value and the argument are both rounded
     short = np.maximum((top - value) / value, 0.0)
@@ -145,7 +152,7 @@ def inverse_below(
     return np.where(value <= top * (1.0 + 2.0**-48), t, np.nan)
 
 
-def _above_noise(
+def above_noise(
     difference: Array, rate: Array, size: Array, power: float | None, least: Array | float
 ) -> tuple[Array, Array]:
     """A difference of numbers of one `size` and its logarithmic slope; near zero it is all rounding, its rate is not.
@@ -158,77 +165,3 @@ def _above_noise(
     else:
         known = np.where(difference > LOST * tiny, difference, np.maximum(rate / power, ROUNDING * tiny))
     return known, np.maximum(rate / known, least)
-
-
-def inverse_across(
-    curve: Curve,
-    beyond: Beyond,
-    value: Array,
-    b: Array,
-    tip: Array | float,
-    end: Array | None = None,
-    least: Array | float = 1.0,
-    base: Array | None = None,
-    powers: tuple[float, float] | None = None,
-    leaving: tuple[float, float] | None = None,
-) -> Array:
-    """The radius with curve(radius) = value, for a curve whose slope jumps or bends sharply at b.
-
-    It begins as the power `tip` of the radius.  Below b its unknown is the radius, or artanh(radius/end) where the
-    curve below would be infinitely steep at `end`.
-    Above, the excess over `base`, the curve at b, grows like a power of t = sqrt(radius**2/b**2 - 1), `least` or a
-    higher one, even where the curve leaves b with an infinite slope.  Those for small and for large t are the
-    `powers`; or, where the tip is a power of the radius, `leaving` are those of what comes to its continuation.
-    There `beyond` gives the value and its derivative by ln t, from the radius and b t.
-    """
-    like = np.ones_like(value)
-    if base is None:
-        base = curve(b * like)[0]
-    above = value > base
-    radius = b * like
-    if not np.all(above):
-        lower = np.where(above, base, value)
-        # of a power nothing is left to iterate
-        power = end is None and (powers or leaving)
-        radius = b * nth_root(lower / base, tip) if power else _below(curve, lower, base, b, tip, end)
-    if not np.any(above):
-        return radius
-    high = np.where(above, value, 2.0 * base)
-
-    def excess(t: Array) -> tuple[Array, Array]:
-        y, rate = beyond(b * np.sqrt(1.0 + t * t), b * t)
-        return _above_noise(y - base, rate, base, small, least)
-
-    start, small = like, None if powers is leaving else (powers or (2.0,))[0]
-    if powers is not None or leaving is not None:
-        one, slope = excess(1.0)
-        more = (high - base) / one
-        if powers is not None:
-            start = joining(more, slope, *powers)
-        elif leaving is not None:
-            start = leaving_power(more, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *leaving)
-    # both the value and that at the break are rounded, some of them sums
-    noise = 5.0 * ROUNDING * high
-    t = inverse(excess, high - base, start, (least, np.inf), smooth=True, noise=noise)
-    return np.where(above, b * np.sqrt(1.0 + t * t), radius)
-
-
-def _below(curve: Curve, value: Array, base: Array, b: Array, tip: Array | float, end: Array | None) -> Array:
-    """The radius up to b."""
-    if end is None:
-        # a parabolic tip is met at once
-        return inverse(curve, value, b * (value / base) ** (1.0 / tip), (tip, np.inf), b, smooth=True)
-    reach = np.arctanh(np.minimum(b / end, 1.0 - ROUNDING))
-
-    def share(t: Array) -> Array:
-        return t / (np.sinh(t) * np.cosh(t))
-
-    def bent(t: Array) -> tuple[Array, Array]:
-        y, slope = curve(end * np.tanh(t))
-        return y, slope * share(t)
-
-    last, slope = bent(reach)
-    # the curve beyond b may begin a few roundings later
-    value = np.minimum(value, last)
-    start = reach * joining(value / last, slope, tip, 1.0)
-    return np.minimum(b, end * np.tanh(inverse(bent, value, start, (1.0, tip), reach, share, smooth=True)))

@@ -10,11 +10,11 @@ import numpy as np
 
 from ._along import Course, at_many_radii
 from ._elementwise import Array
-from ._integrals import integral, of_displacement
+from ._integrals import integral, integral_by_length, of_displacement
 
 NODES = 64
-FAR = 16.0
-"""Twice the nodes from here on: for exponents near 1 the interval grows with the logarithm of r/a."""
+LENGTHS = ((16.0, NODES), (np.inf, 2 * NODES))
+"""Nodes by the length of the interval, which for exponents near 1 grows with the logarithm of r/a."""
 STEEP = 6.0
 """Exponents from here on bend the pressure too much for a panel of `_along`."""
 _DECAY = 42.0
@@ -46,8 +46,7 @@ def _fallen_pressure(depth: Array, n: Array) -> Array:
         return np.exp(-rate * fall) * _weight(np.where(steep, np.maximum(stop - step, 0.0), step))
 
     reach = np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut))
-    longest = float(np.max(np.where(np.isfinite(reach), reach, 0.0), initial=0.0))
-    return integral(integrand, reach, NODES if longest < FAR else 2 * NODES)
+    return integral_by_length(integrand, reach, lengths=LENGTHS)
 
 
 @at_many_radii(of_displacement)
@@ -104,46 +103,3 @@ def _span(r: Array, a: Array, n: Array) -> tuple[Array, Array]:
     start = np.sqrt(_log_ratio(r, a))
     fall = _DECAY / (n + 1.0)
     return start, fall / (np.sqrt(start * start + fall) + start)
-
-
-def ring_of_zero_pressure(n: Array) -> Array:
-    """(r_0/a)**2 of a concave face of exponent n, where the pressure vanishes first on unloading; 0 for n <= 2.
-
-    There P_n (n z - 1) = sqrt(z) with z = 1 - (r_0/a)**2 and P_n the integral of `power_pressure` for a = 1.
-    """
-    n = np.atleast_1d(np.asarray(n, dtype=np.float64))
-    # halving the order of the doubles finds the last digit of the smallest ring too
-    low, high = (end.view(np.int64) for end in (np.where(n < 3.0, 1e-40, 0.1), (n - 1.0) / n))
-    for _ in range(63):
-        middle = low + (high - low) // 2
-        q = middle.view(np.float64)
-        positive = _presses(-0.5 * np.log(q), 1.0 - q, n)
-        low, high = np.where(positive, middle, low), np.where(positive, high, middle)
-    return np.where(n > 2.0, high.view(np.float64), 0.0)
-
-
-def outside_zero_pressure(n: Array) -> Array:
-    """z = 1 - (r_0/a)**2 of the same ring, to the last digits where it is next to the edge; 1 for n <= 2."""
-    n = np.atleast_1d(np.asarray(n, dtype=np.float64))
-    low, high = 1.0 / n, np.ones_like(n)
-    for _ in range(60):
-        z = (low + high) / 2.0
-        positive = _presses(-0.5 * np.log1p(-z), z, n)
-        low, high = np.where(positive, low, z), np.where(positive, z, high)
-    return np.where(n > 2.0, (low + high) / 2.0, 1.0)
-
-
-def _presses(depth: Array, z: Array, n: Array) -> Array:
-    """Whether the place with z = 1 - r**2/a**2, r = a exp(-depth), lies inside the ring.
-
-    Of P_n (n z - 1) > sqrt(z) nearly all cancels next to n = 2, where the ring is born at r = 0.  With
-    P_n = S + r**2 P_(n-2), S the integral of t**(n - 3) sqrt(t**2 - r**2), and sqrt(z) = (n - 2) S + P_n it
-    is (n - 2) (P_(n-2) + n S) > n sqrt(z), a sum of positive terms.
-    """
-    pressure, root = _fallen_pressure(depth, n), np.sqrt(z)
-    if not np.any(n < 3.0):
-        return pressure * (n * z - 1.0) > root
-    low = np.minimum(n, 3.0)
-    lower = np.exp((3.0 - low) * depth) * _fallen_pressure(depth, low - 2.0)
-    rest = pressure - (1.0 - z) * lower
-    return np.where(n < 3.0, (n - 2.0) * (lower + n * rest) > n * root, pressure * (n * z - 1.0) > root)

@@ -18,7 +18,6 @@ NEEDS_ARRAYS = frozenset(
         "in_groups",
         "pressure_integral",
         "gauss_legendre",
-        "ring_of_zero_pressure",
         "enumerate",
     )
 )

@@ -21,7 +21,7 @@ FUNCTIONS = frozenset(
     (
         "add", "subtract", "multiply", "divide", "negative", "absolute", "power", "square", "minimum", "maximum",
         "sqrt", "cbrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "arctan", "arctan2", "hypot",
-        "sinh", "cosh", "tanh", "arcsinh", "nextafter",
+        "sinh", "cosh", "tanh", "arcsinh", "nextafter", "copysign",
     )
 )  # fmt: skip
 WHOLE = frozenset((3.0, 4.0))

@@ -465,7 +465,8 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, E_star: Array, dga
 
 def _rate(a: Array, theta: Array, b: Array) -> Array:
     """Derivative g'(a) of the depth without adhesion."""
-    return normal._slope_at(a, theta, b)
+    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
+    return np.where(a < b, normal._slope(a, theta, b), normal._slope_beyond(a, root, theta, b))
 
 
 def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -482,7 +482,8 @@ def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Ar
 
 def _rate(a: Array, R1: Array, R2: Array, b: Array) -> Array:
     """Derivative g'(a) of the depth without adhesion."""
-    return normal._slope_at(a, R1, R2, b)
+    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
+    return np.where(a < b, normal._slope(a, R1), normal._slope_beyond(a, root, R1, R2, b))
 
 
 def _branches(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -458,7 +458,9 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, E_star: Array, dga
 
 def _rate(a: Array, R: Array, theta: Array) -> Array:
     """Derivative g'(a) of the depth without adhesion."""
-    return normal._slope_at(a, R, theta)
+    b = R * np.sin(theta)
+    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
+    return normal._slope_at(a, root, R, theta)
 
 
 def _branches(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

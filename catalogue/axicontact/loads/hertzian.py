@@ -7,9 +7,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._circle import hertzian
+import numpy as np
+
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
+from .._functions import beside
+from .._kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -62,4 +65,6 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
 
 def _displacement(r: Array, a: Array, p_0: Array, E_star: Array) -> Array:
-    return p_0 / E_star * hertzian(r, a)
+    outside = p_0 / E_star * a * beside(r, a, OUTSIDE_2)
+    inside = np.pi * p_0 / (2 * E_star) * a * (1 - r**2 / (2 * a**2))
+    return np.where(r > a, outside, inside)

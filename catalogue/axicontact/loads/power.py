@@ -66,4 +66,4 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, s: ArrayLike, E_
 
 
 def _displacement(r: Array, a: Array, p_0: Array, s: Array, E_star: Array) -> Array:
-    return p_0 / E_star * power(r, a, s)
+    return p_0 / E_star * a * power(r, a, s)

@@ -11,7 +11,6 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._integrals import difference_root
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -64,5 +63,8 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
 
 def _displacement(r: Array, a: Array, p_0: Array, E_star: Array) -> Array:
-    angle = np.arctan2(a, difference_root(np.maximum(r, a), a))
-    return 2.0 * p_0 * a / E_star * np.where(r > a, angle, np.pi / 2.0)
+    root = np.sqrt((r - a) * (a + r))
+    angle = np.arctan(a / root)
+    outside = 2 * p_0 / E_star * a * angle
+    inside = np.pi * p_0 / E_star * a
+    return np.where(r > a, outside, inside)

@@ -63,4 +63,4 @@ def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLik
 
 
 def _displacement(r: Array, a: Array, p_0: Array, E_star: Array) -> Array:
-    return p_0 / E_star * uniform(r, a)
+    return p_0 / E_star * a * uniform(r, a)

@@ -315,7 +315,7 @@ def _slope(t: Array, R: Array) -> Array:
 def _force(d: Array, a: Array, R: Array, E_star: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
     rho = np.minimum(np.sqrt(R * d), a)
-    return 4 * E_star / (3 * R) * rho**3 + 2 * E_star * a * np.maximum(excess, 0.0)
+    return 4 * E_star / 3 * rho * np.minimum(d, a**2 / R) + 2 * E_star * a * np.maximum(excess, 0.0)
 
 
 def _stiffness(d: Array, a: Array, R: Array, E_star: Array) -> Array:
@@ -335,7 +335,7 @@ def _pressure(r: Array, d: Array, a: Array, R: Array, E_star: Array) -> Array:
 def _displacement(r: Array, d: Array, a: Array, R: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
     rho = np.minimum(np.sqrt(R * d), a)
-    face = rho**2 / R * beside(r, rho, OUTSIDE_2)
+    face = np.minimum(d, a**2 / R) * beside(r, rho, OUTSIDE_2)
     angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))
     edge = np.where(excess > 0.0, np.maximum(excess, 0.0) * angle, 0.0)
     return np.where(r > rho, 2 / np.pi * (face + edge), d - _profile(r, a, R))

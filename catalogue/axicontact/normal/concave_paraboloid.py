@@ -234,7 +234,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.k. Not broadcast with h, on which the value does not depend.
+    concave_paraboloid.k.
 
     References
     ----------
@@ -248,7 +248,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(a=a, h=h, E_star=E_star)
-    return elementwise(_stiffness, a=a, E_star=E_star)
+    return elementwise(_stiffness, a=a, E_star=E_star, unused=(h,))
 
 
 @with_math
@@ -324,7 +324,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.rz. Not broadcast with a, h, on which the value does not depend.
+    concave_paraboloid.rz.
 
     References
     ----------
@@ -338,7 +338,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.0
     """
     require(a=a, h=h)
-    return elementwise(_zero_radius)
+    return elementwise(_zero_radius, unused=(a, h))
 
 
 @with_math
@@ -367,7 +367,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_paraboloid.dmin. Not broadcast with a, on which the value does not depend.
+    concave_paraboloid.dmin.
 
     References
     ----------
@@ -381,7 +381,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.3
     """
     require(a=a, h=h)
-    return elementwise(_minimum_depth, h=h)
+    return elementwise(_minimum_depth, h=h, unused=(a,))
 
 
 @with_math

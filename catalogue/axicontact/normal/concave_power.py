@@ -12,7 +12,8 @@ import numpy as np
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio
-from .._powers import outside_zero_pressure, power_pressure, power_punches, ring_of_zero_pressure
+from .._powers import power_pressure, power_punches
+from .._ring import outside_zero_pressure, ring_of_zero_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -248,7 +249,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_power.k. Not broadcast with h, n, on which the value does not depend.
+    concave_power.k.
 
     References
     ----------
@@ -262,7 +263,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     2.0
     """
     _check(a=a, h=h, n=n, E_star=E_star)
-    return elementwise(_stiffness, a=a, E_star=E_star)
+    return elementwise(_stiffness, a=a, E_star=E_star, unused=(h, n))
 
 
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
@@ -344,8 +345,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.rz. Not broadcast with
-    h, on which the value does not depend.
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.rz.
 
     References
     ----------
@@ -359,7 +359,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     0.347683
     """
     _check(a=a, h=h, n=n)
-    return elementwise(_zero_radius, a=a, n=n)
+    return elementwise(_zero_radius, a=a, n=n, unused=(h,))
 
 
 def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
@@ -389,8 +389,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dmin. Not broadcast
-    with a, on which the value does not depend.
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dmin.
 
     References
     ----------
@@ -404,7 +403,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     0.215854
     """
     _check(a=a, h=h, n=n)
-    return elementwise(_minimum_depth, h=h, n=n)
+    return elementwise(_minimum_depth, h=h, n=n, unused=(a,))
 
 
 def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
@@ -470,7 +469,7 @@ def _profile(r: Array, a: Array, h: Array, n: Array) -> Array:
 
 
 def _zero_radius(a: Array, n: Array) -> Array:
-    return a * np.sqrt(ring_of_zero_pressure(n))
+    return a * ring_of_zero_pressure(n)
 
 
 def _minimum_depth(h: Array, n: Array) -> Array:

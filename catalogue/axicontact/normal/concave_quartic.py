@@ -235,7 +235,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.k. Not broadcast with h, on which the value does not depend.
+    concave_quartic.k.
 
     References
     ----------
@@ -249,7 +249,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(a=a, h=h, E_star=E_star)
-    return elementwise(_stiffness, a=a, E_star=E_star)
+    return elementwise(_stiffness, a=a, E_star=E_star, unused=(h,))
 
 
 @with_math
@@ -325,7 +325,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.rz. Not broadcast with h, on which the value does not depend.
+    concave_quartic.rz.
 
     References
     ----------
@@ -339,7 +339,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.5
     """
     require(a=a, h=h)
-    return elementwise(_zero_radius, a=a)
+    return elementwise(_zero_radius, a=a, unused=(h,))
 
 
 @with_math
@@ -368,7 +368,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     Notes
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
-    concave_quartic.dmin. Not broadcast with a, on which the value does not depend.
+    concave_quartic.dmin.
 
     References
     ----------
@@ -382,7 +382,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.2
     """
     require(a=a, h=h)
-    return elementwise(_minimum_depth, h=h)
+    return elementwise(_minimum_depth, h=h, unused=(a,))
 
 
 @with_math

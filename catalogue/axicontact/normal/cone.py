@@ -268,7 +268,6 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook: cone.k.
-    Not broadcast with theta, on which the value does not depend.
 
     References
     ----------
@@ -282,7 +281,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(theta=theta, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(theta,))
 
 
 @with_math

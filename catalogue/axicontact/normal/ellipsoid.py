@@ -286,8 +286,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.k. Not broadcast
-    with h, b, on which the value does not depend.
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.k.
 
     References
     ----------
@@ -301,7 +300,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     2.0
     """
     require(h=h, b=b, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(h, b))
 
 
 @with_math
@@ -559,12 +558,12 @@ def _depth(a: Array, h: Array, b: Array) -> Array:
 
 def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array:
     angle = np.arcsinh(a / root)
-    return E_star * h * (b * tanh_gap(angle) + a**2 * angle / b)
+    return E_star * h * (b * tanh_gap(angle, np.tanh(angle)) + a**2 * angle / b)
 
 
 def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (b - a)) / 2
-    return E_star * h * (b * tanh_gap(angle) + a**2 * angle / b)
+    return E_star * h * (a**2 * angle / b + b * tanh_gap(angle, a / b))
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:

@@ -292,8 +292,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
 
     Notes
     -----
-    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.k. Not broadcast with h, on
-    which the value does not depend.
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.k.
 
     References
     ----------
@@ -307,7 +306,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
     2.0
     """
     require(h=h, s=s, E_star=E_star)
-    return elementwise(_stiffness, a, s=s, E_star=E_star)
+    return elementwise(_stiffness, a, s=s, E_star=E_star, unused=(h,))
 
 
 @with_math
@@ -553,12 +552,12 @@ def _profile(r: Array, h: Array, s: Array) -> Array:
 def _slope(t: Array, h: Array, s: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     z = t / s
-    return 2 * h / s * dawson(z) + 2 * h / s**2 * t - 4 * h / s**3 * t**2 * dawson(z)
+    return 2 * h / s * (dawson(z) + (1 - 2 * dawson(z) * z) * z)
 
 
 def _depth(a: Array, h: Array, s: Array) -> Array:
     z = a / s
-    return np.where(a <= 1.5019752682686114 * s, 2 * h / s * a * dawson(z), np.nan)
+    return np.where(a <= 1.5019752682686114 * s, 2 * h * dawson(z) * z, np.nan)
 
 
 def _force(a: Array, h: Array, s: Array, E_star: Array) -> Array:
@@ -603,7 +602,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
 def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, h, s, E_star)
-        return value, 2 * E_star * a * a * _slope(a, h, s) / value
+        return value, 2 * E_star * a**2 * _slope(a, h, s) / value
 
     def like(short: Array) -> Array:
         rest = (0.9994039, 0.6765872, -1.514105, 16.18697, -61.13223, 108.1267, -95.20743, 32.86326)

@@ -284,8 +284,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.k. Not broadcast
-    with theta, b, on which the value does not depend.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.k.
 
     References
     ----------
@@ -299,7 +298,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     2.0
     """
     require(theta=theta, b=b, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(theta, b))
 
 
 @with_math
@@ -580,15 +579,15 @@ def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
         value = _depth(a, theta, b)
         return value, a * _slope(a, theta, b) / value
 
-    return inverse(curve, d, np.full_like(d, b / 1000), (1.0, 2.0), smooth=True)
+    return inverse(curve, d, b / 1000 * np.ones_like(d), (1.0, 2.0), smooth=True)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, theta, b, E_star)
-        return value, 2 * E_star * a * a * _slope(a, theta, b) / value
+        return value, 2 * E_star * a**2 * _slope(a, theta, b) / value
 
-    return inverse(curve, F, np.full_like(F, b / 1000), (2.0, 3.0), smooth=True)
+    return inverse(curve, F, b / 1000 * np.ones_like(F), (2.0, 3.0), smooth=True)
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:

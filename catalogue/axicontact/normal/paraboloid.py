@@ -265,8 +265,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.k. Not broadcast with R, on
-    which the value does not depend.
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.k.
 
     References
     ----------
@@ -280,7 +279,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(R=R, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R,))
 
 
 @with_math

@@ -510,30 +510,30 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
 
 
 def _profile(r: Array, A: tuple[float, ...]) -> Array:
-    return sum(A_j * r**j for j, A_j in enumerate(A, 1))
+    return sum(r**j * A_j for j, A_j in enumerate(A, 1))
 
 
 def _slope(a: Array, A: tuple[float, ...]) -> Array:
     """Rate g'(a) of the indentation depth."""
-    return sum(A_j * j * depth_over_height(j) * a ** (j - 1) for j, A_j in enumerate(A, 1))
+    return sum(j * depth_over_height(j) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1))
 
 
 def _depth(a: Array, A: tuple[float, ...]) -> Array:
-    return sum(A_j * depth_over_height(j) * a**j for j, A_j in enumerate(A, 1))
+    return sum(depth_over_height(j) * a**j * A_j for j, A_j in enumerate(A, 1))
 
 
 def _force(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (A_j * j * depth_over_height(j) / (j + 1) * a ** (j + 1) for j, A_j in enumerate(A, 1))
+    terms = (j * depth_over_height(j) / (j + 1) * a ** (j + 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star * sum(terms)
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (A_j * j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) for j, A_j in enumerate(A, 1))
+    terms = (j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) * A_j for j, A_j in enumerate(A, 1))
     return np.where(r < a, E_star / np.pi * sum(terms), 0.0)
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...]) -> Array:
-    terms = (A_j * depth_over_height(j) * a**j * power_displacement(r, a, j) for j, A_j in enumerate(A, 1))
+    terms = (depth_over_height(j) * a**j * power_displacement(r, a, j) * A_j for j, A_j in enumerate(A, 1))
     outside = 2 * sum(terms) / np.pi
     inside = _depth(a, A) - _profile(r, A)
     return np.where(r > a, outside, inside)
@@ -544,7 +544,7 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 
 def _mean_pressure(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (A_j * j * depth_over_height(j) / (j + 1) * a ** (j - 1) for j, A_j in enumerate(A, 1))
+    terms = (j * depth_over_height(j) / (j + 1) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star / np.pi * sum(terms)
 
 
@@ -553,8 +553,8 @@ def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
         value = _depth(a, A)
         return value, a * _slope(a, A) / value
 
-    alone = (A_j * depth_over_height(j) for j, A_j in enumerate(A, 1))
-    terms = (np.log(d / term) / j for j, term in enumerate(alone, 1))
+    alone = (d / depth_over_height(j) / A_j for j, A_j in enumerate(A, 1))
+    terms = (np.log(share) / j for j, share in enumerate(alone, 1))
     start = np.exp(reduce(np.minimum, terms))
     return inverse(curve, d, start, (1.0, len(A)), smooth=True)
 
@@ -562,10 +562,10 @@ def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
 def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, A, E_star)
-        return value, 2 * E_star * a * a * _slope(a, A) / value
+        return value, 2 * E_star * a**2 * _slope(a, A) / value
 
-    alone = (2 * E_star * A_j * j * depth_over_height(j) / (j + 1) for j, A_j in enumerate(A, 1))
-    terms = (np.log(F / term) / (j + 1) for j, term in enumerate(alone, 1))
+    alone = ((j + 1) / (2 * E_star * j * depth_over_height(j)) * F / A_j for j, A_j in enumerate(A, 1))
+    terms = (np.log(share) / (j + 1) for j, share in enumerate(alone, 1))
     start = np.exp(reduce(np.minimum, terms))
     return inverse(curve, F, start, (2.0, len(A) + 1.0), smooth=True)
 

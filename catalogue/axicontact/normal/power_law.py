@@ -289,7 +289,6 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.k.
-    Not broadcast with A, n, on which the value does not depend.
 
     References
     ----------
@@ -303,7 +302,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     2.0
     """
     require(A=A, n=n, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(A, n))
 
 
 @with_math

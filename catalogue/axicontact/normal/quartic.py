@@ -265,8 +265,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.k. Not
-    broadcast with A, on which the value does not depend.
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.k.
 
     References
     ----------
@@ -280,7 +279,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(A=A, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(A,))
 
 
 @with_math

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._across import inverse_beyond
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import beside
-from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 from .._numbers import with_math
 from .._rules import displacement_integral_beyond, pressure_integral_beyond
@@ -296,8 +296,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.k. Not broadcast
-    with theta, b, on which the value does not depend.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: rounded_cone.k.
 
     References
     ----------
@@ -311,7 +310,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     2.0
     """
     require(theta=theta, b=b, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(theta, b))
 
 
 @with_math
@@ -620,36 +619,20 @@ def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     return np.where(a < b, tip, beyond)
 
 
-def _slope_at(a: Array, theta: Array, b: Array) -> Array:
-    """Rate g'(a) of the indentation depth on both sides of the break."""
-    root = np.sqrt((a - b) * (a + b))
-    return np.where(a < b, _slope(a, theta, b), _slope_beyond(a, root, theta, b))
-
-
 def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _depth(a, theta, b)
-        return value, a * _slope_at(a, theta, b) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = a * _slope_beyond(a, root, theta, b)
+        return _depth_beyond(a, root, theta, b), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _depth_beyond(a, root, theta, b)
-        return value, root * root / a * _slope_beyond(a, root, theta, b)
-
-    base = _depth_beyond(b, 0.0 * b, theta, b)
-    return inverse_across(curve, beyond, d, b, 2.0, base=base, powers=(2.0, 1.0))
+    return inverse_beyond(curve, d, b, 2.0, powers=(2.0, 1.0))
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _force(a, theta, b, E_star)
-        return value, 2 * E_star * a * a * _slope_at(a, theta, b) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = 2 * E_star * a**2 * _slope_beyond(a, root, theta, b)
+        return _force_beyond(a, root, theta, b, E_star), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _force_beyond(a, root, theta, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b)
-
-    base = _force_beyond(b, 0.0 * b, theta, b, E_star)
-    return inverse_across(curve, beyond, F, b, 3.0, base=base, powers=(2.0, 2.0))
+    return inverse_beyond(curve, F, b, 3.0, powers=(2.0, 2.0))
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._across import inverse_beyond
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import arctan_gap, beside, root_gap
-from .._inverse import inverse_across
 from .._kernels import OUTSIDE_2
 from .._numbers import with_math
 from .._rules import displacement_integral_beyond, pressure_integral_beyond
@@ -307,7 +307,6 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
     Notes
     -----
     Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook: rounded_curved_punch.k.
-    Not broadcast with R1, R2, b, on which the value does not depend.
 
     References
     ----------
@@ -321,7 +320,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
     3.0
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R1, R2, b))
 
 
 @with_math
@@ -632,36 +631,20 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> A
     return np.where(a < b, tip, beyond)
 
 
-def _slope_at(a: Array, R1: Array, R2: Array, b: Array) -> Array:
-    """Rate g'(a) of the indentation depth on both sides of the break."""
-    root = np.sqrt((a - b) * (a + b))
-    return np.where(a < b, _slope(a, R1), _slope_beyond(a, root, R1, R2, b))
-
-
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _depth(a, R1, R2, b)
-        return value, a * _slope_at(a, R1, R2, b) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = a * _slope_beyond(a, root, R1, R2, b)
+        return _depth_beyond(a, root, R1, R2, b), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _depth_beyond(a, root, R1, R2, b)
-        return value, root * root / a * _slope_beyond(a, root, R1, R2, b)
-
-    base = _depth_beyond(b, 0.0 * b, R1, R2, b)
-    return inverse_across(curve, beyond, d, b, 2.0, base=base, leaving=(3.0, 2.0))
+    return inverse_beyond(curve, d, b, 2.0, leaving=(3.0, 2.0))
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _force(a, R1, R2, b, E_star)
-        return value, 2 * E_star * a * a * _slope_at(a, R1, R2, b) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = 2 * E_star * a**2 * _slope_beyond(a, root, R1, R2, b)
+        return _force_beyond(a, root, R1, R2, b, E_star), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _force_beyond(a, root, R1, R2, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R1, R2, b)
-
-    base = _force_beyond(b, 0.0 * b, R1, R2, b, E_star)
-    return inverse_across(curve, beyond, F, b, 3.0, base=base, leaving=(3.0, 3.0))
+    return inverse_beyond(curve, F, b, 3.0, leaving=(3.0, 3.0))
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:

@@ -299,7 +299,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. Handbook: rounded_punch.k. Not broadcast with R, b, on which the value does not depend.
+    ones, give NaN. Handbook: rounded_punch.k.
 
     References
     ----------
@@ -314,7 +314,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     """
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R, b))
 
 
 @with_math
@@ -624,7 +624,7 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
     def curve(t: Array) -> tuple[Array, Array]:
         a, root = b * np.sqrt(1.0 + t * t), b * t
         value = _force_at(a, root, R, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
+        return value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value
 
     rest = (0.9634905, 0.003191853, -0.1218583, 0.3231377, -1.571447, 2.059576, -1.105184, 0.2138332)
     start = between(np.log(F / curve(1.0)[0]), (0.8743, 3.0), (1.749, 3.0), 6.0, rest)

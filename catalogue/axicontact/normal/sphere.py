@@ -278,7 +278,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
-    Handbook: sphere.k. Not broadcast with R, on which the value does not depend.
+    Handbook: sphere.k.
 
     References
     ----------
@@ -292,7 +292,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     2.0
     """
     require(R=R, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R,))
 
 
 @with_math
@@ -541,12 +541,12 @@ def _depth(a: Array, R: Array) -> Array:
 
 def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
     angle = np.arcsinh(a / root)
-    return E_star * (a**2 * angle + R**2 * tanh_gap(angle))
+    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
 
 
 def _force(a: Array, R: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (R - a)) / 2
-    return E_star * (a**2 * angle + R**2 * tanh_gap(angle))
+    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, a / R))
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._across import inverse_across
 from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
 from .._functions import sine_root, tanh_gap
-from .._inverse import inverse_across
 from .._numbers import with_math
 from .._rules import (
     displacement_integral_beyond,
@@ -292,8 +292,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.k. Not
-    broadcast with R, theta, on which the value does not depend.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.k.
 
     References
     ----------
@@ -307,7 +306,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
     2.0
     """
     require(R=R, theta=theta, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R, theta))
 
 
 @with_math
@@ -572,38 +571,33 @@ def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
     return logarithm + b * angle / root_Rb + b**2 * R / (t * root_Rb**2 + R * root * root_Rb)
 
 
-def _depth_beyond(a: Array, root: Array, R: Array, theta: Array) -> Array:
+def _depth_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     root_Rb = R * np.cos(theta)
-    angle = np.arctan2(root, b)
-    logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
-    return a * (logarithm + b * angle / root_Rb)
-
-
-def _depth(a: Array, R: Array, theta: Array) -> Array:
-    b = R * np.sin(theta)
-    angle = np.log1p(2 * a / (R - a)) / 2
-    tip = a * angle
-    root_Rb = R * np.cos(theta)
-    root = sine_root(a, R, theta)
     angle = np.arctan2(root, b)
     logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
     beyond = a * (logarithm + b * angle / root_Rb)
+    angle = np.log1p(2 * a / (R - a)) / 2
+    tip = a * angle
     return np.where(a < b, tip, beyond)
 
 
-def _force_beyond(a: Array, reach: Array, R: Array, theta: Array, E_star: Array) -> Array:
+def _depth(a: Array, R: Array, theta: Array) -> Array:
+    return _depth_at(a, sine_root(a, R, theta), R, theta)
+
+
+def _force_at(a: Array, reach: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
     root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
     angle = np.arcsinh(inner / root)
-    tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle))
+    tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
     beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
 
 
 def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
-    return _force_beyond(a, sine_root(a, R, theta), R, theta, E_star)
+    return _force_at(a, sine_root(a, R, theta), R, theta, E_star)
 
 
 def _pressure(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
@@ -636,41 +630,31 @@ def _mean_pressure(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, R, theta, E_star) / (np.pi * a**2), 0.0)
 
 
-def _slope_at(a: Array, R: Array, theta: Array) -> Array:
+def _slope_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     """Rate g'(a) of the indentation depth on both sides of the break."""
     b = R * np.sin(theta)
-    root = np.sqrt((a - b) * (a + b))
-    return np.where(a < b, _slope(a, np.sqrt((R - a) * (R + a)), R), _slope_beyond(a, root, R, theta))
+    root_tip = np.sqrt((R - a) * (R + a))
+    return np.where(a < b, _slope(a, root_tip, R), _slope_beyond(a, root, R, theta))
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
 
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _depth(a, R, theta)
-        return value, a * _slope_at(a, R, theta) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = a * _slope_at(a, root, R, theta)
+        return _depth_at(a, root, R, theta), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _depth_beyond(a, root, R, theta)
-        return value, root * root / a * _slope_beyond(a, root, R, theta)
-
-    base = _depth_beyond(b, 0.0 * b, R, theta)
-    return inverse_across(curve, beyond, d, b, 2.0, R, base=base, powers=(2.0, 1.0))
+    return inverse_across(curve, d, b, 2.0, R, powers=(2.0, 1.0))
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
 
-    def curve(a: Array) -> tuple[Array, Array]:
-        value = _force(a, R, theta, E_star)
-        return value, 2 * E_star * a * a * _slope_at(a, R, theta) / value
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = 2 * E_star * a**2 * _slope_at(a, root, R, theta)
+        return _force_at(a, root, R, theta, E_star), rate
 
-    def beyond(a: Array, root: Array) -> tuple[Array, Array]:
-        value = _force_beyond(a, root, R, theta, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, theta)
-
-    base = _force_beyond(b, 0.0 * b, R, theta, E_star)
-    return inverse_across(curve, beyond, F, b, 3.0, R, base=base, powers=(2.0, 2.0))
+    return inverse_across(curve, F, b, 3.0, R, powers=(2.0, 2.0))
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:

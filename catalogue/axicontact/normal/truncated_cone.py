@@ -295,7 +295,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
-    Handbook: truncated_cone.k. Not broadcast with theta, b, on which the value does not depend.
+    Handbook: truncated_cone.k.
 
     References
     ----------
@@ -310,7 +310,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     """
     require(theta=theta, b=b, E_star=E_star)
     require_reach(a, b)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(theta, b))
 
 
 @with_math
@@ -625,7 +625,7 @@ def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tupl
     def curve(t: Array) -> tuple[Array, Array]:
         a, root = b * np.sqrt(1.0 + t * t), b * t
         value = _force_at(a, root, theta, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, theta, b) / value
+        return value, 2 * E_star * root * root * _slope_beyond(a, root, theta, b) / value
 
     rest = (0.9995205, 0.100541, -0.3986471, 4.536442, -19.76727, 34.2219, -25.89697, 7.204481)
     start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75, rest)

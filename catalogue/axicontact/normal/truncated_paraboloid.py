@@ -295,7 +295,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     Notes
     -----
     Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
-    truncated_paraboloid.k. Not broadcast with R, b, on which the value does not depend.
+    truncated_paraboloid.k.
 
     References
     ----------
@@ -310,7 +310,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     """
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R, b))
 
 
 @with_math
@@ -610,7 +610,7 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
     def curve(t: Array) -> tuple[Array, Array]:
         a, root = b * np.sqrt(1.0 + t * t), b * t
         value = _force_at(a, root, R, b, E_star)
-        return value, 2 * E_star * a * root * root / a * _slope_beyond(a, root, R, b) / value
+        return value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value
 
     rest = (0.9990587, 0.3089073, -0.7678073, 7.512052, -39.30687, 76.63965, -63.48232, 19.09787)
     start = between(np.log(F / curve(1.0)[0]), (0.6, 1.0), (0.4, 3.0), -1.75, rest)

@@ -303,7 +303,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
-    wavy_paraboloid.k. Not broadcast with R, h, wavelength, on which the value does not depend.
+    wavy_paraboloid.k.
 
     References
     ----------
@@ -317,7 +317,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     2.0
     """
     _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
-    return elementwise(_stiffness, a, E_star=E_star)
+    return elementwise(_stiffness, a, E_star=E_star, unused=(R, h, wavelength))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:

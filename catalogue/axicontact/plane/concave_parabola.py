@@ -247,7 +247,7 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.0
     """
     require(a=a, h=h)
-    return elementwise(_zero_distance, a=a)
+    return elementwise(_zero_distance, a=a, unused=(h,))
 
 
 def minimum_load(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
@@ -290,7 +290,7 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     0.235619
     """
     require(a=a, h=h, E_star=E_star)
-    return elementwise(_minimum_load, h=h, E_star=E_star)
+    return elementwise(_minimum_load, h=h, E_star=E_star, unused=(a,))
 
 
 def _profile(x: Array, a: Array, h: Array) -> Array:

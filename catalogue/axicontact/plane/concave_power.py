@@ -13,7 +13,8 @@ from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
 from .._functions import gamma_ratio, lower_power
 from .._plane import even, odd
-from .._powers import outside_zero_pressure, power_pressure, power_strips, ring_of_zero_pressure
+from .._powers import power_pressure, power_strips
+from .._ring import outside_zero_pressure, ring_of_zero_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -103,7 +104,7 @@ def pressure(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
     -----
     Valid for small slopes; complete contact only. The formula is for x >= 0; the function is even. Negative P
     and NaN, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    Gauss-Legendre rule. The place of first zero pressure is found by Newton's method. Handbook:
     plane.concave_power.p.
 
     References
@@ -160,7 +161,7 @@ def slope(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
     -----
     Valid for small slopes; complete contact only. The formula is for x >= 0; the function is odd. Negative P
     and NaN, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    Gauss-Legendre rule. The place of first zero pressure is found by Newton's method. Handbook:
     plane.concave_power.s.
 
     References
@@ -216,7 +217,7 @@ def depth(L: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
     -----
     Valid for small slopes; complete contact only. Negative or NaN field values, and points in the contact, L
     < a, and loads below minimum_load(), give NaN. Evaluated as an integral over the growing contact by a
-    Gauss-Legendre rule. The place of first zero pressure is found by bisection. Handbook:
+    Gauss-Legendre rule. The place of first zero pressure is found by Newton's method. Handbook:
     plane.concave_power.d.
 
     References
@@ -265,8 +266,8 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes; complete contact only. The place of first zero pressure is found by bisection.
-    Handbook: plane.concave_power.xz.
+    Valid for small slopes; complete contact only. The place of first zero pressure is found by Newton's
+    method. Handbook: plane.concave_power.xz.
 
     References
     ----------
@@ -280,7 +281,7 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     0.347683
     """
     _check(a=a, h=h, n=n)
-    return elementwise(_zero_distance, a=a, n=n)
+    return elementwise(_zero_distance, a=a, n=n, unused=(h,))
 
 
 def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
@@ -311,8 +312,8 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike)
 
     Notes
     -----
-    Valid for small slopes; complete contact only. The place of first zero pressure is found by bisection.
-    Handbook: plane.concave_power.Pmin.
+    Valid for small slopes; complete contact only. The place of first zero pressure is found by Newton's
+    method. Handbook: plane.concave_power.Pmin.
 
     References
     ----------
@@ -326,7 +327,7 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike)
     0.183223
     """
     _check(a=a, h=h, n=n, E_star=E_star)
-    return elementwise(_minimum_load, h=h, n=n, E_star=E_star)
+    return elementwise(_minimum_load, h=h, n=n, E_star=E_star, unused=(a,))
 
 
 def _check(a: ArrayLike, h: ArrayLike, n: ArrayLike, **material: ArrayLike) -> None:
@@ -350,7 +351,7 @@ def _profile_slope(x: Array, a: Array, h: Array, n: Array) -> Array:
 
 
 def _zero_distance(a: Array, n: Array) -> Array:
-    return a * np.sqrt(ring_of_zero_pressure(n))
+    return a * ring_of_zero_pressure(n)
 
 
 def _minimum_load(h: Array, n: Array, E_star: Array) -> Array:

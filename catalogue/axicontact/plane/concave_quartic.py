@@ -248,7 +248,7 @@ def zero_distance(*, a: ArrayLike, h: ArrayLike) -> Result:
     0.5
     """
     require(a=a, h=h)
-    return elementwise(_zero_distance, a=a)
+    return elementwise(_zero_distance, a=a, unused=(h,))
 
 
 def minimum_load(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
@@ -291,7 +291,7 @@ def minimum_load(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     0.176715
     """
     require(a=a, h=h, E_star=E_star)
-    return elementwise(_minimum_load, h=h, E_star=E_star)
+    return elementwise(_minimum_load, h=h, E_star=E_star, unused=(a,))
 
 
 def _profile(x: Array, a: Array, h: Array) -> Array:

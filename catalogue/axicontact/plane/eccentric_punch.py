@@ -163,9 +163,10 @@ def _pressure(x: Array, P: Array, a: Array, e: Array) -> Array:
     """Pressure for x >= 0 under a load on either side."""
     root = np.sqrt((a - x) * (a + x))
     touching = P * (x * (2 * e + a) + a * (a - x)) / (np.pi * a**2 * root)
-    short, near = a - np.abs(e), a - np.sign(e) * x
-    beyond, far = 2 * np.abs(e) - a, a + np.sign(e) * x
-    reach = np.maximum(np.where(beyond < short, far - 2 * beyond, 4 * short - near), 0.0)
+    short, side = a - np.abs(e), np.copysign(1.0, e)
+    beyond, along = 2 * np.abs(e) - a, side * x
+    near, far, end = a - along, a + along, 2 * beyond - a
+    reach = np.maximum(np.where(end < -a / 2, far - 2 * beyond, along - end), 0.0)
     apart = P * np.sqrt(reach / near) / (2 * np.pi * short)
     pressed = np.where(np.abs(e) < a / 2, touching, apart)
     return np.where((x <= a) & (P > 0.0), pressed, 0.0)
@@ -173,7 +174,7 @@ def _pressure(x: Array, P: Array, a: Array, e: Array) -> Array:
 
 def _tilt(P: Array, a: Array, e: Array, E_star: Array) -> Array:
     short = a - np.abs(e)
-    side = np.sign(e)
+    side = np.copysign(1.0, e)
     return np.where(np.abs(e) < a / 2, 4 * e * P / (np.pi * E_star * a**2), side / (np.pi * E_star * short) * P)
 
 

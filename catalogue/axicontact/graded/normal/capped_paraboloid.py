@@ -309,8 +309,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
 
     Notes
     -----
-    Valid for a << R2. Negative or NaN field values give NaN. Not broadcast with R1, R2, b, on which the value
-    does not depend. Handbook: capped_paraboloid.fgm.k.
+    Valid for a << R2. Negative or NaN field values give NaN. Handbook: capped_paraboloid.fgm.k.
 
     References
     ----------
@@ -324,7 +323,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
     1.6
     """
     _check(R1=R1, R2=R2, b=b, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R1, R2, b))
 
 
 def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -14,7 +14,8 @@ from ..._elementwise import Array, Result, elementwise
 from ..._graded_displacement import power_sag, punch_share
 from ..._graded_growth import power_factor
 from ..._graded_pressure import power_pressure
-from ..._graded_punch import punch_pressure, punch_stiffness, ring_of_zero_pressure
+from ..._graded_punch import punch_pressure, punch_stiffness
+from ..._ring import lifted_at_zero_pressure, ring_of_zero_pressure
 from ...normal import concave_power as normal
 
 if TYPE_CHECKING:
@@ -302,7 +303,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
         n=n,
         k=k,
     )
-    return elementwise(_stiffness, a=a, H=H, k=k)
+    return elementwise(_stiffness, a=a, H=H, k=k, unused=(h, n))
 
 
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -562,12 +563,11 @@ def _depth_from_force(F: Array, a: Array, h: Array, n: Array, H: Array, k: Array
 
 
 def _zero_radius(a: Array, h: Array, n: Array, k: Array) -> Array:
-    return a * np.sqrt(1.0 - ring_of_zero_pressure(n, k)) + 0.0 * h
+    return a * ring_of_zero_pressure(n, k) + 0.0 * h
 
 
 def _minimum_depth(a: Array, h: Array, n: Array, k: Array) -> Array:
-    lifted = n * ring_of_zero_pressure(n, k) - 1.0 + k
-    return h * power_factor(n, k) * (1.0 - k) / lifted + 0.0 * a
+    return h * power_factor(n, k) * (1.0 - k) / lifted_at_zero_pressure(n, k) + 0.0 * a
 
 
 def _minimum_force(a: Array, h: Array, n: Array, H: Array, k: Array) -> Array:

@@ -13,8 +13,7 @@ from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_displacement import power_sag, punch_share
 from ..._graded_growth import power_factor
-from ..._graded_pressure import power_pressure
-from ..._graded_punch import punch_pressure, punch_stiffness, ring_of_zero_pressure
+from ..._graded_punch import punch_pressure, punch_stiffness
 from ...normal import concave_quartic as normal
 
 if TYPE_CHECKING:
@@ -259,7 +258,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     1.6
     """
     require(a=a, h=h, H=H, k=k)
-    return elementwise(_stiffness, a=a, H=H, k=k)
+    return elementwise(_stiffness, a=a, H=H, k=k, unused=(h,))
 
 
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -454,10 +453,10 @@ def _force(d: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, d: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
-    complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
-    edge = (d + h * power_factor(4.0, k)) * punch_pressure(r, a, H, k)
-    hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, 4.0, k) / a**4.0
-    return np.where(complete, np.where(r < a, edge - hollow, edge), np.nan)
+    least = _minimum_depth(a, h, k)
+    face = 4 * h * (k * a**2 + 4 * r**2 - a**2) ** 2 / (a**4 * (k + 1) ** 2 * (k + 3) ** 2)
+    pressure = (d - least + face) * punch_pressure(r, a, H, k)
+    return np.where(least * (1.0 - 1e-15) <= d, pressure, np.nan)
 
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
@@ -478,12 +477,11 @@ def _depth_from_force(F: Array, a: Array, h: Array, H: Array, k: Array) -> Array
 
 
 def _zero_radius(a: Array, h: Array, k: Array) -> Array:
-    return a * np.sqrt(1.0 - ring_of_zero_pressure(4.0, k)) + 0.0 * h
+    return a * np.sqrt(1 - k) / 2 + 0.0 * h
 
 
 def _minimum_depth(a: Array, h: Array, k: Array) -> Array:
-    lifted = 4.0 * ring_of_zero_pressure(4.0, k) - 1.0 + k
-    return h * power_factor(4.0, k) * (1.0 - k) / lifted + 0.0 * a
+    return -4 * h * (k - 1) / ((k + 1) ** 2 * (k + 3)) + 0.0 * a
 
 
 def _minimum_force(a: Array, h: Array, H: Array, k: Array) -> Array:

@@ -284,8 +284,8 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
 
     Notes
     -----
-    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Not broadcast
-    with theta, on which the value does not depend. Handbook: cone.fgm.k.
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.fgm.k.
 
     References
     ----------
@@ -299,7 +299,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     1.6
     """
     require(theta=theta, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(theta,))
 
 
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

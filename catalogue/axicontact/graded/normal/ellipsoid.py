@@ -299,8 +299,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for a < b; small slopes. Negative or NaN field values give NaN. Not broadcast with h, b, on which
-    the value does not depend. Handbook: ellipsoid.fgm.k.
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.fgm.k.
 
     References
     ----------
@@ -314,7 +313,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     1.6
     """
     require(h=h, b=b, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(h, b))
 
 
 def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

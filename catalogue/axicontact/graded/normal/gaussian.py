@@ -299,8 +299,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for h << s. Negative or NaN field values give NaN. Not broadcast with h, s, on which the value does
-    not depend. Handbook: gaussian.fgm.k.
+    Valid for h << s. Negative or NaN field values give NaN. Handbook: gaussian.fgm.k.
 
     References
     ----------
@@ -314,7 +313,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: Arra
     1.6
     """
     require(h=h, s=s, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(h, s))
 
 
 def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -298,8 +298,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Not broadcast with theta, b, on which
-    the value does not depend. Handbook: hyperboloid.fgm.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: hyperboloid.fgm.k.
 
     References
     ----------
@@ -313,7 +312,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     1.6
     """
     require(theta=theta, b=b, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(theta, b))
 
 
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -279,8 +279,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values give NaN. Not broadcast with R, on which the value does not
-    depend. Handbook: paraboloid.fgm.k.
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.fgm.k.
 
     References
     ----------
@@ -294,7 +293,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     1.6
     """
     require(R=R, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R,))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -290,8 +290,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for small slopes. Negative or NaN field values give NaN. Not broadcast with A, on which the value
-    does not depend. Handbook: polynomial.fgm.k.
+    Valid for small slopes. Negative or NaN field values give NaN. Handbook: polynomial.fgm.k.
 
     References
     ----------

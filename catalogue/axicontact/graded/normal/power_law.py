@@ -296,8 +296,8 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Not broadcast with A, n,
-    on which the value does not depend. Handbook: power_law.fgm.k.
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook:
+    power_law.fgm.k.
 
     References
     ----------
@@ -311,7 +311,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
     1.6
     """
     require(A=A, n=n, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(A, n))
 
 
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -279,8 +279,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Not broadcast with A, on
-    which the value does not depend. Handbook: quartic.fgm.k.
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.fgm.k.
 
     References
     ----------
@@ -294,7 +293,7 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     1.6
     """
     require(A=A, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(A,))
 
 
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

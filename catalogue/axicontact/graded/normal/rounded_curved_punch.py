@@ -314,8 +314,8 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
 
     Notes
     -----
-    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Not broadcast with R1, R2, b, on
-    which the value does not depend. Handbook: rounded_curved_punch.fgm.k.
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook:
+    rounded_curved_punch.fgm.k.
 
     References
     ----------
@@ -329,7 +329,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
     2.656037
     """
     require(R1=R1, R2=R2, b=b, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R1, R2, b))
 
 
 def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -306,8 +306,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. Not broadcast with R, b, on which the value does not depend. Handbook:
-    rounded_punch.fgm.k.
+    ones, give NaN. Handbook: rounded_punch.fgm.k.
 
     References
     ----------
@@ -322,7 +321,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     """
     require(R=R, b=b, H=H, k=k)
     require_reach(a, b, "graded.normal.flat_punch")
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R, b))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

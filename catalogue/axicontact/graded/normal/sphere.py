@@ -290,8 +290,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
 
     Notes
     -----
-    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN. Not
-    broadcast with R, on which the value does not depend. Handbook: sphere.fgm.k.
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
+    Handbook: sphere.fgm.k.
 
     References
     ----------
@@ -305,7 +305,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     1.6
     """
     require(R=R, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R,))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

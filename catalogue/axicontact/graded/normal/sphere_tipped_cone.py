@@ -305,8 +305,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: 
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Not broadcast with R, theta, on which
-    the value does not depend. Handbook: sphere_tipped_cone.fgm.k.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.fgm.k.
 
     References
     ----------
@@ -320,7 +319,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: 
     1.6
     """
     require(R=R, theta=theta, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R, theta))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -316,7 +316,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     Notes
     -----
     Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
-    Not broadcast with theta, b, on which the value does not depend. Handbook: truncated_cone.fgm.k.
+    Handbook: truncated_cone.fgm.k.
 
     References
     ----------
@@ -331,7 +331,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     """
     require(theta=theta, b=b, H=H, k=k)
     require_reach(a, b, "graded.normal.flat_punch")
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(theta, b))
 
 
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

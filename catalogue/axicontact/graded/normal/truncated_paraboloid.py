@@ -303,8 +303,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
 
     Notes
     -----
-    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Not
-    broadcast with R, b, on which the value does not depend. Handbook: truncated_paraboloid.fgm.k.
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Handbook:
+    truncated_paraboloid.fgm.k.
 
     References
     ----------
@@ -319,7 +319,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     """
     require(R=R, b=b, H=H, k=k)
     require_reach(a, b, "graded.normal.flat_punch")
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R, b))
 
 
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

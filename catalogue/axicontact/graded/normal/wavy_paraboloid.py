@@ -319,8 +319,8 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Not
-    broadcast with R, h, wavelength, on which the value does not depend. Handbook: wavy_paraboloid.fgm.k.
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Handbook:
+    wavy_paraboloid.fgm.k.
 
     References
     ----------
@@ -334,7 +334,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     1.6
     """
     _check(R=R, h=h, wavelength=wavelength, H=H, k=k)
-    return elementwise(_stiffness, a, H=H, k=k)
+    return elementwise(_stiffness, a, H=H, k=k, unused=(R, h, wavelength))
 
 
 def mean_pressure(

@@ -115,16 +115,45 @@ function score(hit, query, parts) {
 
 let index = null;
 
-function search(text) {
+function split(text) {
   const query = text.trim().replace(/(\p{L})\([^)]*\)/gu, "$1");  // p(r) is p
-  const parts = folded(query).split(" ").filter(Boolean);
+  return [query, folded(query).split(" ").filter(Boolean)];
+}
+
+function search(text) {
+  const [query, parts] = split(text);
   if (!parts.length) return [];
   index ??= indexed();
   const found = index.map((hit) => [score(hit, query, parts), hit]).filter(([far]) => far < Infinity);
   return found.sort(([one], [other]) => one - other).map(([, hit]) => hit);
 }
 
-function show(list, hits, asked) {
+// whether one letter is wrong, missing, too many or changed with its neighbour
+function misspelt(word, right) {
+  if (word === right) return false;
+  let i = 0;
+  while (word[i] === right[i]) i += 1;
+  const rest = (text, from) => text.slice(i + from);
+  if (rest(word, 1) === rest(right, 1) || rest(word, 0) === rest(right, 1) || rest(word, 1) === rest(right, 0)) return true;
+  return word[i] === right[i + 1] && word[i + 1] === right[i] && rest(word, 2) === rest(right, 2);
+}
+
+// the query with each word that is nowhere in the index spelt as the commonest one beside it; "" if there is none
+function guess(text) {
+  const parts = split(text)[1];
+  index ??= indexed();
+  const unknown = (part) => !index.some((hit) => distance(hit, part) < Infinity);
+  const counts = new Map();
+  for (const word of index.flatMap((hit) => hit.fields.flat())) counts.set(word, (counts.get(word) ?? 0) + 1);
+  const right = (part) => {
+    const near = [...counts.keys()].filter((word) => /^\p{L}{4,}$/u.test(word) && misspelt(part, word));
+    return near.sort((one, other) => counts.get(other) - counts.get(one))[0];
+  };
+  const guessed = parts.map((part) => (unknown(part) ? right(part) : part));
+  return guessed.includes(undefined) ? "" : guessed.join(" ");
+}
+
+function show(list, hits, said) {
   list.replaceChildren(...hits.slice(0, SHOWN).map((hit, i) => {
     const item = document.createElement("li");
     item.id = `found.${i}`;
@@ -142,7 +171,18 @@ function show(list, hits, asked) {
     return item;
   }));
   open(list, hits.length > 0);
-  tell(asked && !hits.length ? `nothing found for ${asked}: try a key such as cone.p, a profile or a quantity` : "");
+  tell(said);
+}
+
+// what is found, or else what is found of the same words spelt right
+function update(input, list) {
+  const asked = input.value.trim();
+  const hits = search(asked);
+  if (hits.length || !asked) return show(list, hits, "");
+  const meant = guess(asked);
+  const others = search(meant);
+  const advice = others.length ? `did you mean ${meant}?` : "try a key such as cone.p, a profile or a quantity";
+  return show(list, others, `nothing found for ${asked}: ${advice}`);
 }
 
 function open(list, shown) {
@@ -168,9 +208,8 @@ function choose(input, list, step) {
 function startSearch() {
   const input = document.getElementById("q");
   const list = document.getElementById("found");
-  const update = () => show(list, search(input.value), input.value.trim());
   const leave = () => { open(list, false); tell(""); };
-  input.addEventListener("input", update);
+  input.addEventListener("input", () => update(input, list));
   input.form.addEventListener("submit", (event) => {
     event.preventDefault();
     const first = list.querySelector("li.chosen a") ?? list.querySelector("a");
@@ -190,7 +229,7 @@ function startSearch() {
     if (event.key === "/" && document.activeElement !== input) { event.preventDefault(); input.focus(); }
   });
   input.value = new URLSearchParams(location.search).get("q") ?? "";
-  update();
+  update(input, list);
 }
 
 renderFormulas();
