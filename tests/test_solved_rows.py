@@ -16,7 +16,7 @@ from misprints import misprints
 from stored_book import CATALOGUE, stored
 from test_evaluated_physics import as_read, passes, rows_of
 
-from axicontact import _graded_across, _graded_inverse, _inverse, _unknowns
+from axicontact import _across, _graded_across, _graded_inverse, _unknowns
 from axiderive import notation as nt
 from axiderive.contact.systems import problem
 from axiderive.emit.readback.further import wrong
@@ -47,10 +47,10 @@ def source(key: str) -> str:
 
 def test_the_starts_are_those_of_the_modules() -> None:
     for key, text in (
-        ("hyperboloid", "np.full_like(d, b / 1000)"), ("hyperboloid.fgm", "d, 1.5 * b,"), ("polynomial.fgm", "d, 1.0,"),
+        ("hyperboloid", "b / 1000 * np.ones_like(d)"), ("hyperboloid.fgm", "d, 1.5 * b,"), ("polynomial.fgm", "d, 1.0,"),
         ("wavy_paraboloid.fgm", "d, 1.5 * wavelength,"), ("gaussian", "largest = 1.5019752682686114 * s *"),
         ("wavy_paraboloid", "unit = wavelength / (2 * np.pi)"),
-        ("polynomial", "(np.log(F / term) / (j + 1) for j, term in enumerate(alone, 1))"),
+        ("polynomial", "(np.log(share) / (j + 1) for j, share in enumerate(alone, 1))"),
     ):  # fmt: skip
         assert text in source(key)
     (first,) = (own.equations for own in unknowns(stored("gaussian")))
@@ -130,7 +130,7 @@ def starts(name: str, suffix: str, load: Any, k: float, monkeypatch: pytest.Monk
         return start + 0.0 * value
 
     with monkeypatch.context() as patched:
-        for module in (_graded_inverse, _graded_across, _inverse):
+        for module in (_graded_inverse, _graded_across, _across):
             patched.setattr(module, "inverse", look)
         private(name, f"_radius_from_{LOADED[suffix]}", k)(np.atleast_1d(load))
     return begun

@@ -94,7 +94,7 @@ def _held(chapters: Chapters) -> str:
     words = [
         f"{count} {kind}{'s' * (count > 1)}" if kind else "the elastic constants" for kind, count in counts.items()
     ]
-    *most, last = words
+    *most, last = words or ["no formula"]
     return f"{', '.join(most)} and {last}" if most else last
 
 

@@ -106,7 +106,10 @@ def _fixed(modules: Modules, reached: Mapping[Key, Definition], roots: frozenset
             given = arguments(call, reached[key].parameters) if key in values else {}
             for parameter in values.get(key, ()):
                 value = given.get(parameter)
-                values[key][parameter].add(defaults[key][parameter] if value is None else _text(definition, value))
+                text = defaults[key][parameter] if value is None else _text(definition, value)
+                # a name means something in its own module alone
+                foreign = isinstance(value, ast.Name) and definition.module.name != reached[key].module.name
+                values[key][parameter].add("" if foreign else text)
     return {
         key: {p: next(iter(texts)) for p, texts in own.items() if len(texts) == 1 and "" not in texts}
         for key, own in values.items()
