@@ -80,14 +80,19 @@ def check_pull_off(name: str, k: str, control: str) -> None:
 @pytest.mark.parametrize("k", EXPONENTS)
 @pytest.mark.parametrize("name", [name for name in POWERS if name != "polynomial"])
 def test_pull_off_of_power_laws(name: str, k: str) -> None:
-    profile, module, known = load(name), emitted(f"adhesive.{name}"), values(load(name), k)
+    profile, module = load(name), emitted(f"adhesive.{name}")
+    # the doubles that the module is given: a cone takes up the rounding of k = -0.9 hundreds of times
+    known = {symbol: sp.Float(float(value), 40) for symbol, value in values(profile, k).items()}
     entries = derived("adhesive", name)
     for control, names in (("force", ("ac", "Fc", "dc")), ("depth", ("am", "Fm", "dm"))):
         state = module.pull_off(control, **keywords(module.pull_off, profile, known))
-        a_c = example.number(entries[names[0]].cases[0].expr, known)
+        radius = entries[names[0]].cases[0].expr
+        a_c = example.number(radius, known)
+        # and the power of dgamma, ten for it, the rounding of what is raised to that
+        power = math.log2(example.number(radius, known | {nt.dgamma: 2 * known[nt.dgamma]}) / a_c)
         for suffix, found in zip(names, state, strict=True):
             expected = float(example.number(entries[suffix].cases[0].expr, known | {nt.a_c: a_c}))
-            assert found == pytest.approx(expected, rel=2e-14, abs=0.0), suffix
+            assert found == pytest.approx(expected, rel=1.2e-14 * (1.0 + power), abs=0.0), suffix
 
 
 def test_pull_off_of_the_graded_sphere() -> None:

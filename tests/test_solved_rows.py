@@ -47,7 +47,8 @@ def source(key: str) -> str:
 
 def test_the_starts_are_those_of_the_modules() -> None:
     for key, text in (
-        ("hyperboloid", "b / 1000 * np.ones_like(d)"), ("hyperboloid.fgm", "d, 1.5 * b,"), ("polynomial.fgm", "d, 1.0,"),
+        ("hyperboloid", "b / 1000 * np.ones_like(d)"), ("hyperboloid.fgm", "d, 1.5 * b,"),
+        ("polynomial.fgm", "d, 1.0,"),
         ("wavy_paraboloid.fgm", "d, 1.5 * wavelength,"), ("gaussian", "largest = 1.5019752682686114 * s *"),
         ("wavy_paraboloid", "unit = wavelength / (2 * np.pi)"),
         ("polynomial", "(np.log(share) / (j + 1) for j, share in enumerate(alone, 1))"),

@@ -14,7 +14,7 @@ import numpy as np
 from ._elementwise import Array
 from ._graded_growth import power_excess
 from ._graded_rules import NODES, raised, sine_over, sinh_over, weighted
-from ._integrals import difference_root, integral
+from ._integrals import difference_root, integral, integral_in_strip
 
 Shape = Callable[[Array, Array], Array]
 """A function of s and z, with s**2 + z**2 = a**2."""
@@ -83,12 +83,12 @@ def from_edge(shape: Shape, a: Array, q: Array, c: Array, stop: Array, k: Array)
     return raised(ratio, k) * (first + second)
 
 
-def over_angle(shape: Shape, a: Array, q: Array, stop: Array, k: Array, start: Array | float = SPLIT) -> Array:
+def over_angle(shape: Shape, a: Array, q: Array, stop: Array, k: Array) -> Array:
     def smooth(y: Array) -> Array:
-        sine, cosine = np.sin(start + y), np.cos(start + y)
+        sine, cosine = np.sin(SPLIT + y), np.cos(SPLIT + y)
         return shape(a * cosine, a * sine) * kernel(sine, cosine, a / q, k)
 
-    return integral(smooth, stop - start, NODES)
+    return integral(smooth, stop - SPLIT, NODES)
 
 
 def kernel(sine: Array, cosine: Array, ratio: Array, k: Array) -> Array:
@@ -96,20 +96,26 @@ def kernel(sine: Array, cosine: Array, ratio: Array, k: Array) -> Array:
     return ratio * (ratio * sine) ** k * cosine / (1.0 + (ratio * sine) ** 2)
 
 
-def over_cap(shape: Shape, q: Array, a: Array, b: Array, k: Array) -> Array:
-    """The part of a smooth profile that ends at s = b < a."""
-    end = difference_root(a, b)
-    low, high = np.arcsinh(end / q), np.arcsinh(a / q / 2.0)
-    low, high = np.maximum(low, 1e-300), np.maximum(low, high)
-    middle = np.minimum(np.maximum(low, 1.0), high)
+def over_cap(shape: Shape, q: Array, root: Array, b: Array, k: Array, end: Array | float = np.inf) -> Array:
+    """The part within a break at s = b, where z = root, of a function of more = b**2 - s**2 and z.
 
-    def rise(start: Array, stop: Array) -> Array:
-        def smooth(x: Array) -> Array:
-            v = start * np.exp(x)
-            z = q * np.sinh(v)
-            return shape(difference_root(a, z), z) * np.sinh(v) ** k / np.cosh(v) * v
+    All its singularities are at negative `more`: z = 0, z = i q and that of the function, -end**2.  In the logarithm
+    of the distance to the nearest of them they are pi/2 away from the path, which is counted from either end.
+    """
+    low = np.minimum(root, end)
+    top, half = np.hypot(low, b), np.log1p((b / low) ** 2) / 4.0 + np.zeros_like(q)
 
-        return integral(smooth, np.log(stop / start), NODES)
+    def along(near: Array, risen: Array) -> Array:
+        more = risen * (near + low)
+        z = np.sqrt(root * root + more)
+        return shape(more, z) * (near / z) * (near / q) * (z / q) ** k / (1.0 + (z / q) ** 2)
 
-    first = np.maximum(np.arctan2(end, b), SPLIT)
-    return rise(low, middle) + rise(middle, high) + over_angle(shape, a, q, np.full_like(q, np.pi / 2.0), k, first)
+    def from_low(x: Array) -> Array:
+        return along(low * np.exp(x), low * np.expm1(x))
+
+    def from_top(x: Array) -> Array:
+        # near - low cancels where they are alike, its increments far below `top`: 700 units at end = 1e-8 R
+        near = top * np.exp(-x)
+        return along(near, np.where(near > 2.0 * low, near - low, b * (b / (top + low)) + top * np.expm1(-x)))
+
+    return integral_in_strip(from_low, half) + integral_in_strip(from_top, half)

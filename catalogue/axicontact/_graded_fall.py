@@ -7,6 +7,7 @@ A shape is the fall over (z/a)**2, as a function of s and z.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -83,47 +84,54 @@ def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
 
 def flank_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = 1 for r > b."""
-    end = difference_root(a, b)
-    return _broken(lambda s, z: a * (a / (a + s)), lambda s, z: end * (end / (a + b)), r, a, b, k)
+    at = _break_at(r, a, b)
+    return _broken(lambda s, z: a * (a / (a + s)), lambda _: at.root * (at.root / (a + b)), r, a, k, at)
 
 
 def rim_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r for r > b."""
-    end = difference_root(a, b)
-    return _broken(lambda s, z: a * a / 2.0 + 0.0 * z, lambda s, z: end * end / 2.0, r, a, b, k)
+    at = _break_at(r, a, b)
+    return _broken(lambda s, z: a * a / 2.0 + 0.0 * z, lambda _: at.root * at.root / 2.0, r, a, k, at)
 
 
 def rounding_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r - b for r > b."""
-    end = difference_root(a, b)
-    last = end * (end / (a + b))
+    at = _break_at(r, a, b)
+    last = at.root * (at.root / (a + b))
 
     def beyond(s: Array, z: Array) -> Array:
-        return a * (a / (a + s)) * (last + _below(s, z, b, end) / (s + b)) / 2.0
+        # s**2 - b**2, of the pair that is small against the radius
+        square = np.where(s < z, (s - b) * (s + b), (at.root - z) * (at.root + z))
+        return a * (a / (a + s)) * (last + square / (s + b)) / 2.0
 
-    return _broken(beyond, lambda s, z: last * last / 2.0, r, a, b, k)
+    return _broken(beyond, lambda _: last * last / 2.0, r, a, k, at)
 
 
 def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r/b for r < b, 1 beyond."""
-    end = difference_root(a, b)
+    at = _break_at(r, a, b)
 
-    def within(s: Array, z: Array) -> Array:
-        return end * (end / (a + b)) - _below(s, z, b, end) / (2.0 * b)
+    def within(more: Array) -> Array:
+        return at.root * (at.root / (a + b)) + more / (2.0 * b)
 
     tip = power_displacement(r, a, 2.0, k) / (2.0 * b)
-    return np.where(a <= b, tip, _broken(lambda s, z: a * (a / (a + s)), within, r, a, b, k))
+    return np.where(a <= b, tip, _broken(lambda s, z: a * (a / (a + s)), within, r, a, k, at))
 
 
 def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    root, slope = difference_root(a, b), b / end
+    slope = b / end
 
-    def within(s: Array, z: Array) -> Array:
-        return slope * root * (root / (a + b)) - _below(s, z, b, root) / (end + difference_root(R, s))
+    def past(x: Array) -> Array:
+        # a steep flank multiplies the rounding of b, of which the distance from R is free
+        return np.where(end < b, (x - R) + end * (end / (R + b)), x - b)
 
+    def within(more: Array) -> Array:
+        return slope * past(a) + more / (end + np.sqrt(end * end + more))
+
+    at = _Break(b, np.sqrt(np.maximum(past(a), 0.0) * (a + b)), -past(r) * (b + r), end)
     tip = sphere_displacement(r, np.minimum(a, b), R, k)
-    return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, b, k))
+    return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, k, at))
 
 
 class _Gap(NamedTuple):
@@ -148,11 +156,6 @@ def _weighed(gap: _Gap, shape: Shape, a: Array) -> Shape:
     return lambda s, z: shape(s, z) * (gap.grown * (z / a) ** 2 + gap.even)
 
 
-def _below(s: Array, z: Array, b: Array, end: Array) -> Array:
-    """s**2 - b**2 = end**2 - z**2, of the pair that is small against the radius."""
-    return np.where(s < z, (s - b) * (s + b), (end - z) * (end + z))
-
-
 def _fall(shape: Shape, r: Array, a: Array) -> Array:
     """That of the profile at r."""
     root = difference_root(a, r)
@@ -171,12 +174,26 @@ def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.in
     return _joined(gap, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
 
 
-def _broken(beyond: Shape, within: Shape, r: Array, a: Array, b: Array, k: Array) -> Array:
-    """Of a profile with a break at s = b, for a > b; `within` is the fall itself."""
-    gap, end = _gap(r, a, k), difference_root(a, b)
+class _Break(NamedTuple):
+    """sqrt(a**2 - b**2), b**2 - r**2, and the -end**2 of b**2 - s**2 at which the fall within is singular."""
+
+    b: Array
+    root: Array
+    more: Array
+    end: Array | float = np.inf
+
+
+def _break_at(r: Array, a: Array, b: Array) -> _Break:
+    return _Break(b, difference_root(a, b), (b - r) * (b + r))
+
+
+def _broken(beyond: Shape, within: Callable[[Array], Array], r: Array, a: Array, k: Array, at: _Break) -> Array:
+    """Of a profile with a break, for a > b; `within` is the fall itself, as a function of b**2 - s**2."""
+    gap = _gap(r, a, k)
     own = _weighed(gap, beyond, a)
-    near = from_edge(own, a, gap.q, gap.q, np.arcsinh(np.minimum(end, a / 2.0) / gap.q), k)
-    value = near + over_angle(own, a, gap.q, np.maximum(np.arctan2(end, b), SPLIT), k)
-    value = value + over_cap(_weighed(gap, lambda s, z: within(s, z) / (z / a) ** 2, a), gap.q, a, b, k)
-    fall = np.where(r > b, _fall(beyond, r, a), within(r, difference_root(a, r)))
-    return np.where(a > b, _joined(gap, value, fall), 0.0)
+    near = from_edge(own, a, gap.q, gap.q, np.arcsinh(np.minimum(at.root, a / 2.0) / gap.q), k)
+    value = near + over_angle(own, a, gap.q, np.maximum(np.arctan2(at.root, at.b), SPLIT), k)
+    tip = _weighed(gap, lambda more, z: within(more) / (z / a) ** 2, a)
+    value = value + over_cap(tip, gap.q, at.root, at.b, k, at.end)
+    fall = np.where(at.more < 0.0, _fall(beyond, r, a), within(np.maximum(at.more, 0.0)))
+    return np.where(a > at.b, _joined(gap, value, fall), 0.0)
