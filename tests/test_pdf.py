@@ -90,6 +90,14 @@ def test_overfull_lines_and_dangling_references_are_remarks_with_a_key():
     assert any(remark.startswith("reference nowhere ") for remark in remarks)
 
 
+def test_an_overfull_line_is_in_the_file_that_is_read():
+    """A name with a dot too: else the line was one of the file before, which may have a key there."""
+    files = ("profiles/cone.tex", "profiles/loads.uniform.tex")
+    log = f"(./{files[0]}) (./{files[1]}\nOverfull \\hbox (99.0pt too wide) in alignment at lines 2--3\n"
+    sources = {"main.tex": DOCUMENT} | {file: f"%% {file[9:-4]}.w\nx\ny\n".encode() for file in files}
+    assert pdf.problems(log, sources) == [f"{files[1]}:2: [loads.uniform.w] line is 34.8 mm too wide"]
+
+
 def test_a_nearly_empty_page_is_a_remark_unless_it_is_the_first_or_the_last():
     shares = {1: 20, 2: 1004, 3: 90, 4: 9}
     log = "".join(f"Page {page} is filled to {share} of 1000\n" for page, share in shares.items())

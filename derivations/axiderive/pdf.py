@@ -225,7 +225,7 @@ def _overfull_lines(log: str, sources: Mapping[str, bytes]) -> Iterator[str]:
 
 def _file_tracker(log: str) -> Callable[[int], str]:
     """Which source TeX was reading at a place of the log: it writes `(./file.tex` when one is opened."""
-    opened = [(m.start(), m[1]) for m in re.finditer(r"\((?:\./)?([\w/-]+\.tex)", log)]
+    opened = [(m.start(), m[1]) for m in re.finditer(r"\((?:\./)?([\w./-]+\.tex)", log)]
     return lambda place: next((path for start, path in reversed(opened) if start <= place), "handbook.tex")
 
 
