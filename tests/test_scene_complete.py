@@ -69,7 +69,7 @@ def test_numbers_without_fields_are_functions():
     ("source", "right", "wrong"),
     [
         (SHOE.format(""), "2 * e + a", "e + a"),
-        (SHOE.format("e = 0.015\n"), "2 * beyond - a", "beyond - a"),
+        (SHOE.format("e = 0.0175\n"), "along - end", "along + end"),
         (SHOE.format("e = 0.015\n"), "2 * np.pi * short)", "np.pi * short)"),
         (
             'profile = "power"\n[physics]\nloads = true\n',
