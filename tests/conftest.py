@@ -1,7 +1,8 @@
-"""The emitted plane modules, written once for every file of tests that asks for them."""
+"""What several files of tests ask for, made once: the emitted plane modules, and pages of the web edition."""
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Callable, Iterator
 from importlib import import_module
@@ -10,9 +11,13 @@ from types import ModuleType
 
 import pytest
 from plane_modules import PACKAGE, entries, written
+from stored_book import CATALOGUE, KEYS, evidence, stored
 
+from axiderive.emit.html import html_sources
 from axiderive.emit.plane import module_sources
 from axiderive.profiles import plane
+
+WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materials")
 
 
 @pytest.fixture(scope="module")
@@ -29,3 +34,18 @@ def plane_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 @pytest.fixture
 def plane_module(plane_folder: Path) -> Callable[[str], ModuleType]:
     return lambda name: import_module(f"{PACKAGE}.plane.{name}")
+
+
+@pytest.fixture(scope="session")
+def site() -> dict[str, str]:
+    """The web edition of some profiles of every kind."""
+    own = [key for key in KEYS if any(key == name or key.startswith(f"{name}.") for name in WEB)]
+    modules = {
+        str(path.relative_to(CATALOGUE)): path.read_text(encoding="utf-8")
+        for path in (CATALOGUE / "axicontact").rglob("*.py")
+    }
+    chapter = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())
+    studies = {path.stem: json.loads(path.read_bytes()) for path in (CATALOGUE / "evidence" / "study").glob("*.json")}
+    return html_sources(
+        {k: stored(k) for k in own}, {k: evidence(k) for k in own}, chapter, modules=modules, studies=studies
+    )
