@@ -218,7 +218,7 @@ def test_concave_faces_start_at_the_threshold(name: str) -> None:
 
 @pytest.mark.parametrize("name", COMPLETE_NAMES)
 @given(d=st.floats(0.3, 1e3))
-@settings(deadline=None, max_examples=20)
+@settings(max_examples=20)
 def test_complete_contact_round_trip(name: str, d: float) -> None:
     force = call(name, "force", d)
     if not math.isnan(force):
@@ -227,7 +227,7 @@ def test_complete_contact_round_trip(name: str, d: float) -> None:
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
 @given(x=st.floats(1e-4, 0.9999))
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 def test_round_trips(name: str, x: float) -> None:
     b = SMALLEST.get(name)
     a = (1.0 + x) * b if b else 1.45 * x
@@ -242,7 +242,7 @@ def test_round_trips(name: str, x: float) -> None:
 
 @pytest.mark.parametrize("name", COMPACT_NAMES)
 @given(x=st.floats(1e-3, 0.99), y=st.floats(0.0, 0.999))
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 def test_depth_grows_and_nothing_pulls(name: str, x: float, y: float) -> None:
     b = SMALLEST.get(name)
     a = (1.0 + x) * b if b else 1.45 * x

@@ -44,7 +44,7 @@ def close(got: Extended, wanted: mp.mpf, tolerance: float) -> bool:
 
 
 @given(MANTISSAS, EXPONENTS, MANTISSAS, st.integers(-60, 60))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_arithmetic_without_a_range(x: float, e: int, y: float, shift: int) -> None:
     a, b = Extended(x, e), Extended(y, e + shift)
     with mp.workdps(60):
@@ -61,7 +61,7 @@ def test_arithmetic_without_a_range(x: float, e: int, y: float, shift: int) -> N
 
 
 @given(MANTISSAS, st.integers(-3000, 3000), st.floats(0.001, 12.0))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_powers_without_a_range(x: float, e: int, n: float) -> None:
     a = Extended(x, e)
     with mp.workdps(60):
@@ -95,7 +95,6 @@ def test_a_difference_of_products_keeps_what_both_lose() -> None:
 
 
 @given(st.floats(1e-300, 1e300), st.sampled_from((3, 5, 7)))
-@settings(deadline=None)
 def test_roots_are_not_those_of_a_rounded_exponent(x: float, n: int) -> None:
     with mp.workdps(40):
         root = mp.root(mp.mpf(x), n)
@@ -164,7 +163,6 @@ def test_plain_numbers_and_arrays_agree() -> None:
 
 
 @given(st.floats(0.6, 0.999), st.floats(1.01, 50.0), st.integers(-18, 18))
-@settings(deadline=None)
 def test_lengths_scaled_by_a_power_of_two(share: float, a: float, power: int) -> None:
     """Depth is a length and pressure is none, to the last bit."""
     scale = 2.0**power

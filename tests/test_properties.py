@@ -62,7 +62,7 @@ def scalable(package: str) -> tuple[tuple[str, Callable[..., Any], list[float], 
 
 @pytest.mark.parametrize("package", ["normal", "adhesive", "tangential", "plane", "loads"])
 @given(length=st.sampled_from((-3, -1, 2)), modulus=st.integers(3, 30))
-@settings(deadline=None, max_examples=2)
+@settings(max_examples=2)
 def test_powers_of_two_change_no_digit(package: str, length: int, modulus: int) -> None:
     """Lengths in units of 64**length, also a square and a cube, moduli of 2**modulus; without a warning.
 
@@ -92,7 +92,7 @@ def keywords_of(function: Callable[..., Any]) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", PLANE)
 @given(x=st.floats(1e-3, 0.99), y=st.floats(0.0, 0.999))
-@settings(deadline=None, max_examples=20)
+@settings(max_examples=20)
 def test_a_strip_contact_grows_and_does_not_pull(name: str, x: float, y: float) -> None:
     module = import_module(f"axicontact.plane.{name}")
     known = keywords_of(module.load)
@@ -107,7 +107,7 @@ def test_a_strip_contact_grows_and_does_not_pull(name: str, x: float, y: float) 
 
 @pytest.mark.parametrize("name", ["cone", "paraboloid", "rounded_punch", "truncated_cone", "hyperboloid"])
 @given(over=st.floats(1.01, 30.0))
-@settings(deadline=None, max_examples=10)
+@settings(max_examples=10)
 def test_an_adhesive_contact_is_found_again(name: str, over: float) -> None:
     """On its stable branch, where depth and force grow with the radius."""
     module = import_module(f"axicontact.adhesive.{name}")
@@ -122,16 +122,19 @@ def test_an_adhesive_contact_is_found_again(name: str, over: float) -> None:
 
 @pytest.mark.parametrize("name", ["cone", "paraboloid", "sphere", "rounded_punch", "hyperboloid"])
 @given(share=st.floats(1e-3, 0.999))
-@settings(deadline=None, max_examples=10)
+@settings(max_examples=10)
 def test_slip_grows_from_the_edge(name: str, share: float) -> None:
     module = import_module(f"axicontact.tangential.{name}")
     known = keywords_of(module.tangential_force)
     a = known.get("b", 0.5) * (1.2 if name == "rounded_punch" else 1.0)
     low = known["b"] if name == "rounded_punch" else 0.0
     c = low + share * (a - low)
-    force = module.tangential_force(a, c, **known)
-    assert 0.0 < force < module.tangential_force(a, c - 1e-3 * (c - low), **known)
+    force, step = module.tangential_force(a, c, **known), 1e-3 * (c - low)
+    more = module.tangential_force(a, c - step, **known)
+    assert 0.0 < force < more
     found = module.stick_radius(force, a, **known)
-    assert module.tangential_force(a, found, **known) == pytest.approx(force, rel=ROUND_TRIP, abs=0.0)
+    # a unit in the last place of c changes a force from a narrow ring of slip by many of its own
+    unit = EPS * c * (more - force) / step
+    assert module.tangential_force(a, found, **known) == pytest.approx(force, rel=ROUND_TRIP, abs=2 * unit)
     traction = module.traction(np.linspace(0.0, 1.1 * a, 12), a, c, **keywords_of(module.traction))
     assert np.all(traction >= 0.0)
