@@ -13,8 +13,8 @@ import sympy as sp
 from axiderive import notation as nt
 from axiderive.contact import systems
 from axiderive.emit import example
-from axiderive.emit.physics.text import name_of
 from axiderive.entry import Entry
+from axiderive.letters import name_of
 from axiderive.profiles.profile import Profile
 
 SYSTEMS = ("normal", "adhesive", "tangential", "viscoelastic", "loads", "materials")

@@ -17,7 +17,7 @@ from axiderive import notation as nt
 from axiderive.abel.reduce import NotReducibleError
 from axiderive.emit.graded import TITLES
 from axiderive.emit.graded.families import family
-from axiderive.emit.physics.text import name_of
+from axiderive.letters import name_of
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES, load
 from axiderive.profiles.profile import Piece, Profile
 

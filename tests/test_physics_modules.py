@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from physics_package import derived, emitted, positional, public
 
-from axiderive.emit.physics.text import name_of
+from axiderive.letters import name_of
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES
 from axiderive.profiles.loads import LOADS
 

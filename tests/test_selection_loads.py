@@ -14,12 +14,10 @@ from axiderive.contact.systems import problem
 from axiderive.emit.imports import RUNTIME as EVERYWHERE
 from axiderive.emit.physics import RUNTIME as PHYSICS
 from axiderive.emit.physics import loads
-from axiderive.emit.physics.text import name_of
 from axiderive.emit.variants import written
 from axiderive.profiles.loads import load
 from axiderive.stable.closure import closure
 from axiderive.stable.records import record
-from axiderive.stable.samples import keyword
 from axiderive.stable.selection import TOLERANCE
 from axiderive.stable.written import Written, modules
 
@@ -80,8 +78,3 @@ def test_functions_of_the_runtime_under_a_pressure(name: str, bound: float, cons
     assert constant in FRESH[path]
     worse = selected_load(name, runtime=FRESH | {path: FRESH[path].replace(constant, coarser)})
     assert max(worse[domain]["worst_ulp"] for domain in ("bench", "extreme")) > 10 * bound
-
-
-def test_a_parameter_has_the_name_of_the_interface() -> None:
-    for entry in (problem(f"loads.{name}").derive()["w"] for name in ("uniform", "power")):
-        assert [keyword(symbol) for symbol in entry.parameters] == [name_of(symbol) for symbol in entry.parameters]

@@ -12,10 +12,10 @@ from .. import notation as nt
 from ..abel import masters
 from ..contact.systems import BODIES
 from ..entry import Entry
+from ..letters import name_of
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .printer import Printer
-from .symbols import LETTERS
 from .values import Numbers
 from .width import width
 
@@ -106,8 +106,8 @@ def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
     lines = [f"from axicontact{source} import {name}"]
     for entry in entries.values():
         if entry.suffix in MOST_CALLED:
-            fields = [LETTERS.get(s, s.name) for s in entry.quantity.arguments]
-            keywords = [LETTERS.get(p, str(getattr(p, "label", p))) for p in entry.parameters]
+            fields = [name_of(s) for s in entry.quantity.arguments]
+            keywords = [name_of(p) for p in entry.parameters]
             arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
             lines.append(f"{name}.{entry.quantity.function}({', '.join(arguments)})")
     return lines

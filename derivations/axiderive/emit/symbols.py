@@ -8,12 +8,9 @@ from collections.abc import Iterable
 import sympy as sp
 
 from .. import notation as nt
+from ..letters import LETTERS
 from . import layout
 
-LETTERS = {
-    nt.time: "t", nt.relaxation: "tau", nt.sigma: "s", nt.young_1: "E_1", nt.young_2: "E_2",
-}  # fmt: skip
-"""Symbols whose letter in the interface is also that of another one."""
 INSTEAD = {
     nt.dgamma: "use dgamma = 0 for a contact without adhesion",
     nt.mu: "give the coefficient as a positive number, or mu = 0 for a contact without friction",

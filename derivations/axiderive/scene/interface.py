@@ -16,8 +16,8 @@ from ..emit.physics import adhesive as adhesive_text
 from ..emit.physics import loads as loads_text
 from ..emit.physics import tangential as tangential_text
 from ..emit.physics import viscoelastic as viscoelastic_text
-from ..emit.physics.text import name_of
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
+from ..letters import name_of
 from ..profiles.profile import Profile
 
 LAWS = {law.name: law for law in viscoelastic.LAWS}

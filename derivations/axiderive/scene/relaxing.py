@@ -8,7 +8,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..emit.physics.text import name_of
+from ..letters import name_of
 from . import interface
 from .contact import DIGITS, Contact
 from .edged import Edged

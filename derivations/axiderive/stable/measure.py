@@ -16,8 +16,9 @@ from flint import arb, ctx
 from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Entry
+from ..letters import name_of
 from .reference import CURVES, UnknownError, of_contact, reference
-from .samples import LARGEST, SMALLEST, Domain, Floats, floats, keyword
+from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,7 @@ def _inverse(entry: Entry) -> bool:
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
     fields = _fields(entry)
-    keywords = {keyword(s): values[s] for s in entry.parameters if s not in fields}
+    keywords = {name_of(s): values[s] for s in entry.parameters if s not in fields}
     return tuple(values[symbol] for symbol in fields), keywords
 
 

@@ -203,11 +203,6 @@ class Draw:
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)
 
 
-def keyword(symbol: Any) -> str:
-    """The name of an argument of an emitted function."""
-    return "s" if symbol == nt.sigma else str(getattr(symbol, "label", symbol))
-
-
 @cache
 def _share_of_springs(profile: Profile) -> float:
     """For k = -1 the depth is a f'(a) but for a factor: the radius of its largest value over that of k = 0."""

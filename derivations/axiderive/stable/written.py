@@ -12,8 +12,9 @@ from typing import Any
 
 from .. import notation as nt
 from ..entry import Entry
+from ..letters import name_of
 from .measure import Sample, count_for, samples
-from .samples import DOMAINS, Floats, keyword
+from .samples import DOMAINS, Floats
 from .selection import Candidate, Points, choose
 
 Record = dict[str, Any]
@@ -111,7 +112,7 @@ def call(package: str, entry: Entry, own: Sequence[Written], i: int) -> Callable
     names, fields = list(inspect.signature(body).parameters), {str(symbol) for symbol in entry.quantity.arguments}
 
     def value(point: Sample) -> float:
-        values = {keyword(symbol): number for symbol, number in _turned(point.values).items()}
+        values = {name_of(symbol): number for symbol, number in _turned(point.values).items()}
         given = {name: values[name] for name in names if name not in fields}
         several = {name: number for name, number in given.items() if isinstance(number, tuple)}
         function = partial(body, **several) if several else body

@@ -7,13 +7,14 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...entry import Entry
+from ...letters import name_of
 from ...notation import n
 from ..code import python
 from ..physics import text
 from ..physics.adhesive import SUMMARY
 from ..physics.branches import radii, unknowns
 from ..physics.own_units import own_units, returned
-from ..physics.text import Function, name_of
+from ..physics.text import Function
 from .families import family
 from .module import Writer
 

@@ -9,11 +9,11 @@ import sympy as sp
 
 from ...contact.medium import GRADED
 from ...entry import COMPLETE, Entry
+from ...letters import name_of
 from ...notation import a, d, r
 from ...profiles.profile import Profile
 from ..code import python
 from ..docstring import SUMMARY
-from ..physics.text import name_of
 from .module import Writer
 
 ORDER = [

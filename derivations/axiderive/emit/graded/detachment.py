@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...entry import Entry
+from ...letters import name_of
 from ...notation import H, a, dgamma, k
 from .. import example
 from ..physics import text
-from ..physics.text import Function, name_of
+from ..physics.text import Function
 from .complete import ORDER, order_of
 from .module import Writer
 

@@ -12,13 +12,14 @@ import sympy as sp
 
 from ... import notation as nt
 from ...entry import COMPACT, Entry
+from ...letters import name_of
 from ...notation import coefficients
 from ...profiles.profile import Profile
 from .. import docstring, example
 from ..code import python
 from ..layout import fit
 from ..physics import text
-from ..physics.text import Function, evaluate, name_of, private
+from ..physics.text import Function, evaluate, private
 from .examples import Example
 
 RUNTIME = Path(__file__).with_name("runtime")

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...entry import COMPACT, Entry
+from ...letters import name_of
 from ...notation import a
 from ..docstring import SUMMARY
 from ..layout import fit
-from ..physics.text import name_of
 from .families import Family, family
 from .module import Writer
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...entry import Entry
+from ...letters import name_of
 from ..physics.tangential import ORDER, SUMMARY
-from ..physics.text import name_of
 from .families import Family, family
 from .module import Writer
 

@@ -8,6 +8,7 @@ import sympy as sp
 
 from ...contact.adhesive import pull_off_rule
 from ...entry import Entry
+from ...letters import name_of
 from ...notation import E_star, a, a_c, dgamma, n, r
 from ...profiles.profile import Profile
 from ..public import literal
@@ -57,7 +58,7 @@ class _Adhesive:
     def __init__(self, module: NormalModule, entries: Mapping[str, Entry]) -> None:
         self.module, self.entries, self.profile = module, entries, module.profile
         self.symbols = [*module.profile.parameters, E_star, dgamma]
-        self.keywords = [text.name_of(symbol) for symbol in self.symbols]
+        self.keywords = [name_of(symbol) for symbol in self.symbols]
         self.power = exponent(self.profile)
         self.example = Example(self.profile, entries, "adhesive")
 
@@ -76,7 +77,7 @@ class _Adhesive:
         entry = self.entries[suffix]
         fields = [str(argument) for argument in entry.quantity.arguments]
         symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
-        keywords = [text.name_of(symbol) for symbol in symbols]
+        keywords = [name_of(symbol) for symbol in symbols]
         body = self.module.check(symbols)
         summed = self.module.summed and suffix != "Dl"
         name = "hess_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from ...contact import complete
 from ...entry import Entry
+from ...letters import name_of
 from ...notation import E_star, a, dgamma
 from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
@@ -35,7 +36,7 @@ class _Detachment:
     def __init__(self, module: NormalModule, entries: Mapping[str, Entry]) -> None:
         self.module, self.entries, self.profile = module, entries, module.profile
         self.symbols = [*module.profile.parameters, E_star, dgamma]
-        self.keywords = [text.name_of(symbol) for symbol in self.symbols]
+        self.keywords = [name_of(symbol) for symbol in self.symbols]
         self.example = Example(self.profile, entries, "adhesive")
 
     def source(self) -> str:
@@ -58,7 +59,7 @@ class _Detachment:
         ]
 
     def retraction(self) -> Function:
-        keywords = [text.name_of(symbol) for symbol in EDGE]
+        keywords = [name_of(symbol) for symbol in EDGE]
         notes = f"Valid for {self.profile.validity}."
         return Function(
             "retraction", [], keywords, "Retraction of the edge at which it peels off.",
@@ -82,7 +83,7 @@ class _Detachment:
         )  # fmt: skip
 
     def _document(self) -> list[str]:
-        symbols = {text.name_of(symbol): symbol for symbol in self.symbols}
+        symbols = {name_of(symbol): symbol for symbol in self.symbols}
         force, depth = self.entries["Fc"], self.entries["dc"]
         note = "A smaller contact needs a greater depth and a greater force, so that the edge does not stop."
         sources = [*(f"chapter 11, equation {own}" for own in depth.references), *self.profile.sources, "Kendall 1971"]

@@ -11,10 +11,11 @@ import sympy as sp
 
 from ... import notation as nt
 from ...entry import Case, Entry
+from ...letters import name_of
 from ...profiles.profile import Profile
 from .. import example
 from ..layout import fit
-from .text import PACKAGE, name_of
+from .text import PACKAGE
 
 Values = dict[sp.Symbol, sp.Expr]
 MATERIAL: Values = {

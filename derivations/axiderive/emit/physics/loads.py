@@ -9,6 +9,7 @@ import sympy as sp
 
 from ...contact.medium import HOMOGENEOUS
 from ...entry import Entry
+from ...letters import name_of
 from ...notation import a, r, sigma
 from ...profiles.loads import Load
 from ...stable.conjugates import plane_form
@@ -39,7 +40,7 @@ def module_source(load: Load, entry: Entry) -> str:
     """The module of one load."""
     functions = PrivateFunctions(load)
     bodies(functions, {"w": entry})
-    keywords = [text.name_of(symbol) for symbol in entry.parameters]
+    keywords = [name_of(symbol) for symbol in entry.parameters]
     body = [text.required(entry.parameters), f"return {evaluate('_displacement', ['r'], keywords, False)}"]
     document = text.document(entry, ["r"], keywords, "Frictionless half-space. Negative or NaN radii give NaN.")
     example = Example(load, {"w": entry}, "loads").lines("w")
@@ -53,7 +54,7 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     assert isinstance(entry.profile, Load)
     rule = RULES.get(entry.profile.exponent)
     lines = [f"return p_0 / E_star * a * {rule}"] if rule else _by_regions(functions, entry)
-    needs = tuple(text.name_of(symbol) for symbol in entry.parameters)
+    needs = tuple(name_of(symbol) for symbol in entry.parameters)
     functions.functions["displacement"] = Private("_displacement", ("r",), needs, tuple(lines))
 
 

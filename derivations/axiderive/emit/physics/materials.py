@@ -8,6 +8,7 @@ import sympy as sp
 
 from ... import notation as nt
 from ...entry import Entry
+from ...letters import name_of
 from .. import example
 from . import text
 from .text import PACKAGE, Function, private
@@ -78,14 +79,14 @@ def _finite() -> str:
 
 
 def _names(entry: Entry) -> list[str]:
-    return [text.name_of(symbol) for symbol in entry.parameters]
+    return [name_of(symbol) for symbol in entry.parameters]
 
 
 def _public(entry: Entry) -> Function:
     names, function = _names(entry), entry.quantity.function
     check = BODIES if nt.young_1 in entry.parameters else text.required(entry.parameters)
     body = [check, f"return elementwise(_{function}, {', '.join(f'{name}={name}' for name in names)})"]
-    symbols = {text.name_of(symbol): symbol for symbol in entry.parameters}
+    symbols = {name_of(symbol): symbol for symbol in entry.parameters}
     result = nt.describe(entry.quantity.symbol)
     lines = [*_formula(entry), "", "Parameters", "----------", *text.parameters(names, symbols, False)]
     lines += ["", "Returns", "-------", "float or ndarray"]

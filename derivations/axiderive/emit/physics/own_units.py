@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ... import notation as nt
+from ...letters import name_of
 from ...profiles.profile import Profile
 from ..code import python
-from .text import name_of
 
 LOADS = {"d": "-unit", "F": "-(stress + 2 * unit)"}
 """The power of two by which a load is multiplied."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...entry import Entry
+from ...letters import name_of
 from ..code import python
 from ..regimes import strip_width
 from . import text
@@ -49,7 +50,7 @@ def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interfa
 def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
     profile = module.profile
     fields = [str(argument) for argument in entry.quantity.arguments]
-    keywords = [text.name_of(symbol) for symbol in entry.parameters]
+    keywords = [name_of(symbol) for symbol in entry.parameters]
     body = module.check(entry.parameters) + (ORDER if "c" in fields else [])
     if profile.truncated:
         body.append(f"require_reach(a, {profile.breaks[0]})")

@@ -11,23 +11,19 @@ import sympy as sp
 
 from ... import notation as nt
 from ...entry import Entry
+from ...letters import LETTERS, name_of
 from ...notation import coefficients
 from ...profiles.profile import Profile
 from .. import docstring
 from ..layout import fit, from_import
 from ..private import parameter_name
 from ..public import unused
-from ..symbols import LETTERS, LOADED
+from ..symbols import LOADED
 
 PACKAGE = "axicontact"
 NORMAL = "{profile}"
 SIGNATURE = re.compile(r"^def (_\w+)\((.*?)\) ->", re.MULTILINE | re.DOTALL)
 MASTERS = {"Hypergeometric": "2F1", "Kummer": "1F1"}
-
-
-def name_of(symbol: sp.Symbol | sp.IndexedBase) -> str:
-    """The name of a parameter in the interface."""
-    return LETTERS.get(symbol, parameter_name(symbol))
 
 
 def required(symbols: Sequence[sp.Symbol | sp.IndexedBase]) -> str:

@@ -8,6 +8,7 @@ import sympy as sp
 
 from ...contact.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent
 from ...entry import Entry, Quantity
+from ...letters import name_of
 from ..code import python
 from . import text
 from .examples import Example
@@ -58,7 +59,7 @@ def kind_and_law(quantity: Quantity) -> tuple[str, Law]:
 def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
     kind, law = kind_and_law(entry.quantity)
     symbols = [*entry.quantity.arguments[1:], *entry.parameters]
-    keywords, name = [text.name_of(symbol) for symbol in symbols], entry.quantity.function
+    keywords, name = [name_of(symbol) for symbol in symbols], entry.quantity.function
     body = [*module.check(symbols), f"return {evaluate(f'_{name}', ['t'], keywords, module.summed)}"]
     notes = f"Valid for {module.profile.validity}, and while the contact grows. Negative or NaN times give NaN."
     if entry.note:
@@ -70,7 +71,7 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
 
 def _formula(module: NormalModule, quantity: Quantity) -> str:
     kind, law = kind_and_law(quantity)
-    material = [text.name_of(symbol) for symbol in law.parameters]
+    material = [name_of(symbol) for symbol in law.parameters]
     name, needs, passed = f"_{quantity.function}", [*module.geometry, *material], ", ".join(material)
     elastic = "_force_from_depth" if "_force_from_depth" in module.functions else "_force"
     if kind == "step":
