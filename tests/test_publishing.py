@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from axiderive import writing
-from axiderive.comparison import differences, only_profiles, standing
+from axiderive.comparison import book_of, differences, only_profiles, standing
+from axiderive.emission import Book
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}
@@ -125,6 +126,15 @@ def test_measured_errors_are_read_back_from_what_a_build_wrote(tmp_path):
     assert found == {key: json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]["evaluation"]}
     assert found[key]["p"]["bench"]["points"] > 0
     assert standing(tmp_path, [key]) == {}
+
+
+def test_a_page_belongs_to_the_book_that_stands(tmp_path):
+    """Its links to chapter 11 lead somewhere, and its number counts the profiles before it."""
+    whole = book_of(CATALOGUE, ["sphere"])
+    assert len(whole.ids) > 30
+    assert list(whole.ids[:2]) == ["cone", "paraboloid"]
+    assert whole.chapter == json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())
+    assert book_of(tmp_path, ["sphere", "cone"]) == Book(("cone", "sphere"), None)
 
 
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from . import emission, pool, work
 from .cache import Cache, digest, source_digest
-from .emission import Published, Record
+from .emission import Book, Published, Record
 from .work import Outcome, Settings
 
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ def build(
     cache: Cache,
     settings: Settings | None = None,
     standing: Mapping[str, Record] = MappingProxyType({}),
+    book: Book | None = None,
     jobs: int = 1,
     report: Callable[[Outcome], None] = lambda outcome: None,
 ) -> Catalogue:
@@ -57,6 +58,8 @@ def build(
         Digits, number of points and seed of the numerical checks.
     standing : mapping of str to dict
         Measured errors as they are published, by key of the problem; they stay where those of this machine agree.
+    book : Book, optional
+        The book that the pages of these profiles belong to; one of their own otherwise.
     jobs : int
         Number of processes.
     report : callable
@@ -88,7 +91,8 @@ def build(
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
     package = emission.package(published, cache)
     published = _measured(published, package, standing, cache, jobs)
-    files = emission.emitted(published, package, chapter, cache, settings, jobs)
+    book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
+    files = emission.emitted(published, package, book, cache, settings, jobs)
     return Catalogue(files, outcomes, tuple(failures), tuple(_other_choices(published)))
 
 

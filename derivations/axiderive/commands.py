@@ -14,7 +14,7 @@ from . import pdf
 from .build import Catalogue
 from .build import build as build_catalogue
 from .cache import Cache, digest
-from .comparison import differences, only_profiles, standing
+from .comparison import book_of, differences, only_profiles, standing
 from .contact import systems
 from .emission import study_records
 from .emit.readme import with_tables
@@ -40,14 +40,21 @@ def build(arguments: argparse.Namespace) -> int:
     started = time.perf_counter()
     if not arguments.check:
         ensure_writable(root)
+    partial = bool(arguments.only) and (root / "axicontact" / "index.json").exists()
+    book = book_of(root, names) if partial else None
     keys = [problem.key for problem in systems.problems(names)]
     measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
     with Progress(len(keys), quiet=arguments.quiet).running() as progress:
         catalogue = build_catalogue(
-            names, cache=cache, settings=settings, standing=measured, jobs=arguments.jobs, report=progress.finished
+            names,
+            cache=cache,
+            settings=settings,
+            standing=measured,
+            book=book,
+            jobs=arguments.jobs,
+            report=progress.finished,
         )
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
-    partial = bool(arguments.only) and (root / "axicontact" / "index.json").exists()
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
     progress.say(summary(catalogue))
     for remark in catalogue.remarks:

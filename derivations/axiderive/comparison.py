@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .contact.systems import problems, profile_ids
+from .emission import Book
 from .index import dumps, loads
 
 Record = dict[str, Any]
@@ -28,6 +29,20 @@ def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) 
     for path in stale:
         lines += [f"--- committed/{path}", "+++ /dev/null", "no longer generated"]
     return lines
+
+
+def book_of(root: Path, ids: Sequence[str]) -> Book:
+    """The book below `root` with these profiles in it."""
+    index, chapter = (_read(root / path) for path in ("axicontact/index.json", "evidence/chapter11.json"))
+    known = {*ids, *(row["name"] for row in index.get("profiles", ()))}
+    return Book(tuple(name for name in profile_ids() if name in known), chapter or None)
+
+
+def _read(path: Path) -> Record:
+    try:
+        return dict(json.loads(path.read_bytes()))
+    except (OSError, ValueError):
+        return {}
 
 
 def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> dict[str, bytes]:

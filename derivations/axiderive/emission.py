@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import pool, work
@@ -19,6 +20,14 @@ EMITTING = (*work.VERIFYING, *work.WRITING, "axiderive.emission", "axiderive.ind
 
 Published = list[tuple["Problem", Outcome]]
 Record = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Book:
+    """What pages need of the book they belong to: its profiles, which number them, and the checks of chapter 11."""
+
+    ids: tuple[str, ...]
+    chapter: Record | None
 
 
 def package(published: Published, cache: Cache) -> dict[str, str]:
@@ -41,17 +50,19 @@ def _derived(published: Published) -> dict[str, dict[str, Entry]]:
 def emitted(
     published: Published,
     modules: Mapping[str, str],
-    chapter: Record | None,
+    book: Book,
     cache: Cache,
     settings: Settings,
     jobs: int,
 ) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     studies = study_records()
-    key = digest([work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, chapter, studies])
+    key = digest(
+        [work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, book.ids, book.chapter, studies]
+    )
     texts = cache.get(key)
     if texts is None:
-        files = _emit(published, modules, chapter, studies, jobs)
+        files = _emit(published, modules, book, studies, jobs)
         texts = {path: content.decode() for path, content in files.items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
@@ -66,7 +77,7 @@ def study_records() -> dict[str, Record]:
 def _emit(
     published: Published,
     modules: Mapping[str, str],
-    chapter: Record | None,
+    book: Book,
     studies: Mapping[str, Record],
     jobs: int,
 ) -> dict[str, bytes]:
@@ -76,10 +87,10 @@ def _emit(
     derived = _derived(published)
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = dict(modules)
-    models = _page_models(published, jobs)
-    book = handbook.handbook_sources(derived, evidence, chapter, models, studies)
-    texts |= {f"handbook/{path}": text for path, text in book.items()}
-    site = html.html_sources(derived, evidence, chapter, models, texts, studies)
+    models = _page_models(published, book.ids, jobs)
+    printed = handbook.handbook_sources(derived, evidence, book.chapter, models, studies)
+    texts |= {f"handbook/{path}": text for path, text in printed.items()}
+    site = html.html_sources(derived, evidence, book.chapter, models, texts, studies)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}
     files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
@@ -88,19 +99,19 @@ def _emit(
         found = outcome.evidence | ({"approaches": checks} if checks else {})
         record = index.evidence_record(problem, outcome.entries, found)
         files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
-    if chapter is not None:
-        files["evidence/chapter11.json"] = index.to_bytes(chapter)
+    if book.chapter is not None:
+        files["evidence/chapter11.json"] = index.to_bytes(book.chapter)
     return files
 
 
-def _page_models(published: Published, jobs: int) -> dict[str, Record]:
+def _page_models(published: Published, ids: Sequence[str], jobs: int) -> dict[str, Record]:
     """What the page of every profile shows, in the order of the handbook; made side by side."""
     from .emit import handbook
 
     own: dict[str, dict[str, tuple[Record, Record]]] = {}
     for problem, outcome in published:
         own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
-    numbers = handbook.numbered(list(own))
+    numbers = handbook.numbered(ids)
     made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
     return {name: made[name] for name in own}
 
