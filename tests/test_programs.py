@@ -43,14 +43,12 @@ def run(function: Callable[..., Any], arrays: list[bool], values: list[np.ndarra
     places += [np.empty(out.shape, bool) for _ in range(found.masks)]
     places += [np.full(out.shape, value) for value in found.filled]
     given, prepared = [value for value, more in zip(values, arrays, strict=True) if more], found.prepare(*numbers)
-    if found.positive and not all(np.all((x >= 0.0) & (x < np.inf)) for x in given):
-        return body(function, *values)
     if found.positive and not all(0.0 < x < np.inf for x in prepared):
         return body(function, *values)
     try:
-        found.block(out, *given, *prepared, *places, [np.max(value) for value in given])
+        found.block(out, *given, *prepared, *places)
     except FloatingPointError:
-        assert function in RARE
+        assert function in RARE or not all(np.all((x >= 0.0) & (x < np.inf)) for x in given)
         return body(function, *values)
     return out
 

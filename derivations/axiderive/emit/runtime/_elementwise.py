@@ -90,10 +90,8 @@ def _evaluated(
         size = BLOCK if found is not None and found.scratch else 2 * BLOCK
         compiled = None if found is None else _compiled(found, numbers, min(out.size, size))
         fields = sum(several[:count])
-        checked = len(arrays) if found is not None and found.positive else fields
         for part, *blocks in _blocks(out, arrays, size):
-            largest = [_largest(block) for block in blocks[:checked]]
-            if compiled is not None and np.inf not in largest and compiled(part, *blocks, largest):
+            if compiled is not None and compiled(part, *blocks):
                 continue
             rest, more = iter(numbers), iter(blocks)
             _by_body(function, count, keywords, [next(more if is_array else rest) for is_array in several], part)
@@ -102,7 +100,7 @@ def _evaluated(
     return out
 
 
-def _largest(block: Array) -> float:
+def largest(block: Array) -> float:
     """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
     bits = np.maximum.reduce(block.view(np.uint64))
     return float(bits.view(np.float64)) if bits < INFINITE else np.inf
@@ -146,11 +144,10 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
     work += [np.full(size, value) for value in found.filled]
 
-    def fill(out: Array, *given: Any) -> bool:
-        *arrays, largest = given
+    def fill(out: Array, *arrays: Array) -> bool:
         places = work if out.size == size else [place[: out.size] for place in work]
         try:
-            found.block(out, *arrays, *prepared, *places, largest)
+            found.block(out, *arrays, *prepared, *places)
         except FloatingPointError:
             return False
         return True
