@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import select
 import shutil
 import subprocess
 from pathlib import Path
@@ -12,8 +13,19 @@ from typing import Any
 
 import pytest
 
-BROWSER = next((name for name in ("chromium", "chromium-headless-shell", "google-chrome") if shutil.which(name)), None)
+
+def _starts(name: str) -> bool:
+    """Some systems have a command of this name that only says where to get the browser."""
+    if shutil.which(name) is None:
+        return False
+    done = subprocess.run([name, "--version"], stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    return done.returncode == 0
+
+
+BROWSER = next((name for name in ("chromium", "chromium-headless-shell", "google-chrome") if _starts(name)), None)
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no Chromium: apt-get install chromium")
+SILENCE = 300
+"""Seconds without a word after which the browser counts as hanging."""
 KEYS = {"Tab": 9, "Enter": 13, "Escape": 27, "ArrowUp": 38, "ArrowDown": 40}
 LISTENED = ("Page", "Runtime", "Log", "Network", "Accessibility")
 SAID = ("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded")
@@ -61,9 +73,10 @@ class Chromium:
 
     def _next(self) -> dict[str, Any]:
         while b"\0" not in self._rest:
-            more = os.read(self._in, 1 << 20)
+            heard, _, _ = select.select([self._in], [], [], SILENCE)
+            more = os.read(self._in, 1 << 20) if heard else b""
             if not more:
-                message = "Chromium has closed its pipe"
+                message = "Chromium has closed its pipe" if heard else f"Chromium says nothing for {SILENCE} s"
                 raise EOFError(message)
             self._rest += more
         first, _, self._rest = self._rest.partition(b"\0")

@@ -7,7 +7,10 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -165,15 +168,28 @@ def test_a_dead_worker_is_an_error_not_a_hang():
 INTERRUPTED = """
 import signal, sys, time
 from axiderive import pool
+
+def work(seconds):
+    print("at work", flush=True)
+    time.sleep(seconds)
+
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background hands on that it is ignored
     print("ready", flush=True)
     try:
-        list(pool.run(time.sleep, [(60,), (60,), (60,)], jobs=2))
+        list(pool.run(work, [(600,), (600,), (600,)], jobs=2))
     except KeyboardInterrupt:
         print("stopped", flush=True)
         sys.exit(130)
 """
+
+
+@contextmanager
+def _killed_after(seconds: float, process: subprocess.Popen[str]) -> Iterator[None]:
+    timer = threading.Timer(seconds, process.kill)
+    timer.start()
+    yield
+    timer.cancel()
 
 
 def _children(pid: int) -> list[int]:
@@ -186,16 +202,15 @@ def test_no_worker_outlives_the_build(tmp_path, how):
     script = tmp_path / "script.py"
     script.write_text(INTERRUPTED)
     process = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    deadline = time.monotonic() + 30
-    while len(_children(process.pid)) < 3:  # two workers and the tracker of multiprocessing
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
-    time.sleep(1)
+    assert process.stdout is not None
+    with _killed_after(300, process):
+        assert [process.stdout.readline() for _ in range(3)] == ["ready\n", "at work\n", "at work\n"]
     children = _children(process.pid)
+    assert len(children) >= 3  # two workers and the tracker of multiprocessing
     process.send_signal(how)
     output, errors = process.communicate(timeout=30)
     if how == signal.SIGINT:
-        assert (process.returncode, output, errors) == (130, "ready\nstopped\n", "")
+        assert (process.returncode, output, errors) == (130, "stopped\n", "")
     deadline = time.monotonic() + 30
     while any(Path(f"/proc/{child}/exe").exists() for child in children):
         assert time.monotonic() < deadline

@@ -145,7 +145,7 @@ def test_the_calls_run_as_they_are_copied(
     program = tmp_path / "calls.py"
     program.write_text("\n".join(lines))
     environment = {**os.environ, "PYTHONPATH": str(CATALOGUE)}
-    subprocess.run([sys.executable, str(program)], env=environment, check=True, timeout=120)
+    subprocess.run([sys.executable, str(program)], env=environment, check=True, timeout=600)
     assert len(blocks) == sum(map(len, derived.values()))
 
 

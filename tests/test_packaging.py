@@ -16,7 +16,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
 def run(*arguments, **options):
     return subprocess.run(
-        [sys.executable, *arguments], capture_output=True, text=True, timeout=120, check=True, **options
+        [sys.executable, *arguments], capture_output=True, text=True, timeout=600, check=True, **options
     )
 
 

@@ -78,7 +78,7 @@ except WritingError as error:
     print(error)
 """
     before = _catalogue(root)
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300, check=True)
     assert "File too large" in done.stdout
     assert _catalogue(root) == before
 

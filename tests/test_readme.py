@@ -37,7 +37,7 @@ def test_commands_run(command: str) -> None:
         [sys.executable, "-m", "axiderive.cli", *command.split()],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=300,
         check=False,
     )
     assert done.returncode == 0, done.stderr

@@ -125,8 +125,8 @@ def test_a_killed_build_is_recovered(program: Path, tmp_path: Path, reference, c
         hit += killed_builds(program, root, reference, together, i)
         finish(start(program, root))
         assert written(root) == reference.files
-    # with two processes a few of the steps are those of the workers
-    assert hit >= 0.9 * count
+    # with two processes a sixth of the steps are those of the workers, so that a few builds come to their end
+    assert hit >= 0.9 * count - 1
 
 
 def test_two_builds_at_once_in_one_folder(program: Path, tmp_path: Path, reference) -> None:

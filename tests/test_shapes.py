@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import ast
 import doctest
+import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
-from inspect import getmembers, isfunction
+from inspect import getmembers, isfunction, signature
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +26,8 @@ MODULES = (
 )  # fmt: skip
 ROUNDED, ABSOLUTE = 4e-15, 1e-16
 """Measured 1.1e-15, and 1.4e-17 next to a zero of a pressure: blocks have exponentials of their own."""
+SOLVED = 4e-14
+"""Of inverses too, and where the terms of a force cancel: 1.0e-14 measured."""
 Call = tuple[list[float], dict[str, Any]]
 
 
@@ -49,6 +53,12 @@ def public(name: str, at_a_point: bool = True) -> Iterator[tuple[Callable[..., A
                 yield function, own
 
 
+def modules(package: str) -> Iterator[str]:
+    """Those of a package, or the one of this name."""
+    folder = Path(_rules.__file__).parent.joinpath(*package.split("."))
+    yield from [f"{package}.{path.stem}" for path in sorted(folder.glob("[!_]*.py"))] or [package]
+
+
 def varied(value: float, shape: tuple[int, ...]) -> Any:
     return value * (1 + np.arange(np.prod(shape)).reshape(shape) / 64)
 
@@ -70,25 +80,70 @@ def test_results_have_the_shape_of_the_fields(name: str) -> None:
         assert turned == pytest.approx(many, rel=ROUNDED, abs=ABSOLUTE, nan_ok=True), function
 
 
+def frozen(values: Any) -> np.ndarray[Any, Any]:
+    """An array that raises an error where a function writes to its argument."""
+    array = np.array(values)
+    array.flags.writeable = False
+    return array
+
+
+def by_name(function: Callable[..., Any], call: Call) -> dict[str, Any]:
+    """All arguments of an example, the fields among them."""
+    return dict(zip(signature(function).parameters, call[0], strict=False)) | call[1]
+
+
+def results(found: Any) -> tuple[Any, ...]:
+    return found if isinstance(found, tuple) else (found,)
+
+
 @pytest.mark.parametrize(
     "package",
-    ["normal", "adhesive", "tangential", "viscoelastic", "plane", "loads"]
+    ["normal", "adhesive", "tangential", "viscoelastic", "plane", "loads", "materials"]
     + [pytest.param(f"graded.{name}", marks=pytest.mark.slow) for name in ("normal", "adhesive", "tangential")],
 )
 def test_results_have_the_shape_to_which_all_arguments_broadcast(package: str) -> None:
     """Each argument of every function along an axis of its own, also one on which the value does not depend."""
     tried = 0
-    for path in sorted(Path(_rules.__file__).parent.joinpath(*package.split(".")).glob("[!_]*.py")):
-        for function, (fields, keywords) in public(f"{package}.{path.stem}", at_a_point=False):
-            own = {**dict(enumerate(fields)), **keywords}
+    for name in modules(package):
+        for function, call in public(name, at_a_point=False):
+            own = by_name(function, call)
             several = [key for key, value in own.items() if isinstance(value, float)]
+            # at the far corner every other argument is a little smaller
+            sizes = {key: (own[key], own[key] * (1.0 - (2.0**-10 if i % 2 else 0.0))) for i, key in enumerate(several)}
             axes = {key: [2 if key == other else 1 for other in several] for key in several}
-            given = {key: np.full(axes[key], value) if key in axes else value for key, value in own.items()}
-            found = function(*[given.pop(i) for i in range(len(fields))], **given)
-            for part in found if isinstance(found, tuple) else (found,):
-                assert part.shape == (2,) * len(several), (path.stem, function.__name__)
+            given = {key: frozen(np.reshape(sizes[key], axes[key])) for key in several}
+            found = results(function(**own | given))
+            for corner in (0, -1):
+                alone = results(function(**own | {key: sizes[key][corner] for key in several}))
+                for part, single in zip(found, alone, strict=True):
+                    assert part.shape == (2,) * len(several), (name, function.__name__)
+                    near = pytest.approx(single, rel=SOLVED, abs=ABSOLUTE, nan_ok=True)
+                    assert part.ravel()[corner] == near, (name, function.__name__)
             tried += 1
     assert tried > 3
+
+
+WHOLE = {"k": 0.0, "alpha": 0.25, "nu": 0.0, "nu_1": 0.0, "nu_2": 0.0, "e": 0.0, "wavelength": 9.0}
+"""Where the next whole number is none of the domain."""
+
+
+@pytest.mark.parametrize(
+    "package",
+    ["normal", "adhesive", "tangential", "viscoelastic", "plane", "loads", "materials"]
+    + [f"graded.{name}" for name in ("normal", "adhesive", "tangential")],
+)
+def test_arguments_are_only_read(package: str) -> None:
+    """Arrays that may not be written to; of bytes without a sign too, whose differences would wrap around."""
+    for name in modules(package):
+        for function, call in public(name, at_a_point=False):
+            if package == "graded.adhesive" and re.match("radius_from|pull_off", function.__name__):
+                continue  # of loads that the others give; they take nine tenths of the time
+            own = by_name(function, call)
+            numbers = {key: WHOLE.get(key, ceil(x)) for key, x in own.items() if isinstance(x, float)}
+            floats = {key: frozen([float(x)] * 3) for key, x in numbers.items()}
+            bytes_ = {key: x.astype(np.uint8) if x[0].is_integer() else x for key, x in floats.items()}
+            found, again = function(**own | floats), function(**own | bytes_)
+            np.testing.assert_array_equal(found, again, err_msg=f"{name}.{function.__name__}")
 
 
 def test_an_integral_in_groups_takes_a_grid_of_radii() -> None:

@@ -16,10 +16,13 @@ from ._integrals import difference_root, integral, integral_by_panels, integral_
 
 Slope = Callable[..., Array]
 _PANEL = 3.0
+_AXIS = 2.0**-60
+"""A distance from the axis, over the radius of contact, whose square is nothing against one."""
 
 
 def smooth_growth(slope: Slope, r: Array, a: Array, k: Array) -> Array:
     """The integral for g'(t)/t without singularities near."""
+    r = _off_axis(r, a)
 
     def smooth(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
@@ -31,6 +34,7 @@ def smooth_growth(slope: Slope, r: Array, a: Array, k: Array) -> Array:
 
 def wavy_growth(slope: Slope, r: Array, a: Array, wavelength: Array, k: Array) -> Array:
     """The integral where g' oscillates with a wavelength: one panel with the weight, then plain ones."""
+    r = _off_axis(r, a)
     stop = difference_root(a, r)
     first = np.minimum(stop, wavelength)
 
@@ -44,6 +48,7 @@ def wavy_growth(slope: Slope, r: Array, a: Array, wavelength: Array, k: Array) -
 
 def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral where g' has a singularity at t**2 = -b**2."""
+    r = _off_axis(r, a)
 
     def smooth(near: Array, far: Array) -> Array:
         t = np.hypot(r, near)
@@ -54,6 +59,7 @@ def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def tanh_growth(slope: Slope, r: Array, a: Array, R: Array, k: Array) -> Array:
     """The integral where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    r = _off_axis(r, a)
     scale = difference_root(R, r)
 
     def smooth(v: Array) -> Array:
@@ -64,6 +70,11 @@ def tanh_growth(slope: Slope, r: Array, a: Array, R: Array, k: Array) -> Array:
     stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
     value = raised(scale, k) * raised(stop, k) * weighted(smooth, stop, k)
     return np.where(a < R, value, np.inf)
+
+
+def _off_axis(r: Array, a: Array) -> Array:
+    """The radius, but not zero: for k < -1/2 the integrand is asked for at t = r, where g'(t)/t has but a limit."""
+    return np.maximum(r, _AXIS * a)
 
 
 def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: float = 0.0) -> Array:
