@@ -35,6 +35,17 @@ def test_polynomials_are_as_good_as_the_rule(name: str, parameters: dict[str, fl
         np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
 
 
+@pytest.mark.parametrize("n", [1.2, 2.7, 40.0])
+def test_polynomials_beside_a_hollow_face(n: float) -> None:
+    module, rng = import_module("axicontact.normal.concave_power"), np.random.default_rng(3)
+    r, same = 2.0 * (1.0 + 10.0 ** rng.uniform(-4.0, 3.0, 3000)), np.full(3000, 2.0)
+    varying, depth = same.copy(), module.minimum_depth(a=2.0, h=1.0, n=n)
+    varying[-1] = np.nextafter(2.0, 0.0)
+    got, wanted = (module.displacement(r, depth, a=radii, h=1.0, n=n) for radii in (same, varying))
+    np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
+    assert (got[:-1] != wanted[:-1]).any()
+
+
 @pytest.mark.parametrize("k", [-1.0 + 1e-9, -0.3, 0.4, 1.0 - 1e-9])
 @pytest.mark.parametrize("n", [0.1, 2.0, 40.0])
 def test_polynomials_beside_a_graded_contact(n: float, k: float) -> None:
