@@ -121,7 +121,7 @@ def from_edge(shape: Shape, a: Array, q: Array, c: Array, stop: Array, k: Array,
 
 def over_angle(shape: Shape, a: Array, q: Array, stop: Array, k: Array) -> Array:
     """In z = a sin(y) from the split to `stop`, with nodes in s: sines cost ten roots."""
-    low = a * np.cos(stop)
+    low = a * np.cos(stop) + np.zeros_like(q)
 
     def smooth(x: Array) -> Array:
         s = low + x
