@@ -16,6 +16,7 @@ CASES = [
     ("sphere", {"R": 30.0}),
     ("power_law", {"A": 0.5, "n": 2.7}),
     ("power_law", {"A": 0.5, "n": 0.6}),
+    ("gaussian", {"h": 0.5, "s": 14.0}),
 ]
 MOST = 12.0
 """Units of the last place: 10.7 is the most of 6e5 values at seven radii of contact, rule and polynomials together."""
@@ -32,6 +33,36 @@ def test_polynomials_are_as_good_as_the_rule(name: str, parameters: dict[str, fl
     for function, r, more in ((module.pressure, inside, {"E_star": 1.0}), (module.displacement, outside, {})):
         got, wanted = function(r, same, **parameters, **more), function(r, varying, **parameters, **more)
         np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
+
+
+@pytest.mark.parametrize("n", [1.2, 2.7, 40.0])
+def test_polynomials_beside_a_hollow_face(n: float) -> None:
+    module, rng = import_module("axicontact.normal.concave_power"), np.random.default_rng(3)
+    r, same = 2.0 * (1.0 + 10.0 ** rng.uniform(-4.0, 3.0, 3000)), np.full(3000, 2.0)
+    varying, depth = same.copy(), module.minimum_depth(a=2.0, h=1.0, n=n)
+    varying[-1] = np.nextafter(2.0, 0.0)
+    got, wanted = (module.displacement(r, depth, a=radii, h=1.0, n=n) for radii in (same, varying))
+    np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
+    assert (got[:-1] != wanted[:-1]).any()
+
+
+@pytest.mark.parametrize("k", [-1.0 + 1e-9, -0.3, 0.4, 1.0 - 1e-9])
+@pytest.mark.parametrize("n", [0.1, 2.0, 40.0])
+def test_polynomials_beside_a_graded_contact(n: float, k: float) -> None:
+    """From an eighth as many radii on; the face of a punch and its hollow have different powers far out."""
+    a, rng = 2.0, np.random.default_rng(3)
+    r, same = a * (1.0 + 10.0 ** rng.uniform(-4.0, 3.0, 400)), np.full(400, a)
+    varying = same.copy()
+    varying[-1] = np.nextafter(a, 0.0)
+    for name in ("power_law", "concave_power"):
+        module = import_module(f"axicontact.graded.normal.{name}")
+        if name == "power_law":
+            got, wanted = (module.displacement(r, radii, A=1.0, n=n, k=k) for radii in (same, varying))
+        elif n > 1.0 - k:
+            depth = module.minimum_depth(a=a, h=1.0, n=n, k=k)
+            got, wanted = (module.displacement(r, depth, a=radii, h=1.0, n=n, k=k) for radii in (same, varying))
+        np.testing.assert_allclose(got[:-1], wanted[:-1], rtol=MOST * EPS, atol=0.0)
+        assert (got[:-1] != wanted[:-1]).any()
 
 
 def test_crowds_at_the_ends_of_the_panels() -> None:

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 
 import mpmath as mp
 import pytest
 import sympy as sp
 
-from axicontact.graded.normal import power_law
+from axicontact.graded.normal import concave_power, power_law
 from axiderive import notation as nt
 from axiderive.contact.systems import problem
+from axiderive.entry import Entry
 from axiderive.proof.evaluate import case_at, evaluate
 
 EPS = 2.0**-52
 ENTRIES = problem("power_law.fgm").derive()
+HOLLOW = problem("concave_power.fgm").derive()
 
 
-def exact(suffix: str, **values: float) -> float:
+def exact(suffix: str, entries: Mapping[str, Entry] = ENTRIES, **values: float) -> float:
     known = {getattr(nt, name): sp.Rational(value) for name, value in values.items()}
-    return float(evaluate(case_at(ENTRIES[suffix], known).expr, known, 30))
+    return float(evaluate(case_at(entries[suffix], known).expr, known, 30))
 
 
 @pytest.mark.parametrize("k", [-1 + 1e-15, -0.9, 1e-9, 0.3, 0.6995366749323075, 1 - 1e-15])
@@ -50,3 +53,15 @@ def test_pressure_next_to_the_least_grading(gap: float) -> None:
     for n, r in ((0.13, 0.3), (1.0, 1e-7), (5.7, 0.999)):
         found = power_law.pressure(r, 1.0, A=1.0, n=n, H=1.0, k=k)
         assert found == pytest.approx(exact("p", r=r, a=1.0, A=1.0, n=n, H=1.0, k=k), rel=40 * EPS, abs=0.0)
+
+
+# two panels from the edge, the longest with 64 and 32 nodes of the hollow and of the punch, and far outside
+@pytest.mark.parametrize("beyond", [1e-15, 3e-14, 1.5e-10, 6e-10, 3e-4, 0.0013, 0.0051, 40.0])
+@pytest.mark.parametrize("k", [-0.48, -0.24, 0.4])
+def test_displacement_beside_a_hollow(beyond: float, k: float) -> None:
+    """With plain weights 6 units at k = -0.48, with too few nodes most at -0.24; a power of s 150 at n = 1000."""
+    for n in (1.7, 2.0, 16.0, 900.0):
+        known = {"a": 1.0, "h": 1.0, "n": n, "k": k}
+        d, r = concave_power.minimum_depth(**known) * (1.0 + 1e-9), 1.0 + beyond
+        found = concave_power.displacement(r, d, **known)
+        assert found == pytest.approx(exact("w", HOLLOW, r=r, d=d, **known), rel=4.5 * EPS, abs=0.0), n

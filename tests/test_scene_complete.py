@@ -57,6 +57,15 @@ def test_the_rule_of_the_waves_follows_the_grading():
     assert "k = 0.1: g' < 0 at a = 0.000" in problems(graded.format(0.1))
 
 
+def test_a_bump_has_a_module():
+    """Its kernel is x/D(x): read as another form of Dawson's integral it refused every scene of this profile."""
+    from axicontact.normal import gaussian
+
+    source = 'profile = "gaussian"\n[parameters]\nh = 1e-3\ns = 3e-3\n[want]\nquantities = ["displacement"]\n'
+    found = functions_of(source)["displacement"]([1e-3, 4e-3], 2e-3)
+    assert found == pytest.approx(gaussian.displacement([1e-3, 4e-3], 2e-3, h=1e-3, s=3e-3), rel=2e-15, abs=0.0)
+
+
 def test_numbers_without_fields_are_functions():
     source = 'profile = "concave_paraboloid"\n[parameters]\na = 2e-3\nh = 3e-6\n[medium]\n{}[want]\n{}'
     wanted = 'quantities = ["minimum_depth", "minimum_force", "zero_radius", "stiffness"]\n'

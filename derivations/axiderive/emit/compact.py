@@ -135,7 +135,7 @@ class Compact(Lumped):
                 slope, (kind, length) = self.slopes["tip"][0], self.scale("tip")
                 monomial = self._monomial_displacement(radius)
                 rule, tail = self._rule("displacement_integral", kind, length)
-                growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
+                growth = slope.growth("t") if kind == "waves" else slope.with_parameters()
                 if self.b is not None:
                     lines.append(f"inner = np.minimum(a, {self.b})")
                 if monomial:

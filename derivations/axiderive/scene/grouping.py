@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ast
 
-MARK, SHORT_WAY = "in_groups", "at_many_radii"
+MARK, SHORT_WAYS = "in_groups", ("at_many_radii", "over_radii")
 Edit = tuple[int, int, str]
 
 
@@ -46,7 +46,7 @@ def rules(text: str) -> dict[str, int]:
 
 def ungrouped(text: str, known: dict[str, int]) -> str:
     """The module with these rules, and calls of them, written plainly."""
-    if not any(name in text for name in (*known, SHORT_WAY)):
+    if not any(name in text for name in (*known, *SHORT_WAYS)):
         return text
     own, edits = _Text(text), []
     for node in ast.walk(own.tree):
@@ -66,7 +66,7 @@ def _marked(node: ast.FunctionDef) -> bool:
 
 
 def _has_short_way(node: ast.FunctionDef) -> bool:
-    return any(ast.unparse(d).startswith(SHORT_WAY) for d in node.decorator_list)
+    return any(ast.unparse(d).startswith(SHORT_WAYS) for d in node.decorator_list)
 
 
 def _arity(rule: ast.FunctionDef) -> int:

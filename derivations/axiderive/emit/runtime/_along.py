@@ -68,13 +68,16 @@ Courses = Callable[..., tuple[Course | None, float, float]]
 """The course of an integral for what does not change with r, if panels pay, and between which radii it is wanted."""
 
 
-def at_many_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
-    """The integral as a function of r and other lengths, by `along` where the others are the same at many radii."""
+def at_many_radii(courses: Courses, share: float = 1.0) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
+    """The integral as a function of r and other lengths, by `along` where the others are the same at many radii.
+
+    Many are a `share` of LEAST.
+    """
 
     def decorated(integral: Callable[..., Array]) -> Callable[..., Array]:
         @wraps(integral)
         def at(r: Array, *others: Array) -> Array:
-            fixed = same(*others) if isinstance(r, np.ndarray) and r.size >= LEAST else None
+            fixed = same(*others) if isinstance(r, np.ndarray) and r.size >= share * LEAST else None
             if fixed is None:
                 return integral(r, *others)
             return along(lambda r: integral(r, *fixed), r, *courses(*fixed))

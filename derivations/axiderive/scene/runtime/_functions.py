@@ -23,5 +23,5 @@ def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], f
 
 
 def dawson(x: Array) -> Array:
-    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 2."""
-    return x * np.exp(-x * x) * np.polyval(DAWSON, x * x)
+    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 25/16."""
+    return x / np.polyval(DAWSON, x * x)
