@@ -15,7 +15,8 @@ from ._graded_rules import NODES, raised, sinh_over, weighted
 from ._integrals import difference_root, integral, integral_by_panels, integral_in_strip
 
 Slope = Callable[..., Array]
-_PANEL = 3.0
+_PANEL, _LONGEST = 3.0, 8.0
+"""First panels: where the weight meets a root that may be near, and the most that the nodes resolve with none near."""
 
 
 def smooth_growth(slope: Slope, r: Array, a: Array, k: Array) -> Array:
@@ -52,8 +53,11 @@ def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
     return _from_branch(smooth, np.hypot(r, b), difference_root(a, r), k)
 
 
-def tanh_growth(slope: Slope, r: Array, a: Array, R: Array, k: Array) -> Array:
-    """The integral where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+def tanh_growth(slope: Slope, r: Array, R: Array, reach: Array, end: Array, k: Array) -> Array:
+    """The integral where g' has a singularity at t = R; `slope` takes t and sqrt(R**2 - t**2).
+
+    Up to the a of which sqrt(a**2 - r**2) is `reach` and sqrt(R**2 - a**2) is `end`.
+    """
     scale = difference_root(R, r)
 
     def smooth(v: Array) -> Array:
@@ -61,9 +65,12 @@ def tanh_growth(slope: Slope, r: Array, a: Array, R: Array, k: Array) -> Array:
         t = np.hypot(r, scale * np.tanh(v))
         return slope(t, root) / t * (sinh_over(v) / np.cosh(v)) ** k / np.cosh(v) ** 2
 
-    stop = np.arcsinh(difference_root(a, r) / difference_root(R, a))
-    value = raised(scale, k) * raised(stop, k) * weighted(smooth, stop, k)
-    return np.where(a < R, value, np.inf)
+    stop = np.arcsinh(reach / end)
+    first = np.minimum(stop, _LONGEST)
+    total = raised(first, k) * weighted(smooth, first, k)
+    if np.any(stop > first):
+        total = total + integral_in_strip(lambda v: smooth(first + v) * (first + v) ** k, stop - first)
+    return np.where(end > 0.0, raised(scale, k) * total, np.inf)
 
 
 def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: float = 0.0) -> Array:
@@ -72,7 +79,7 @@ def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: f
     `slope` takes t and sqrt(t**2 - b**2) and returns g'(t) (sqrt(t**2 - b**2)/t)**(1 - k), which is finite there
     and begins with the power `order` of the root.
     """
-    within, scale, reach = _branches(r, a, b, order + 2.0 * k)
+    within, scale, reach = _branches(r, a, b, order + 2.0 * k, r - b, a - b)
 
     def smooth(near: Array, far: Array) -> Array:
         root = np.where(within, near, far)
@@ -82,13 +89,23 @@ def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: f
     return np.where(reach > 0.0, _from_branch(smooth, scale, reach, k), 0.0)
 
 
-def growth_beyond_cap(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
+def growth_beyond_cap(
+    slope: Slope,
+    r: Array,
+    a: Array,
+    b: Array,
+    k: Array,
+    past: Callable[[Array], Array] | None = None,
+    bend: Array | float = np.inf,
+) -> Array:
     """The integral from max(r, b) on for a slope continuous at b; `slope` takes t and sqrt(t**2 - b**2), returns g'(t).
 
     There g' carries a power (t**2 - b**2)**((1 + k)/2), which a cube in the variable makes smooth.
+    `past` gives what a radius is past b, where b itself is rounded, `bend` the distance at which g' changes its course.
     """
-    within, scale, reach = _branches(r, a, b, 2.0 + 2.0 * k)
-    first = np.minimum(np.arcsinh(reach / scale), _PANEL)
+    gaps = [past(x) if past else x - b for x in (r, a)]
+    within, scale, reach = _branches(r, a, b, 2.0 + 2.0 * k, *gaps)
+    first = np.minimum(np.arcsinh(reach / scale), _PANEL * np.minimum(1.0, bend / scale))
 
     def inner(root: Array, u: Array) -> Array:
         t = np.hypot(b, root)
@@ -107,16 +124,18 @@ def growth_beyond_cap(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> A
     return np.where(reach > 0.0, value, 0.0)
 
 
-def _branches(r: Array, a: Array, b: Array, power: Array) -> tuple[Array, Array, Array]:
+def _branches(r: Array, a: Array, b: Array, power: Array, near: Array, far: Array) -> tuple[Array, Array, Array]:
     """On which side of the break, the distance of the two branch points r and b, and of the edge to the outer one.
+
+    `near` and `far` are r - b and a - b.
 
     Where r is b itself the distance is so small that nothing is left of the power of it by which the value differs;
     the next double is as near as 1e-8, of which that power may be a sixth.
     """
-    within = r < b
-    reach = np.where(within, difference_root(a, b), difference_root(a, r))
+    within = near < 0.0
+    reach = np.where(within, np.sqrt(np.maximum(far, 0.0) * (a + b)), difference_root(a, r))
     least = b * np.exp(-37.0 / np.maximum(power, 0.107))
-    return within, np.where(r == b, least, np.sqrt(np.abs(r - b) * (r + b))), reach
+    return within, np.where(near == 0.0, least, np.sqrt(np.abs(near) * (r + b))), reach
 
 
 def _from_branch(smooth: Callable[[Array, Array], Array], scale: Array, reach: Array, k: Array) -> Array:

@@ -5,15 +5,17 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from ._elementwise import Array
-from ._graded_breaks import rounded_rate, rounding_rate, tipped_rate
+from ._graded_breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
 from ._graded_paths import growth_beyond, growth_beyond_cap, sinh_growth, smooth_growth, tanh_growth, wavy_growth
 from ._graded_rules import NODES, sine_integral, weighted
 from ._graded_waves import waves_rate
-from ._integrals import integral
+from ._integrals import difference_root, integral
 
 _TERMS = 22
 
@@ -54,13 +56,21 @@ def rounded_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def sphere_pressure(r: Array, a: Array, R: Array, k: Array) -> Array:
     """The integral for a sphere of unit height over radius."""
-    return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, a, R, k)
+    return _sphere(r, R, difference_root(a, r), difference_root(R, a), k)
+
+
+def _sphere(r: Array, R: Array, reach: Array, end: Array, k: Array) -> Array:
+    return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, R, reach, end, k)
 
 
 def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """The integral for a sphere up to b, continued by its tangent cone."""
-    tip = np.where(r < b, sphere_pressure(np.minimum(r, b), np.minimum(a, b), R, k), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k)
+    past = partial(past_tip, R=R, b=b, end=end)
+    within, whole = past(r) < 0.0, past(a) >= 0.0
+    reach = np.where(whole, np.sqrt(np.maximum(-past(r), 0.0) * (b + r)), difference_root(a, r))
+    tip = _sphere(np.minimum(r, b), R, reach, np.where(whole, end, difference_root(R, a)), k)
+    beyond = growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k, past, end)
+    return np.where(within, tip, 0.0) + beyond
 
 
 def hyperboloid_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
