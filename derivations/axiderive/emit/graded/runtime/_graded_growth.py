@@ -101,10 +101,11 @@ def sphere_rate(t: Array, root: Array, k: Array) -> Array:
 
     # 2e4 units at the end of the sphere from one panel over all of v
     first = np.minimum(v, _LONGEST)
-    total = first**k * first * weighted(integrand, first, k)
-    if np.any(v > first):
-        total = total + integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
-    return (root / t) ** k * total
+    total = (root / t * first) ** k * first * weighted(integrand, first, k)
+    if (v > first).any():
+        rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
+        total = total + (root / t) ** k * rest
+    return total
 
 
 def sphere_force(a: Array, root: Array, k: Array) -> Array:

@@ -17,6 +17,8 @@ from ._integrals import difference_root, integral, integral_by_panels, integral_
 Slope = Callable[..., Array]
 _PANEL, _LONGEST = 3.0, 8.0
 """First panels: where the weight meets a root that may be near, and the most that the nodes resolve with none near."""
+_NEAREST = 1e-9
+"""A root, over b, whose square is nothing."""
 
 
 def smooth_growth(slope: Slope, r: Array, a: Array, k: Array) -> Array:
@@ -68,7 +70,7 @@ def tanh_growth(slope: Slope, r: Array, R: Array, reach: Array, end: Array, k: A
     stop = np.arcsinh(reach / end)
     first = np.minimum(stop, _LONGEST)
     total = raised(first, k) * weighted(smooth, first, k)
-    if np.any(stop > first):
+    if (stop > first).any():
         total = total + integral_in_strip(lambda v: smooth(first + v) * (first + v) ** k, stop - first)
     return np.where(end > 0.0, raised(scale, k) * total, np.inf)
 
@@ -86,7 +88,20 @@ def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: f
         t = np.hypot(b, root)
         return slope(t, root) * (far / t) ** k
 
-    return np.where(reach > 0.0, _from_branch(smooth, scale, reach, k), 0.0)
+    value = np.where(reach > 0.0, _from_branch(smooth, scale, reach, k), 0.0)
+    at = (r == b) & (reach > 0.0)
+    return np.where(at, growth_from_break(slope, np.where(at, reach, b), b, k, order), value) if at.any() else value
+
+
+def growth_from_break(slope: Slope, reach: Array, b: Array, k: Array, order: float) -> Array:
+    """The same for r = b, of positive 2 k + `order`, up to the distance `reach`: both branch points are one."""
+    above = np.where(2.0 * k + order > 0.0, 2.0 * k + order, 1.0)
+
+    def smooth(near: Array, far: Array) -> Array:
+        root = np.maximum(near, _NEAREST * b)
+        return slope(far, root) * far ** (1.0 - k) / root**order
+
+    return _from_branch(smooth, b, reach, above - 1.0, above)
 
 
 def growth_beyond_cap(
@@ -119,7 +134,7 @@ def growth_beyond_cap(
         v = first * x**3
         return inner(scale * np.sinh(v), scale * np.cosh(v)) * 3.0 * x * x
 
-    below = first * integral(cube, np.ones_like(first), NODES) + _far(inner, scale * np.sinh(first), reach, scale)
+    below = first * integral(cube, np.ones_like(first), NODES) + growth_far(inner, scale * np.sinh(first), reach, scale)
     value = np.where(within, below, _from_branch(outer, scale, reach, k))
     return np.where(reach > 0.0, value, 0.0)
 
@@ -129,24 +144,29 @@ def _branches(r: Array, a: Array, b: Array, power: Array, near: Array, far: Arra
 
     `near` and `far` are r - b and a - b.
 
-    Where r is b itself the distance is so small that nothing is left of the power of it by which the value differs;
-    the next double is as near as 1e-8, of which that power may be a sixth.
+    Where r is b as far as b is known the distance is so small that nothing is left of the power of it by which the
+    value differs, nor of its square; the next double is as near as 1e-8.
     """
     within = near < 0.0
     reach = np.where(within, np.sqrt(np.maximum(far, 0.0) * (a + b)), difference_root(a, r))
-    least = b * np.exp(-37.0 / np.maximum(power, 0.107))
+    least = np.minimum(b, reach) * np.exp(-37.0 / np.clip(power, 0.107, 2.0))
     return within, np.where(near == 0.0, least, np.sqrt(np.abs(near) * (r + b))), reach
 
 
-def _from_branch(smooth: Callable[[Array, Array], Array], scale: Array, reach: Array, k: Array) -> Array:
-    """Integral of y**k smooth(y, far) dy/far from y = 0 to `reach`, with far = sqrt(scale**2 + y**2)."""
+def _from_branch(
+    smooth: Callable[[Array, Array], Array], scale: Array, reach: Array, k: Array, above: Array | None = None
+) -> Array:
+    """Integral of y**k smooth(y, far) dy/far from y = 0 to `reach`, with far = sqrt(scale**2 + y**2).
+
+    `above` is 1 + k, as in the rule of the weight.
+    """
     first = np.minimum(np.arcsinh(reach / scale), _PANEL)
-    near = weighted(lambda v: smooth(scale * np.sinh(v), scale * np.cosh(v)) * sinh_over(v) ** k, first, k)
-    rest = _far(lambda y, far: y**k * smooth(y, far), scale * np.sinh(first), reach, scale)
+    near = weighted(lambda v: smooth(scale * np.sinh(v), scale * np.cosh(v)) * sinh_over(v) ** k, first, k, above=above)
+    rest = growth_far(lambda y, far: y**k * smooth(y, far), scale * np.sinh(first), reach, scale)
     return scale**k * (raised(first, k) * near) + rest
 
 
-def _far(integrand: Callable[[Array, Array], Array], start: Array, reach: Array, scale: Array) -> Array:
+def growth_far(integrand: Callable[[Array, Array], Array], start: Array, reach: Array, scale: Array) -> Array:
     """Integral of integrand(y, far) dy/far from y = start on, in ln y, where both branch points are one.
 
     Counted from either end up to the middle: in a length that counts decades an error is one of every power of it.

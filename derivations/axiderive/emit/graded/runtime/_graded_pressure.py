@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -12,8 +13,17 @@ import numpy as np
 from ._elementwise import Array
 from ._graded_breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from ._graded_paths import growth_beyond, growth_beyond_cap, sinh_growth, smooth_growth, tanh_growth, wavy_growth
-from ._graded_rules import NODES, sine_integral, weighted
+from ._graded_paths import (
+    growth_beyond,
+    growth_beyond_cap,
+    growth_far,
+    growth_from_break,
+    sinh_growth,
+    smooth_growth,
+    tanh_growth,
+    wavy_growth,
+)
+from ._graded_rules import NODES, raised, sine_integral, weighted
 from ._graded_waves import waves_rate
 from ._integrals import difference_root, integral
 
@@ -45,13 +55,27 @@ def rim_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def rounding_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral for f' = r - b beyond b."""
-    return growth_beyond(lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k), r, a, b, k, 2.0)
+    return growth_beyond(_rounding(b, k), r, a, b, k, 2.0)
+
+
+def _rounding(b: Array, k: Array) -> Callable[[Array, Array], Array]:
+    return lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k)
 
 
 def rounded_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral for f' = r/b up to b, 1 beyond."""
     tip = np.where(r < b, power_pressure(np.minimum(r, b), np.minimum(a, b), 2.0, k) / (2.0 * b), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: rounded_rate(t, root, b, k), r, a, b, k)
+    value = tip + growth_beyond_cap(lambda t, root: rounded_rate(t, root, b, k), r, a, b, k)
+    at = (r == b) & (a > b)
+    return np.where(at, _rounded_at(np.where(at, a, 2.0 * b), b, k), value) if at.any() else value
+
+
+def _rounded_at(a: Array, b: Array, k: Array) -> Array:
+    """The same for r = b, next to which the slope is that of the parabola less that of a rounding: two powers."""
+    reach = difference_root(a, b)
+    turn = np.minimum(reach, b)
+    near = 2.0 * raised(turn, k) / (1.0 + k) ** 2 - growth_from_break(_rounding(b, k), turn, b, k, 2.0)
+    return near / b + growth_far(lambda y, t: y**k * rounded_rate(t, y, b, k), turn, reach, b)
 
 
 def sphere_pressure(r: Array, a: Array, R: Array, k: Array) -> Array:
