@@ -13,6 +13,7 @@ from ...abel.transcendental import CosineAtom, GaussianAtom
 from ...notation import coefficients, j
 from ...profiles.profile import Profile
 from ..code import python
+from ..physics.branches import root_beyond
 
 ROOTED = ("flank", "rim", "rounding", "rounded", "tipped")
 """Shapes whose growth is written in a and sqrt(a**2 - b**2)."""
@@ -95,7 +96,7 @@ def family(profile: Profile) -> Family:
     terms = _rounded(terms)
     root = ""
     if any(term.shape in ROOTED for term in terms):
-        root = f"difference_root(a, {profile.breaks[0]})"
+        root = root_beyond(profile)
     elif any(term.shape == "sphere" for term in terms):
         root = f"difference_root({profile.chain[-1]}, a)"
     return Family(profile, tuple(terms), False, root)

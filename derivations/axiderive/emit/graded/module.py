@@ -29,6 +29,7 @@ SHARED = (
     " radii_of_waves, radii_to",
     "..._domain: numbers, require, require_coefficients, require_order, require_reach",
     "..._elementwise: Array, Result, elementwise",
+    "..._functions: sine_root",
     "..._integrals: difference_root",
     "..._ring: lifted_at_zero_pressure, ring_of_zero_pressure",
     "..._slip: stick_force",

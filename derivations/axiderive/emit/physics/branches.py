@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from ...notation import wavelength
 from ...profiles.profile import Profile
 from ..code import python
@@ -77,8 +79,9 @@ def _rate(module: NormalModule) -> list[str]:
         return [f"return {module.call('_slope_at', 'a')}"]
     if "_slope_beyond" in functions:
         b = profile.breaks[0]
-        lines = [f"{symbol} = {python(own)}" for symbol, own in profile.abbreviations if symbol == b]
-        lines.append(f"root = np.sqrt(np.maximum(a - {b}, 0.0) * (a + {b}))")
+        lines = [f"{symbol} = {python(own)}" for symbol, own in profile.abbreviations if symbol == b and not known]
+        plain = f"np.sqrt(np.maximum(a - {b}, 0.0) * (a + {b}))"
+        lines.append(f"root = {root_beyond(profile) if profile.abbreviations else plain}")
         rate = module.call("_slope_at" if known else "_slope_beyond", "a", "root")
         if known is None and "_slope" in functions:
             rate = f"np.where(a < {b}, {module.call('_slope', 'a')}, {rate})"
@@ -88,6 +91,16 @@ def _rate(module: NormalModule) -> list[str]:
         root = f"np.sqrt(np.maximum({end} - a, 0.0) * ({end} + a))"
         return [f"root = {root}", f"return {module.call('_slope', 'a', 'root')}"]
     return [f"return {module.call('_slope', 'a')}"]
+
+
+def root_beyond(profile: Profile) -> str:
+    """Text of sqrt(a**2 - b**2) beyond a break, which b as a rounded product of others would spoil next to it."""
+    b = profile.breaks[0]
+    whole = dict(profile.abbreviations).get(b)
+    if whole is None:
+        return f"difference_root(a, {b})"
+    (sine,) = whole.atoms(sp.sin)
+    return f"sine_root(a, {python(whole / sine)}, {python(sine.args[0])})"
 
 
 def radii(profile: Profile, largest: str, reach: str) -> tuple[str, str]:

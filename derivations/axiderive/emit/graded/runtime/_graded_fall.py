@@ -8,11 +8,13 @@ A shape is the fall over (z/a)**2, as a function of s and z.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from ._elementwise import Array
+from ._graded_breaks import past_tip
 from ._graded_displacement import (
     SPLIT,
     Shape,
@@ -120,11 +122,7 @@ def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    slope = b / end
-
-    def past(x: Array) -> Array:
-        # a steep flank multiplies the rounding of b, of which the distance from R is free
-        return np.where(end < b, (x - R) + end * (end / (R + b)), x - b)
+    slope, past = b / end, partial(past_tip, R=R, b=b, end=end)
 
     def within(more: Array) -> Array:
         return slope * past(a) + more / (end + np.sqrt(end * end + more))
