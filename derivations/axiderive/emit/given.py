@@ -117,7 +117,7 @@ def axes(
         if not label:
             curves.append(Curve(coordinates(rows), "", 0.0, 0.0))
             continue
-        placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves], LOW_TALL)
+        placed = labelled(scaled, i, label, curves, LOW_TALL)
         curves.append(replace(placed, coordinates=coordinates(rows)))
     curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
     step, parts = 4.0 if top > 8 else 0.5 if top == 1 else 1.0, 3 if wide == 3 else 4
