@@ -11,11 +11,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from stored_book import stored
 
 from axiderive import notation as nt
 from axiderive.emit import front, matrix
 from axiderive.emit.handbook import templates
+from axiderive.emit.panel import panel as panel_of
 from axiderive.emit.prose import domain, prose
+from axiderive.emit.spread import pool_of
 from axiderive.emit.study import error, extremes, figures, maps
 from axiderive.pdf import problems
 from axiderive.study.problems import NAMES, OTHERS
@@ -147,6 +150,13 @@ def test_domains_are_printed_with_printed_symbols(record: nt.Notation) -> None:
     )
     assert not words, text
     assert bool(text) == bool(record.domain)
+
+
+def test_a_bound_is_printed_once() -> None:
+    """The eccentricity once stood with its domain, -a < e < a, and with the rule abs(e) < a behind it."""
+    profile = pool_of("plane.eccentric_punch").load("eccentric_punch")
+    lines = dict(panel_of(profile, stored("plane.eccentric_punch"), plane=True))
+    assert lines["Parameters"] == r"$a > 0$, $\lvert e\rvert<a$"
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,7 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
         ),
         axes(
             ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), 16.0, [tilt], [""],
-            ("Inclination", r"under the load $P$ at $x=e$; linear until an edge lifts off."),
+            ("Inclination", r"under $P$ at $x=e$; linear until an edge lifts off."),
         ),
     )  # fmt: skip
 

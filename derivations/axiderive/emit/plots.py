@@ -227,7 +227,7 @@ def _reference(profile: Profile, numbers: Numbers) -> str:
         len(profile.pieces) == 1
         and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
     ):
-        return "; one curve for all parameters"
+        return "; a universal curve"
     length = next(
         (s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a),
         None,
