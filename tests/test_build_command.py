@@ -13,6 +13,7 @@ import pytest
 
 from axiderive import cli, commands, pdf, pool, work
 from axiderive.build import Failure
+from axiderive.comparison import LONGEST
 from axiderive.progress import failure_lines
 
 ROOT = Path(__file__).parents[1]
@@ -57,8 +58,21 @@ def test_build_writes_a_catalogue_and_then_changes_nothing(elsewhere, capsys):
     module = elsewhere / "catalogue/axicontact/loads/uniform.py"
     module.write_text("# mine\n")
     assert cli.main([*SMALL, "--check"]) == 1
-    assert "-# mine\n" in capsys.readouterr().out
+    said = capsys.readouterr()
+    assert "-# mine\n" in said.out
+    assert said.out.endswith("lines of difference: with -v\n")
+    assert len(said.out.splitlines()) <= LONGEST + 2
+    assert "1 file differs; run axicontact build --only loads.uniform and commit the result" in said.err
     assert module.read_text() == "# mine\n"
+    # a folder without a catalogue once cost two hundred lines of what is missing, and none that all of it is
+    nowhere = elsewhere / "nowhere"
+    assert cli.main([*SMALL, "--check", "--out", str(nowhere)]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    line = next(line for line in said.err.splitlines() if line.startswith("axicontact: "))
+    assert f"no catalogue in {nowhere}: all {len(first)} files that a build writes are missing; " in line
+    assert line.endswith(f"run axicontact build --only loads.uniform --out {nowhere} to write them")
+    assert not nowhere.exists()
 
 
 def test_a_page_made_alone_has_its_number_of_the_whole_book(elsewhere, capsys):

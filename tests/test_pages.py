@@ -11,10 +11,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from stored_book import stored
 
 from axiderive import notation as nt
 from axiderive.emit import front, matrix
+from axiderive.emit.handbook import templates
+from axiderive.emit.panel import panel as panel_of
 from axiderive.emit.prose import domain, prose
+from axiderive.emit.spread import pool_of
 from axiderive.emit.study import error, extremes, figures, maps
 from axiderive.pdf import problems
 from axiderive.study.problems import NAMES, OTHERS
@@ -46,6 +50,24 @@ def test_the_error_panels_show_every_method_where_the_record_has_it(records: dic
                 assert y / figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
             assert 0 <= line.place[0] <= figure.width
             assert 0 <= line.place[1] <= figure.height
+
+
+def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, Any]) -> None:
+    """The names of the vertical axes take room in the first column alone, and all three have 166 mm."""
+    found = figures({"error": records["error"]}, frozenset())
+    lines = templates().get_template("study.tex.j2").render(studies=found).split(r"\hbox to\textwidth{")[1:]
+    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels)
+    for line in lines:
+        panels = line.count(r"\begin{tikzpicture}")
+        assert line.count("run time over that of the function") == panels
+        assert line.count("worst relative error") == 1
+        assert "worst relative error" in line.partition(r"\end{tikzpicture}")[0]
+        widths = [
+            float(right) + float(left)
+            for left, right in re.findall(r"bounding box\] \(-([\d.]+),-8\) rectangle \(([\d.]+),", line)
+        ]
+        assert len(widths) == panels
+        assert sum(widths) < 166 - 2 * 2
 
 
 def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> None:
@@ -128,6 +150,13 @@ def test_domains_are_printed_with_printed_symbols(record: nt.Notation) -> None:
     )
     assert not words, text
     assert bool(text) == bool(record.domain)
+
+
+def test_a_bound_is_printed_once() -> None:
+    """The eccentricity once stood with its domain, -a < e < a, and with the rule abs(e) < a behind it."""
+    profile = pool_of("plane.eccentric_punch").load("eccentric_punch")
+    lines = dict(panel_of(profile, stored("plane.eccentric_punch"), plane=True))
+    assert lines["Parameters"] == r"$a > 0$, $\lvert e\rvert<a$"
 
 
 @pytest.mark.parametrize(

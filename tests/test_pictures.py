@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -13,9 +14,12 @@ from axiderive.emit.curves import WIDEST, curves
 from axiderive.emit.html.drawing import pairs
 from axiderive.emit.html.sketch import sketch
 from axiderive.emit.labels import HIGHEST
+from axiderive.emit.sketch import ARROW, LONG
+from axiderive.emit.sketch import sketch as outline
 from axiderive.emit.sketch_given import load_sketch
 from axiderive.emit.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
 from axiderive.emit.spread import pool_of
+from axiderive.emit.strips import StripNumbers
 from axiderive.emit.study.maps import ABREAST, Figure, Map, Picture
 from axiderive.emit.values import Numbers, sketch_values
 
@@ -65,6 +69,19 @@ def test_the_web_draws_pressures_and_the_tilted_punch_inside_the_frame(tilted: T
                     assert 0 <= x <= figure.width
                     assert 0 <= y <= figure.height + 0.1
         assert all(0 <= label.left <= 100 and 0 <= label.top <= 100 for label in figure.labels)
+
+
+@pytest.mark.parametrize("name", ["cone", "plane.quartic", "plane.flat_punch"])
+def test_the_arrow_of_the_displacement_shows_how_far_the_surface_has_sunk(name: str) -> None:
+    """Beside a plane punch the surface may have risen, and the arrow crossed its own name there."""
+    made = StripNumbers if name.startswith("plane.") else Numbers
+    numbers = made(profile_of(name), stored(name), sketch_values(profile_of(name)), 16)
+    picture = outline(profile_of(name), numbers)
+    surface = pairs(picture.surface)
+    (x0, y0), (x1, y1) = next((a, b) for a, b in itertools.pairwise(surface) if a[0] <= picture.arrow <= b[0])
+    assert picture.arrow_end == pytest.approx(y0 + (y1 - y0) * (picture.arrow - x0) / (x1 - x0), abs=0.02)
+    assert picture.arrow_end < -0.9 * LONG
+    assert max(x for x, _ in pairs(picture.body)) < picture.arrow <= ARROW
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from axiderive import writing
-from axiderive.comparison import book_of, differences, only_profiles, standing
+from axiderive.comparison import LONGEST, MOST, book_of, differences, only_profiles, shortened, standing
 from axiderive.emission import Book
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
@@ -110,13 +110,32 @@ def test_an_atomic_write_that_fails_leaves_no_trace(tmp_path, monkeypatch):
 
 
 def test_differences_name_changed_new_and_stale_files(root):
-    lines = differences(FILES, root, ["axicontact/normal/kone.py"])
-    text = "\n".join(lines)
+    found = differences(FILES, root, ["axicontact/normal/kone.py"])
+    text = "\n".join(line for one in found for line in one.lines)
     assert "-old\n+new" in text
     assert "--- /dev/null\n+++ built/evidence/cone.json" in text
     assert "--- committed/axicontact/normal/kone.py" in text
     writing.publish(FILES, root, prune=True)
     assert differences(FILES, root) == []
+
+
+def test_ends_of_lines_are_a_difference(root):
+    writing.publish(FILES, root, prune=True)
+    path, content = next((path, content) for path, content in FILES.items() if content.endswith(b"\n"))
+    (root / path).write_bytes(content.replace(b"\n", b"\r\n"))
+    assert [one.path for one in differences(FILES, root)] == [path]
+
+
+def test_of_a_long_difference_the_first_lines_are_shown_and_the_rest_is_counted(tmp_path):
+    """A catalogue of another engine differs in a hundred thousand lines; whoever reads them wants to know where."""
+    files = {f"evidence/{i:02}.json": b"a line\n" * 100 for i in range(13)}
+    found = differences(files, tmp_path)
+    lines = shortened(found)
+    assert len(lines) == MOST * (LONGEST + 1) + 1
+    assert lines[LONGEST] == "... 83 more lines of evidence/00.json"  # of 100 and three heads
+    assert lines[-1] == "... 3 more files differ, from evidence/10.json to evidence/12.json"
+    few = differences({"short.json": b"a line\n" * 17}, tmp_path)
+    assert shortened(few) == list(few[0].lines)
 
 
 def test_measured_errors_are_read_back_from_what_a_build_wrote(tmp_path):

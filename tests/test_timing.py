@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import re
@@ -193,6 +194,23 @@ def test_the_panels_are_what_was_measured_in_print_and_on_the_web(name: str) -> 
             assert y / figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -15.95459), abs=1e-5)
         assert f"{points[0][0]:.2f},{points[0][1]:.2f}" in text_of(name)
         assert _dots(shown) == len(points)
+
+
+@pytest.mark.parametrize("name", ["plane.power_law", "rounded_cone", "cone"])
+def test_every_contact_has_a_heading_and_names_of_its_axes(name: str) -> None:
+    """The strip of the graded half-space once stood without a heading at the top of a page."""
+    text = text_of(name)
+    heads = re.findall(r"^\\sect\[.*\]\{(.*)\}$", text, re.M)
+    media = ["graded half-space" if keys[0].endswith(".fgm") else "" for keys in _contacts(name)]
+    assert heads == ["Error against run time" + (f", {medium}" if medium else "") for medium in media]
+    across, up = ("run time over that of the function", "worst relative error")
+    for part, keys in zip(re.split(r"\\sect\[", text)[1:], _contacts(name), strict=True):
+        assert (part.count(f"{{{across}}}"), part.count(f"{{{up}}}")) == (len(keys), 1)
+
+
+def _contacts(name: str) -> list[list[str]]:
+    """The problems of the formulas of a page, one list for each contact."""
+    return [list(own) for _, own in itertools.groupby(key.rpartition(".")[0] for key in keys_of(name))]
 
 
 def _letter(method: str) -> str:

@@ -14,7 +14,7 @@ from . import pdf
 from .build import Catalogue
 from .build import build as build_catalogue
 from .cache import Cache, digest
-from .comparison import book_of, differences, only_profiles, standing
+from .comparison import Difference, book_of, differences, only_profiles, shortened, standing
 from .contact import systems
 from .emission import study_records
 from .emit.readme import with_tables
@@ -24,7 +24,6 @@ from .progress import Progress, failure_lines, summary
 from .work import Settings, project_root
 from .writing import GENERATED_SUFFIXES, ensure_writable, publish, stale_files, write_atomic
 
-LONGEST_DIFF = 200
 MOST_REMARKS = 5
 
 
@@ -65,8 +64,11 @@ def build(arguments: argparse.Namespace) -> int:
     readme = {} if partial or root != project_root() / "catalogue" else _readme(catalogue)
     if arguments.check:
         stale = [] if partial else stale_files(files, root)
-        lines = differences(files, root, stale) + differences(readme, project_root())
-        code = _compare(lines, root, len(files), progress=progress, verbose=arguments.verbose)
+        found = differences(files, root, stale) + differences(readme, project_root())
+        if any((root / path).is_file() for path in files):
+            code = _compare(found, root, len(files), progress, arguments)
+        else:
+            code = _nothing_there(root, len(files), arguments)
     else:
         written, removed = publish(files, root, prune=not partial)
         for path, content in readme.items():
@@ -89,15 +91,35 @@ def _readme(catalogue: Catalogue) -> dict[str, bytes]:
     return {path.name: with_tables(path.read_text(encoding="utf-8"), index["matrix"], measured).encode()}
 
 
-def _compare(lines: list[str], root: Path, count: int, *, progress: Progress, verbose: bool) -> int:
-    if not lines:
+def _compare(found: list[Difference], root: Path, count: int, progress: Progress, arguments: argparse.Namespace) -> int:
+    if not found:
         progress.say(f"{root} is what a build writes ({count} files)")
         return 0
-    print("\n".join(lines if verbose else lines[:LONGEST_DIFF]))
-    if not verbose and len(lines) > LONGEST_DIFF:
-        print(f"... {len(lines) - LONGEST_DIFF} more lines of difference; all of them with -v")
-    print(f"axicontact: {root} is not what a build writes; run axicontact build and commit the result", file=sys.stderr)
+    lines = [line for one in found for line in one.lines]
+    short = lines if arguments.verbose else shortened(found)
+    print("\n".join(short if short == lines else [*short, f"all {len(lines)} lines of difference: with -v"]))
+    differ = "1 file differs" if len(found) == 1 else f"{len(found)} files differ"
+    print(
+        f"axicontact: {root} is not what a build writes, {differ}; "
+        f"run {_without_check(arguments)} and commit the result",
+        file=sys.stderr,
+    )
     return FAILED
+
+
+def _nothing_there(root: Path, count: int, arguments: argparse.Namespace) -> int:
+    print(
+        f"axicontact: no catalogue in {root}: all {count} files that a build writes are missing; "
+        f"run {_without_check(arguments)} to write them",
+        file=sys.stderr,
+    )
+    return FAILED
+
+
+def _without_check(arguments: argparse.Namespace) -> str:
+    """The command that writes what was compared."""
+    only = f" --only {','.join(arguments.only)}" if arguments.only else ""
+    return f"axicontact build{only}" + (f" --out {arguments.out}" if arguments.out else "")
 
 
 def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress: Progress) -> int:

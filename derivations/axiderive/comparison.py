@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,21 @@ from .index import dumps, loads
 Record = dict[str, Any]
 
 
-def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[str]:
-    """Unified diff, line by line, from the catalogue on the disk to the one just built."""
-    lines: list[str] = []
+LONGEST, MOST = 20, 10
+"""Lines of difference that are shown of one file, and files of which any are."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A file that is not what a build writes, and the diff from the disk to the build."""
+
+    path: str
+    lines: tuple[str, ...]
+
+
+def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) -> list[Difference]:
+    """Unified diffs, line by line, from the catalogue on the disk to the one just built."""
+    found = []
     for path, content in sorted(files.items()):
         target = root / path
         old = target.read_bytes() if target.is_file() else None
@@ -25,9 +38,22 @@ def differences(files: dict[str, bytes], root: Path, stale: Sequence[str] = ()) 
             continue
         before = [] if old is None else old.decode(errors="replace").splitlines()
         origin = "/dev/null" if old is None else f"committed/{path}"
-        lines += difflib.unified_diff(before, content.decode().splitlines(), origin, f"built/{path}", lineterm="")
-    for path in stale:
-        lines += [f"--- committed/{path}", "+++ /dev/null", "no longer generated"]
+        # without its own two heads, which are missing where lines differ in nothing but their ends
+        diff = [*difflib.unified_diff(before, content.decode().splitlines(), lineterm="")][2:]
+        found.append(Difference(path, (f"--- {origin}", f"+++ built/{path}", *(diff or ["other ends of lines"]))))
+    gone = ("+++ /dev/null", "no longer generated")
+    return found + [Difference(path, (f"--- committed/{path}", *gone)) for path in stale]
+
+
+def shortened(found: Sequence[Difference]) -> list[str]:
+    """The first lines of the first diffs, and how much of each and how many more there are."""
+    lines: list[str] = []
+    for one in found[:MOST]:
+        lines += one.lines[:LONGEST]
+        if len(one.lines) > LONGEST:
+            lines.append(f"... {len(one.lines) - LONGEST} more lines of {one.path}")
+    if len(found) > MOST:
+        lines.append(f"... {len(found) - MOST} more files differ, from {found[MOST].path} to {found[-1].path}")
     return lines
 
 

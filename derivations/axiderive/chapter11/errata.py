@@ -52,9 +52,10 @@ def misprints(rows: Iterable[Row]) -> tuple[Erratum, ...]:
 
 
 def _evidence(row: Row) -> str:
-    units = "; its scaling with the units is wrong too" if (row.printed.units or 0) > 1e-3 else ""
+    units = ", and it scales wrongly with the units" if (row.printed.units or 0) > 1e-3 else ""
     return (
-        f"{row.title}: printed form off by {row.printed.values:.2g}{units}; right form holds to {row.digits()} digits"
+        f"{row.title}: printed form off by a relative {row.printed.values:.2g}{units}; "
+        f"right form holds to {row.digits()} digits"
     )
 
 
@@ -126,56 +127,55 @@ def _jump(draw: Draw) -> Iterator[Residual]:
 
 REMARKS = (
     Remark(
-        "after (11.102)",
-        "rho and xi determine the point B uniquely",
-        "every chord has two points at the distance rho from the centre",
-        "which is why (11.102) needs both signs",
+        "Before (11.102)",
+        "rho and xi uniquely define the location of point B",
+        "rho and xi belong to two points of the chord, at the same distance rho from the centre",
+        "This is why (11.102) needs both signs",
     ),
     Remark(
         "(11.107)",
         "p(rho) = -E*/pi int_rho^a w1D'(xi)/sqrt(xi^2 - rho^2) dxi",
         "p(rho) = E*/pi [w1D(a)/sqrt(a^2 - rho^2) - int_rho^a w1D'(xi)/sqrt(xi^2 - rho^2) dxi]",
-        "right as printed where w1D(a) = 0; at the edge of a flat or concave punch, or with adhesion, w1D(a) remains, "
-        "so w1D(a) = 0 does not follow from (11.104) for every pressure",
+        "The printed form holds where w1D(a) = 0. This does not follow from (11.104) for every pressure, as is said "
+        "after (11.109): under flat or concave punches, and with adhesion, w1D(a) is not zero",
         _edge_pressure,
     ),
     Remark(
         "(11.110), third line",
         "-2 E* int_0^a xi w1D'(xi) dxi = 2 E* int_0^a w1D(xi) dxi",
         "2 E* a w1D(a) - 2 E* int_0^a xi w1D'(xi) dxi = 2 E* int_0^a w1D(xi) dxi",
-        "right as printed where w1D(a) = 0; the last form always holds",
+        "The printed form holds where w1D(a) = 0, its right-hand side always",
         _edge_force,
     ),
     Remark(
         "(11.29) and (11.61)",
-        "g(a) from f' alone",
-        "a step of height D in f at r = b adds D a^(1-k) (a^2 - b^2)^((k-1)/2) for a > b (k = 0 in (11.29))",
-        "f is taken to start at zero and to be absolutely continuous",
+        "g(a) as an integral of f' alone",
+        "a step of height D in f at r = b adds D a^(1-k) (a^2 - b^2)^((k-1)/2) for a > b, with k = 0 in (11.29)",
+        "The text does not say that f is taken to start at zero and to be absolutely continuous",
         _jump,
     ),
     Remark(
-        "section 11.8.1",
-        "m = k^2 is called a modulus; 0 <= k^2 <= 1, 0 <= theta <= pi/2",
-        "m is the parameter; k = 1 together with theta = pi/2 is excluded for F and K",
-        "F(pi/2, 1) = K(1) is infinite",
+        "Section 11.8.1",
+        "the modulus m = k^2; F and K for 0 <= k^2 <= 1 and 0 <= theta <= pi/2",
+        "the parameter m = k^2; F and K without k = 1 together with theta = pi/2",
+        "The modulus is k itself, and F(pi/2, 1) = K(1) is infinite",
     ),
     Remark(
         "(11.86), (11.93), (11.97)",
-        "conditions on the arguments",
-        "the upper function needs no Re z > 0; the series needs abs(z) < 1 and c other than 0, -1, ...; "
-        "H_n of an order that is not an integer has a cut",
-        "the stated ranges are too narrow or too wide",
+        "the upper Gamma function for Re z > 0; the series of 2F1 and H_n for all arguments",
+        "every z; abs(z) < 1, and c neither zero nor a negative integer; a branch cut where n is not an integer",
+        "The first range is too narrow, the others are too wide",
     ),
     Remark(
         "(11.34)-(11.39)",
         "pressured ring",
         "loaded disc",
-        "the load covers the whole circle r < a",
+        "The load covers the whole circle r < a",
     ),
     Remark(
-        "closing paragraph of 11.9",
-        "flat punch with axisymmetric load, among plane problems",
-        "flat punch with asymmetric (eccentric) load",
-        "a plane problem has no axis, and the symmetric load is named just before",
+        "Closing paragraph of 11.9",
+        "flat punch with axisymmetric load, among the plane problems",
+        "flat punch with asymmetric, that is eccentric, load",
+        "Plane problems have no axis, and the symmetric load is named just before",
     ),
 )

@@ -163,7 +163,7 @@ def check_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
     corrected=coordinates_corrected,
     printed_form="s = sqrt(rho^2 - xi^2) + sqrt(r^2 - xi^2)",
     right_form="s = +-sqrt(rho^2 - xi^2) + sqrt(r^2 - xi^2)",
-    reason="as printed B lies on the far half of the chord only; the half with A on it is the factor 2 of (11.104)",
+    reason="As printed, B lies on the far half of the chord only; the half with A on it gives (11.104) its factor 2",
 )
 def check_coordinates(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Both points of a chord that lie at the same distance from the centre, given by coordinates."""
@@ -224,7 +224,7 @@ def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Res
     corrected=inversion_corrected,
     printed_form="w1D(xi) = xi int_0^xi w'(rho)/sqrt(xi^2 - rho^2) drho",
     right_form="w1D(xi) = w(0) + xi int_0^xi w'(rho)/sqrt(xi^2 - rho^2) drho",
-    reason="the printed form vanishes at xi = 0 and contradicts (11.109); it is -g instead of d - g",
+    reason="The printed form vanishes at xi = 0 and contradicts (11.109): it gives -g instead of d - g",
 )
 def check_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """w = d - f of random powers with the closed g, then the whole catalogue."""
@@ -267,7 +267,7 @@ def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
     corrected=force_corrected,
     printed_form="first line: int_0^a (int_rho^a w1D'(xi)/sqrt(xi^2 - r^2) dxi) r dr",
     right_form="first line: int_0^a (int_r^a w1D'(xi)/sqrt(xi^2 - r^2) dxi) r dr",
-    reason="rho is a free symbol there; the pressure (11.107) at r starts at xi = r",
+    reason="Nothing defines rho here: in the pressure (11.107) at r, the integral begins at xi = r",
 )
 def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(2), draw.length(), draw.stress()

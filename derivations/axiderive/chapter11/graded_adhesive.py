@@ -96,7 +96,7 @@ def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]
     corrected=retraction_corrected,
     printed_form="dl = sqrt(2 pi a dgamma c0^k a^(1-k) / (E* h_N))",
     right_form="dl = sqrt(2 pi dgamma c0^k a^(1-k) / (E* h_N))",
-    reason="a^(1-k) holds the factor a already: as printed dl is no length, and misses (11.31) for k = 0",
+    reason="The power a^(1-k) holds the factor a already: as printed, dl is not in metres and misses (11.31) for k = 0",
 )
 def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)

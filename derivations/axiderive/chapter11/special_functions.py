@@ -192,7 +192,7 @@ def check_gamma_sum(draw: Draw, formula: Formula) -> Iterator[Residual]:
     corrected=beta_corrected,
     printed_form="B(x, y) = Gamma(x) Gamma(y) / Gamma(x, y)",
     right_form="B(x, y) = Gamma(x) Gamma(y) / Gamma(x + y)",
-    reason="a comma for a plus sign: Gamma(x, y) would be an incomplete Gamma function, and B would not be symmetric",
+    reason="The comma is a plus sign: Gamma(x, y) would be an incomplete Gamma function, and B would not be symmetric",
 )
 def check_beta(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, y = draw.number(0.6, 3), draw.number(0.6, 3)

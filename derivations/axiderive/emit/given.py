@@ -91,7 +91,7 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
         ),
         axes(
             ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), 16.0, [tilt], [""],
-            ("Inclination", r"under the load $P$ at $x=e$; linear until an edge lifts off."),
+            ("Inclination", r"under $P$ at $x=e$; linear until an edge lifts off."),
         ),
     )  # fmt: skip
 
@@ -117,7 +117,7 @@ def axes(
         if not label:
             curves.append(Curve(coordinates(rows), "", 0.0, 0.0))
             continue
-        placed = labelled(scaled, i, label, [(c.x, c.y) for c in curves], LOW_TALL)
+        placed = labelled(scaled, i, label, curves, LOW_TALL)
         curves.append(replace(placed, coordinates=coordinates(rows)))
     curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
     step, parts = 4.0 if top > 8 else 0.5 if top == 1 else 1.0, 3 if wide == 3 else 4

@@ -30,7 +30,9 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
         return [("Valid for", prose(profile.validity)), *(("Shorthand", text) for text in shorthands)]
     place = "x" if plane else "r"
     lines = [("Profile", shape_tex(profile, place))]
+    # of these a rule says what their domain says, or more
     bounded = {rule.right for rule in profile.rules if rule.left.is_number}
+    bounded |= {rule.left.args[0] for rule in profile.rules if isinstance(rule.left, sp.Abs)}
     parameters = [_domain(symbol) for symbol in profile.parameters if symbol not in bounded]
     for rule in profile.rules:
         left, right = Printer()(rule.left), Printer()(rule.right)

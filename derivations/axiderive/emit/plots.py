@@ -51,7 +51,7 @@ def plots(profile: Profile, numbers: Numbers) -> Plots:
     )
     ball, punch = ("cylinder", "flat strip") if plane else ("sphere", "flat punch")
     for i, label in enumerate([*(label for label, _ in family), ball, punch]):
-        curves.append(labelled(shown, i, label, [(curve.x, curve.y) for curve in curves if curve.label]))
+        curves.append(labelled(shown, i, label, curves))
     caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
     force, reference = _force(profile, numbers)
     words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
@@ -67,7 +67,7 @@ def _force_references(force: Curve, plane: bool) -> tuple[Curve, ...]:
     family = [own, round_one, [(x, WIDEST * x) for x in depths]]
     found: list[Curve] = []
     for i, label in ((1, "cylinder" if plane else "sphere"), (2, "flat strip" if plane else "flat punch")):
-        curve = labelled(family, i, label, [(other.x, other.y) for other in found])
+        curve = labelled(family, i, label, found)
         found.append(curve)
     return tuple(
         replace(curve, x=WIDEST * curve.x, coordinates=coordinates([(WIDEST * x, y) for x, y in rows]))
@@ -227,7 +227,7 @@ def _reference(profile: Profile, numbers: Numbers) -> str:
         len(profile.pieces) == 1
         and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
     ):
-        return "; one curve for all parameters"
+        return "; a universal curve"
     length = next(
         (s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a),
         None,

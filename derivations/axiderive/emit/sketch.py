@@ -19,6 +19,8 @@ RADIUS = 1.75
 DEEPEST = 1.3
 TOP = 0.66
 NAME = 0.36
+ARROW, LONG = 3.75, 0.16
+"""Where the arrow of the displacement stands, if that is long enough there."""
 BODY = 1.95
 """The indenter is drawn up to this multiple of the contact radius, or to the height of its top."""
 
@@ -70,7 +72,7 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
     inside = [(x, y) for x, y in right if x <= scale * radius * (1 + 1e-9)]
     outside = _outside(numbers, scale)
     first = 0.0 if profile.contact == "complete" else outside[0][1]
-    x_arrow = 3.75
+    arrow, moved = _arrow(numbers, scale, right[-1][0])
     return Picture(
         body=_path([(x, y) for x, y in _closed(right, profile)]),
         contact=_path([(-x, y) for x, y in reversed(inside)][:-1] + inside),
@@ -80,12 +82,22 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
         depth=_short(scale * depth),
         edge=_short(-inside[-1][1] if first else -outside[0][1]),
         end=_short(outside[-1][1]),
-        arrow=x_arrow,
-        arrow_end=_short(-float(numbers("w", x_arrow / scale)) * scale),
+        arrow=_short(arrow),
+        arrow_end=_short(-moved),
         dimensions=_dimensions(profile, numbers, scale, depth),
         angle=_angle(profile, numbers, scale, depth),
         name=_short(-min(0.85, max(x for x, y in right if y <= NAME) / 2)),
     )
+
+
+def _arrow(numbers: Numbers, scale: float, beside: float) -> tuple[float, float]:
+    """Where the displacement is drawn, and how large it is there: LONG, where it is so anywhere beside the body.
+
+    The place is as far out as that allows; where the surface has risen its arrow would cross its own name.
+    """
+    places = [ARROW - (ARROW - beside - 0.2) * i / 12 for i in range(13)] if beside + 0.2 < ARROW else [ARROW]
+    found = [(x, float(numbers("w", x / scale)) * scale) for x in places]
+    return next((one for one in found if one[1] >= LONG), max(found, key=lambda one: one[1]))
 
 
 def _body_radii(profile: Profile, numbers: Numbers, scale: float) -> list[float]:

@@ -16,7 +16,6 @@ UNIT = 8.0
 """SVG units to a millimetre."""
 LEFT, RIGHT, BELOW, ABOVE = 8.5, 2.5, 8.5, 5.5
 """Millimetres around the frame of a panel, for its ticks and the names of its axes."""
-NAMES = "run time over that of the function", "worst relative error"
 MARGIN, HEADING, GAP = 5.0, 5.0, 3.0
 """Millimetres left of and below a map, above it, and between its two pictures."""
 _RECTANGLE = re.compile(r"\(([\d.]+),([\d.]+)\) rectangle \+\(([\d.]+),([\d.]+)\)")
@@ -90,8 +89,8 @@ def _panel(panel: error.Panel, whole: error.Figure) -> Figure:
         figure.label(f"10^{{{power}}}", (x - 1.2 * UNIT, y), "right")
     figure.line("axis", scale.at(0, 0), scale.at(whole.width, 0))
     figure.line("axis", scale.at(0, 0), scale.at(0, whole.height))
-    figure.label(NAMES[0], (figure.width - UNIT * RIGHT, figure.height), "above-right", plain=True)
-    figure.label(NAMES[1], (0, 0), "below-left", plain=True)
+    figure.label(whole.names[0], (figure.width - UNIT * RIGHT, figure.height), "above-right", plain=True)
+    figure.label(whole.names[1], (0, 0), "below-left", plain=True)
     for line in panel.lines:
         look = "own" if line.own else "rival"
         figure.add("polyline", look, points=scale.points(line.points))

@@ -15,6 +15,8 @@ from ..prose import escaped
 
 WIDTH, HEIGHT = 43.0, 30.0
 """Millimetres of the frame; twelve fit below the words of the first page."""
+NAMES = "run time over that of the function", "worst relative error"
+"""What the axes measure."""
 LOWEST = -16
 WORDS = {
     "emitted": "the function of this catalogue",
@@ -79,6 +81,7 @@ class Figure:
     yticks: tuple[tuple[float, int], ...]
     width: float
     height: float
+    names: tuple[str, str] = NAMES
 
 
 def plots(record: Mapping[str, Any]) -> Plots:

@@ -39,6 +39,7 @@ NAMED = {
     DIGITS: "adaptive quadrature in {} digits",
 }
 
+GRADED = "graded half-space"
 LEFT = {"p": "p(r)", "w": "w(r)", "Fd": r"F_{\mathrm N}(d)"}
 
 Row = Mapping[str, Any]
@@ -46,9 +47,10 @@ Row = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Strip:
-    """The panels of one contact, and what the numbers say of each formula."""
+    """The panels of one contact, its half-space unless it is homogeneous, and what the numbers say of each formula."""
 
     figure: Figure
+    medium: str
     sentences: tuple[str, ...]
 
 
@@ -78,9 +80,10 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
     strips = tuple(
         Strip(
             drawn(contact, letters, frozenset(keys), WIDTH, HEIGHT),
+            GRADED if problem.endswith(".fgm") else "",
             tuple(_sentence([row for row in rows if row["key"] == key]) for key in contact),
         )
-        for contact in found.values()
+        for problem, contact in found.items()
     )
     meanings = tuple((letters[one], KEY[one].format(_settings(one, rows))) for one in letters if one in members)
     return Timing(strips, meanings)
@@ -123,7 +126,7 @@ def _named(key: str) -> str:
     problem, _, suffix = key.rpartition(".")
     if problem.startswith("plane."):
         return f"${LEFT[suffix].replace('(r)', '(x)')}$"
-    return f"Graded half-space, ${LEFT[suffix]}$" if problem.endswith(".fgm") else f"${LEFT[suffix]}$"
+    return f"{GRADED.capitalize()}, ${LEFT[suffix]}$" if problem.endswith(".fgm") else f"${LEFT[suffix]}$"
 
 
 def _reaches(row: Row, goal: float) -> bool:
