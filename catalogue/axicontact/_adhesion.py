@@ -80,12 +80,12 @@ def _growth(e: Array, m: Array) -> Array:
         # the rounding of a logarithm of 60 would be felt in its exponential
         more = np.where((s > 1.0) & ((m - 1.0) * log > 1.0), (1.0 + s) ** (m - 1.0) - 1.0, np.expm1((m - 1.0) * log))
         rate = m * more / (m - 1.0)
-        value = np.where(np.minimum(s, 1.0) * np.maximum(m, 2.0) < 1.0, near(s), (1.0 + s) * rate / m - s)
+        value = np.where(np.minimum(s, 4.0) * np.maximum(m, 2.0) < 4.0, near(s), (1.0 + s) * rate / m - s)
         return value, s * rate / value
 
     def near(s: Array) -> Array:
-        # the difference written as an integral of positive terms
-        s = np.minimum(s, 0.5)
+        # an integral of positive terms, up to where the difference is a third of its own; at s = 1/2 it is an eighth
+        s = np.minimum(s, 2.0)
         return m * s * s * integral(lambda y: (1.0 - y) * np.exp((m - 2.0) * np.log1p(s * y)), np.ones_like(s), 16)
 
     # (1 + s)**m = 1 + (m - 1) e + m s, twice with the last s on the right

@@ -68,16 +68,26 @@ Courses = Callable[..., tuple[Course | None, float, float]]
 """The course of an integral for what does not change with r, if panels pay, and between which radii it is wanted."""
 
 
-def at_many_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
-    """The integral as a function of r and other lengths, by `along` where the others are the same at many radii."""
+def at_many_radii(
+    courses: Courses, share: float = 1.0, *, everywhere: bool = False
+) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
+    """The integral as a function of r and other lengths, by `along` where the others are the same at many radii.
+
+    Many are a `share` of LEAST; it is zero at the radii where no course leads, or wanted `everywhere`.
+    """
 
     def decorated(integral: Callable[..., Array]) -> Callable[..., Array]:
         @wraps(integral)
         def at(r: Array, *others: Array) -> Array:
-            fixed = same(*others) if isinstance(r, np.ndarray) and r.size >= LEAST else None
+            fixed = same(*others) if isinstance(r, np.ndarray) and r.size >= share * LEAST else None
             if fixed is None:
                 return integral(r, *others)
-            return along(lambda r: integral(r, *fixed), r, *courses(*fixed))
+            course, inner, outer = courses(*fixed)
+            value = along(lambda r: integral(r, *fixed), r, course, inner, outer)
+            apart = ~((r > inner) & (r < outer)) if everywhere else np.False_
+            if np.any(apart):
+                value[apart] = integral(r[apart], *fixed)
+            return value
 
         return at
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._elementwise import largest
 from ._rewriting import depending, numbers_first, without_choice
 from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, of_a_module, places, trace, used_at
 
@@ -24,18 +25,22 @@ def prepare({numbers}):
     return ({results})
 """
 BLOCK = """
-def block(out, {arguments}, largest):
+def block(out, {arguments}):
     size = out.size
 {lines}
 """
 
 
-class Program(NamedTuple):
-    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled, largest)` needs.
+CHECK = """
+    {name} = largest({array})
+    if {name} == inf: raise FloatingPointError"""
 
-    `largest` are the largest values of the arrays, which only a program for `positive` ones asks for.
-    A FloatingPointError says that the block needs the body itself; so does a number or, in an array, a value
-    that is not positive and finite, where the program is for `positive` ones.
+
+class Program(NamedTuple):
+    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled)` needs.
+
+    A FloatingPointError says that the block needs the body itself, as it does for fields that are not positive
+    and finite; a program for `positive` arguments asks this of all its arrays, and its caller of the numbers.
     """
 
     prepare: Callable[..., tuple[Any, ...]]
@@ -63,19 +68,20 @@ def program(
         names = [*fields, *keywords]
         given = [name for name, is_array in zip(names, arrays, strict=True) if is_array]
         summed = result is None or any(node.name == "integral" for node in needed(result))
-        _programs[key] = None if result is None or summed else _Writer(result, names, given).program()
+        _programs[key] = None if result is None or summed else _Writer(result, names, given, fields).program()
     return _programs[key]
 
 
 class _Writer:
     """Text of a program; arrays of scratch are freed where their value is used for the last time."""
 
-    def __init__(self, result: Node, names: list[str], given: list[str]) -> None:
+    def __init__(self, result: Node, names: list[str], given: list[str], fields: tuple[str, ...]) -> None:
         result = numbers_first(result, set(given))
         simpler = without_choice(result, set(given))
         self.positive = simpler is not result
         result = simpler
         self.given = given
+        self.checked = given if self.positive else [name for name in given if name in fields]
         self.numbers = [name for name in names if name not in given]
         self.nodes = needed(result)
         self.paths = places(self.nodes)
@@ -106,13 +112,13 @@ class _Writer:
         reaching = {x for user in self.arrays for x in user.operands} | {result, self.refused}
         results = [self.of(x) for x in numbers if x in reaching]
         passed = ", ".join(results) + ("," if results else "")
-        space = dict(NAMES)
+        space = NAMES | {"largest": largest}
         exec(PREPARE.format(numbers=", ".join(self.numbers), lines="\n".join(lines), results=passed), space)
         space |= {name: np.array(float(value)) for value, name in self.constants.items()}
         scratch = [f"w{i}" for i in range(self.count)] + [f"m{i}" for i in range(self.mask_count)]
         scratch += self.filled.values()
         arguments = ", ".join([*self.given, *results, *scratch])
-        exec(BLOCK.format(arguments=arguments, lines="\n".join(self.text)), space)
+        exec(BLOCK.format(arguments=arguments, lines="\n".join(self._with_checks())), space)
         return Program(space["prepare"], space["block"], self.count, self.mask_count, tuple(self.filled), self.positive)
 
     def of(self, node: Node) -> str:
@@ -130,6 +136,12 @@ class _Writer:
 
     def _of_number(self, node: Node) -> str:
         return f"({node.value!r})" if node.name == "number" else self.of(node)
+
+    def _with_checks(self) -> list[str]:
+        """The lines and, behind the first, which brings the arrays to cache, what asks for their range."""
+        checks = [CHECK[1:].format(name=_largest(name), array=name) for name in self.checked]
+        first = int(not self.text[0].lstrip().startswith("if "))
+        return [*self.text[:first], *checks, *self.text[first:]]
 
     def _last_uses(self) -> dict[Node, Node]:
         """For every array the last step among those under the same choices that needs it."""
@@ -184,7 +196,7 @@ class _Writer:
         if not self.positive or node.name != "maximum" or node.operands[0].name != "subtract":
             return ""
         a, r = node.operands[0].operands
-        return f"if largest[{self.given.index(str(r.value))}] > {self.of(a)}:" if r.value in self.given else ""
+        return f"if {_largest(str(r.value))} > {self.of(a)}:" if r.value in self.checked else ""
 
     def _choice(self, node: Node, place: str, depth: int) -> None:
         path, (condition, x, y) = self.paths[node], node.operands
@@ -229,6 +241,10 @@ class _Writer:
 
     def _line(self, depth: int, line: str) -> None:
         self.text.append("    " * depth + line)
+
+
+def _largest(name: str) -> str:
+    return f"largest_{name}"
 
 
 def _ufunc(node: Node, operands: list[str]) -> str:

@@ -19,6 +19,8 @@ Result: TypeAlias = Any
 
 SMALL, LARGE = 1e-30, 1e30
 """Plain numbers between these take the short way."""
+POSITIONS = ("r", "x")
+"""First arguments of fields, which vanish at infinity, but for those of the body itself, its profile."""
 BLOCK = 32768
 """Some arrays of this many numbers stay in the cache of a core."""
 INFINITE = np.array(np.inf).view(np.uint64)[()]
@@ -26,7 +28,7 @@ _formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
 def elementwise(function: Callable[..., Array], *fields: ArrayLike, unused: Any = (), **parameters: Any) -> Result:
-    """Values of `function(*fields, **parameters)`; NaN where a field is negative or NaN.
+    """Values of `function(*fields, **parameters)`; NaN where a field is negative or NaN, zero infinitely far away.
 
     They do not depend on the several that are `unused`, but broadcast with them.
     Divisions and roots outside a branch are silent.  A block in which a number leaves the range of doubles
@@ -88,12 +90,11 @@ def _evaluated(
     with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
         # without scratch a step costs less than its call, and a rule at many radii is one polynomial for all of them
         size = BLOCK if found is not None and found.scratch else 2 * BLOCK
-        compiled = None if found is None else _compiled(found, numbers, min(out.size, size))
+        far = not several[0] and numbers[0] == np.inf
+        compiled = None if found is None or far else _compiled(found, numbers, min(out.size, size))
         fields = sum(several[:count])
-        checked = len(arrays) if found is not None and found.positive else fields
         for part, *blocks in _blocks(out, arrays, size):
-            largest = [_largest(block) for block in blocks[:checked]]
-            if compiled is not None and np.inf not in largest and compiled(part, *blocks, largest):
+            if compiled is not None and compiled(part, *blocks):
                 continue
             rest, more = iter(numbers), iter(blocks)
             _by_body(function, count, keywords, [next(more if is_array else rest) for is_array in several], part)
@@ -102,10 +103,16 @@ def _evaluated(
     return out
 
 
-def _largest(block: Array) -> float:
+def largest(block: Array) -> float:
     """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
     bits = np.maximum.reduce(block.view(np.uint64))
     return float(bits.view(np.float64)) if bits < INFINITE else np.inf
+
+
+def _vanishes(function: Callable[..., Array]) -> bool:
+    """Whether it is a field of a position that is zero infinitely far away."""
+    code = getattr(function, "__code__", None)
+    return code is not None and code.co_varnames[0] in POSITIONS and "profile" not in code.co_name
 
 
 def _number(value: Array) -> float:
@@ -123,6 +130,10 @@ def _by_body(
     function: Callable[..., Array], count: int, keywords: tuple[str, ...], given: list[Array], part: Array
 ) -> None:
     """A block by the function itself."""
+    infinite = given[0] == np.inf if _vanishes(function) else np.False_
+    if np.any(infinite):
+        # bodies have a value on the axis, not at infinity
+        given = [np.where(infinite, 0.0, given[0]), *given[1:]]
     # np.broadcast_to would leave strides of zero, which NumPy's loops are slower for
     fields = [value if np.ndim(value) else np.full(part.shape, value) for value in given[:count]]
     parameters = dict(zip(keywords, given[count:], strict=True))
@@ -131,6 +142,7 @@ def _by_body(
     except FloatingPointError:
         with np.errstate(all="ignore"):
             part[...] = _unbounded(function, fields, parameters)
+    part[infinite & ~np.isnan(part)] = 0.0
 
 
 def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bool] | None:
@@ -146,11 +158,10 @@ def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bo
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
     work += [np.full(size, value) for value in found.filled]
 
-    def fill(out: Array, *given: Any) -> bool:
-        *arrays, largest = given
+    def fill(out: Array, *arrays: Array) -> bool:
         places = work if out.size == size else [place[: out.size] for place in work]
         try:
-            found.block(out, *arrays, *prepared, *places, largest)
+            found.block(out, *arrays, *prepared, *places)
         except FloatingPointError:
             return False
         return True

@@ -11,10 +11,8 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ._graded_rules import NODES, raised, sine_integral, sine_over, sinh_over, weighted
-from ._integrals import difference_root, integral_by_panels
-
-_LONGEST = 8.0
+from ._graded_rules import raised, sine_integral, sine_over, weighted
+from ._integrals import difference_root, integral_in_strip
 
 
 def flank_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -94,6 +92,14 @@ def _tip(a: Array, root: Array, b: Array, k: Array) -> Array:
     return -np.expm1((1.0 + k) * log) / (1.0 + k)
 
 
+def past_tip(x: Array, R: Array, b: Array, end: Array) -> Array:
+    """x - b for the b = sqrt(R**2 - end**2) at which a spherical tip ends.
+
+    A steep flank multiplies the rounding of b, of which the distance from R is free.
+    """
+    return np.where(end < b, (x - R) + end * (end / (R + b)), x - b)
+
+
 def tipped_depth(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """g(a) of the sphere R up to r = b, continued by its tangent cone; `end` is sqrt(R**2 - b**2).
 
@@ -124,25 +130,21 @@ def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:
 def _cap(t: Array, root: Array, b: Array, end: Array, k: Array, of: Callable[..., Array]) -> Array:
     """Integral of z**k of(t**2 - z**2, sqrt(R**2 - t**2 + z**2)) over sqrt(t**2 - b**2) < z < t.
 
-    In the v of sqrt(R**2 - t**2 + z**2) = end cosh(v), or where z may vanish the whole sphere less what is beyond b.
+    In the logarithm of the distance to the nearest of z = 0 and the end of the sphere, as that of the displacement.
     """
-    stop = np.arcsinh(b / end)
+    low: Array = np.where(root > 0.0, np.minimum(root, end), end)
+    top, half = np.hypot(low, b), np.log1p((b / low) ** 2) / 4.0 + 0.0 * t
 
-    def smooth(v: Array) -> Array:
-        z = np.hypot(root, end * np.sinh(v))
-        below = end * np.sinh(stop - v) * (end * np.sinh(stop + v))
-        return z**k * (end / z) * np.sinh(v) * of(below, end * np.cosh(v)) * end * np.cosh(v)
+    def along(near: Array, risen: Array) -> Array:
+        more = risen * (near + low)
+        z = np.sqrt(root * root + more)
+        return z**k * of(b * b - more, np.sqrt(end * end + more)) * near * (near / z)
 
-    apart = (root < 0.5 * end) & (root < 0.5 * t)
-    inside = np.where(apart, difference_root(end, root), end)
+    def from_low(x: Array) -> Array:
+        return along(low * np.exp(x), low * np.expm1(x))
 
-    def whole(last: Array) -> Array:
-        def grown(v: Array) -> Array:
-            z, far = inside * np.sinh(v), inside * np.cosh(v)
-            return sinh_over(v) ** k * far * of((t - z) * (t + z), far)
+    def from_top(x: Array) -> Array:
+        near = top * np.exp(-x)
+        return along(near, np.where(near > 2.0 * low, near - low, b * (b / (top + low)) + top * np.expm1(-x)))
 
-        reach = np.arcsinh(last / inside)
-        return (inside * reach) ** k * reach * weighted(grown, reach, k)
-
-    beside = integral_by_panels(smooth, stop + 0.0 * t, _LONGEST + 0.0 * t, NODES)
-    return np.where(apart, whole(t) - np.where(root > 0.0, whole(root), 0.0), beside)
+    return integral_in_strip(from_low, half) + integral_in_strip(from_top, half)

@@ -11,14 +11,24 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ._along import at_many_radii
 from ._elementwise import Array
 from ._graded_growth import power_excess
-from ._graded_rules import NODES, raised, sine_over, sinh_over, weighted
-from ._integrals import difference_root, integral, integral_in_strip
+from ._graded_rules import NODES, raised, sine_over, weighted
+from ._integrals import difference_root, integral, integral_in_strip, of_displacement
 
 Shape = Callable[[Array, Array], Array]
 """A function of s and z, with s**2 + z**2 = a**2."""
 SPLIT = np.pi / 6.0
+EDGE = ((3.0, 32), (11.0, 64))
+"""Lengths of a path from the edge, and the nodes of one panel for it; beyond there are two panels.
+
+They lose 3 units; 32 nodes lose 10 on a path of 4, and 64 nodes 60 on a path of 16.
+"""
+STEEP = 16.0
+"""The power of a shape beyond which it needs two panels everywhere."""
+SHARE = 0.125
+"""Of the radii from which on panels pay: a rule of this file costs as much as eight of the ordinary ones."""
 _SMOOTHING = 8
 
 
@@ -27,17 +37,19 @@ def punch_scale(k: Array) -> Array:
     return 2.0 / np.pi * np.sin(np.pi / 2.0 * (1.0 - np.abs(k)))
 
 
+@at_many_radii(of_displacement, SHARE)
 def punch_share(r: Array, a: Array, k: Array) -> Array:
     """w/d outside a flat punch, for r > a."""
     q = difference_root(r, a)
     stop = np.arcsinh(a / q)
-    return punch_scale(k) * from_edge(lambda s, z: np.ones_like(s), a, q, q, stop, k)
+    return punch_scale(k) * from_edge(lambda s, z: np.ones_like(z), a, q, q, stop, k)
 
 
+@at_many_radii(of_displacement, SHARE)
 def power_sag(r: Array, a: Array, n: Array, k: Array) -> Array:
     """Of f = r**n."""
     q = difference_root(r, a)
-    near = from_edge(lambda s, z: (s / a) ** n, a, q, q, np.arcsinh(a / q / 2.0), k)
+    near = _from_edge_of_power(lambda s, z: np.exp(n / 2.0 * np.log1p(-((z / a) ** 2))), q, a, n, k)
 
     whole = np.floor(n)
     weight = n - whole
@@ -46,54 +58,82 @@ def power_sag(r: Array, a: Array, n: Array, k: Array) -> Array:
         # whole powers need no weight; with n in the weight the rule cancels for large n
         return sine_over(x) ** weight * np.sin(x) ** whole * kernel(np.cos(x), np.sin(x), a / q, k)
 
-    reach = np.pi / 2.0 - SPLIT
-    far = reach**weight * reach * weighted(smooth, np.full_like(q, reach), weight)
+    reach = _to_axis(q)
+    far = reach**weight * reach * weighted(smooth, reach, weight)
     return punch_scale(k) * a**n * (near + far)
 
 
 def power_displacement(r: Array, a: Array, n: Array, k: Array) -> Array:
     """The displacement of f = r**n inside and outside the contact: what d is above f(a), and f(a) above f(s)."""
     ratio = np.where(r < 0.5 * a, np.log(r / a), np.where(r < a, np.log1p((r - a) / a), 0.0))
-    excess, inside = power_excess(n, k), -np.expm1(n * ratio)
+    excess = power_excess(n, k)
+    over = np.where(r > a, _beside_power(r, a, n, k, excess), excess - np.expm1(n * ratio))
+    return np.where(a > 0.0, a**n * over, 0.0)
+
+
+@at_many_radii(of_displacement, SHARE)
+def _beside_power(r: Array, a: Array, n: Array, k: Array, excess: Array) -> Array:
     q = difference_root(r, a)
-    near = from_edge(lambda s, z: -np.expm1(n / 2.0 * np.log1p(-((z / a) ** 2))), a, q, q, np.arcsinh(a / q / 2.0), k)
+    near = _from_edge_of_power(lambda s, z: excess - np.expm1(n / 2.0 * np.log1p(-((z / a) ** 2))), q, a, n, k)
 
     def smooth(u: Array) -> Array:
         # towards the axis the integrand ends in a power n, which this makes smooth for every n
         x = reach * u**_SMOOTHING
-        fall = -np.expm1(n * np.log(np.sin(x))) * kernel(np.cos(x), np.sin(x), a / q, k)
-        return fall * _SMOOTHING * reach * u ** (_SMOOTHING - 1)
+        over = (excess - np.expm1(n * np.log(np.sin(x)))) * _SMOOTHING * reach * u ** (_SMOOTHING - 1)
+        return over * kernel(np.cos(x), np.sin(x), a / q, k)
 
-    reach = np.pi / 2.0 - SPLIT
-    outside = excess * punch_share(r, a, k) + punch_scale(k) * (near + integral(smooth, np.ones_like(q), NODES))
-    return np.where(a > 0.0, a**n * np.where(r > a, outside, excess + inside), 0.0)
+    reach = _to_axis(q)
+    return punch_scale(k) * (near + integral(smooth, np.ones_like(reach), NODES))
 
 
-def from_edge(shape: Shape, a: Array, q: Array, c: Array, stop: Array, k: Array) -> Array:
-    """From z = 0 on in z = c sinh(v), in two panels of which the first carries the weight."""
+def _to_axis(q: Array) -> Array:
+    """The angle that is left beyond the split, one number for all points: they share their nodes."""
+    return np.full((1,) * np.ndim(q), np.pi / 2.0 - SPLIT)
+
+
+def _from_edge_of_power(shape: Shape, q: Array, a: Array, n: Array, k: Array) -> Array:
+    return from_edge(shape, a, q, q, np.arcsinh(a / q / 2.0), k, np.any(n > STEEP))
+
+
+def from_edge(shape: Shape, a: Array, q: Array, c: Array, stop: Array, k: Array, steep: Array | bool = False) -> Array:
+    """From z = 0 on in z = c sinh(v), where the path is long in two panels of which the first carries the weight."""
     ratio = c / q
 
-    def smooth(v: Array) -> Array:
-        z = c * np.sinh(v)
-        return shape(difference_root(a, z), z) * np.cosh(v) / (1.0 + (ratio * np.sinh(v)) ** 2)
+    def smooth(v: Array, sinh: Array) -> Array:
+        z = c * sinh
+        return shape(difference_root(a, z), z) * np.cosh(v) / (1.0 + (ratio * sinh) ** 2)
 
+    def first(v: Array) -> Array:
+        sinh = np.sinh(v)
+        return smooth(v, sinh) * np.where(v > 0.0, sinh / np.where(v > 0.0, v, 1.0), 1.0) ** k
+
+    def second(v: Array) -> Array:
+        sinh = np.sinh(half + v)
+        return smooth(half + v, sinh) * sinh**k
+
+    longest = np.inf if steep else float(np.max(np.where(np.isfinite(stop), stop, 0.0), initial=0.0))
+    for length, count in EDGE:
+        if longest <= length:
+            return raised(ratio, k) * raised(stop, k) * weighted(first, stop, k, count)
     half = stop / 2.0
-    first = raised(half, k) * weighted(lambda v: smooth(v) * sinh_over(v) ** k, half, k)
-    second = integral(lambda v: smooth(half + v) * np.sinh(half + v) ** k, half, NODES)
-    return raised(ratio, k) * (first + second)
+    return raised(ratio, k) * (raised(half, k) * weighted(first, half, k) + integral(second, half, NODES))
 
 
 def over_angle(shape: Shape, a: Array, q: Array, stop: Array, k: Array) -> Array:
-    def smooth(y: Array) -> Array:
-        sine, cosine = np.sin(SPLIT + y), np.cos(SPLIT + y)
-        return shape(a * cosine, a * sine) * kernel(sine, cosine, a / q, k)
+    """In z = a sin(y) from the split to `stop`, with nodes in s: sines cost ten roots."""
+    low = a * np.cos(stop) + np.zeros_like(q)
 
-    return integral(smooth, stop - SPLIT, NODES)
+    def smooth(x: Array) -> Array:
+        s = low + x
+        z = difference_root(a, s)
+        return shape(s, z) * (s / z) * (z / q) ** k / (1.0 + (z / q) ** 2) / q
+
+    return integral(smooth, a * np.cos(SPLIT) - low, 32)
 
 
 def kernel(sine: Array, cosine: Array, ratio: Array, k: Array) -> Array:
     """q**(1 - k) z**k dz/(q**2 + z**2) over dy, for z = a sin(y) and ratio = a/q."""
-    return ratio * (ratio * sine) ** k * cosine / (1.0 + (ratio * sine) ** 2)
+    return ratio * ratio**k * (sine**k * cosine) / (1.0 + (ratio * sine) ** 2)
 
 
 def over_cap(shape: Shape, q: Array, root: Array, b: Array, k: Array, end: Array | float = np.inf) -> Array:

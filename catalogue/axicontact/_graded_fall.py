@@ -8,12 +8,16 @@ A shape is the fall over (z/a)**2, as a function of s and z.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
+from ._along import at_many_radii
 from ._elementwise import Array
+from ._graded_breaks import past_tip
 from ._graded_displacement import (
+    SHARE,
     SPLIT,
     Shape,
     from_edge,
@@ -25,15 +29,17 @@ from ._graded_displacement import (
     punch_share,
 )
 from ._graded_rules import NODES, raised
-from ._integrals import difference_root, integral, integral_by_panels
+from ._integrals import difference_root, integral, integral_by_panels, of_displacement
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def sphere_displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
     """Of a sphere of unit height over radius."""
     end = difference_root(R, a)
     return _smooth(lambda s, z: a * (a / (end + np.hypot(end, z))), r, a, k, end)
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f = sqrt(r**2 + b**2) - b, with a singularity at s = i b, close to the tip where b is small."""
     gap = _gap(r, a, k)
@@ -46,11 +52,12 @@ def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
         value = shape(a * np.sin(y), a * np.cos(y)) * kernel(np.cos(y), np.sin(y), a / gap.q, k)
         return value * ratio * np.cosh(x)
 
-    far = integral(smooth, np.arcsinh((np.pi / 2.0 - SPLIT) / ratio), NODES)
+    far = integral(smooth, np.arcsinh((np.pi / 2.0 - SPLIT) / ratio) + np.zeros_like(gap.q), NODES)
     root = difference_root(a, r)
     return _joined(gap, near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def gaussian_displacement(r: Array, a: Array, s: Array, k: Array) -> Array:
     """Of f = 1 - exp(-r**2/s**2)."""
     square = (a / s) ** 2
@@ -62,6 +69,7 @@ def gaussian_displacement(r: Array, a: Array, s: Array, k: Array) -> Array:
     return _smooth(shape, r, a, k)
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
     """Of f = 1 - cos(q r)."""
     gap = _gap(r, a, k)
@@ -78,22 +86,25 @@ def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
         sine, cosine = np.sin(first + y), np.cos(first + y)
         return shape(a * cosine, a * sine) * kernel(sine, cosine, a / gap.q, k)
 
-    far = integral_by_panels(smooth, np.pi / 2.0 - first, first, NODES)
+    far = integral_by_panels(smooth, np.pi / 2.0 - first + np.zeros_like(gap.q), first, NODES)
     return _joined(gap, near + far, _fall(fall, r, a))
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def flank_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = 1 for r > b."""
     at = _break_at(r, a, b)
     return _broken(lambda s, z: a * (a / (a + s)), lambda _: at.root * (at.root / (a + b)), r, a, k, at)
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def rim_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r for r > b."""
     at = _break_at(r, a, b)
     return _broken(lambda s, z: a * a / 2.0 + 0.0 * z, lambda _: at.root * at.root / 2.0, r, a, k, at)
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def rounding_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r - b for r > b."""
     at = _break_at(r, a, b)
@@ -107,6 +118,7 @@ def rounding_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     return _broken(beyond, lambda _: last * last / 2.0, r, a, k, at)
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     """Of f' = r/b for r < b, 1 beyond."""
     at = _break_at(r, a, b)
@@ -118,13 +130,10 @@ def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
     return np.where(a <= b, tip, _broken(lambda s, z: a * (a / (a + s)), within, r, a, k, at))
 
 
+@at_many_radii(of_displacement, SHARE, everywhere=True)
 def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    slope = b / end
-
-    def past(x: Array) -> Array:
-        # a steep flank multiplies the rounding of b, of which the distance from R is free
-        return np.where(end < b, (x - R) + end * (end / (R + b)), x - b)
+    slope, past = b / end, partial(past_tip, R=R, b=b, end=end)
 
     def within(more: Array) -> Array:
         return slope * past(a) + more / (end + np.sqrt(end * end + more))

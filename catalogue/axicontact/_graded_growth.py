@@ -15,8 +15,10 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_rules import raised, sine_integral, sine_over, sinh_over, weighted
+from ._integrals import integral_in_strip
 
 FAR = 40.0
+_LONGEST = 8.0
 
 
 def power_factor(n: Array, k: Array) -> Array:
@@ -97,7 +99,13 @@ def sphere_rate(t: Array, root: Array, k: Array) -> Array:
     def integrand(x: Array) -> Array:
         return sinh_over(x) ** k * (1.0 + (np.cosh(v) / np.cosh(x)) ** 2)
 
-    return (root / t * v) ** k * v * weighted(integrand, v, k)
+    # 2e4 units at the end of the sphere from one panel over all of v
+    first = np.minimum(v, _LONGEST)
+    total = (root / t * first) ** k * first * weighted(integrand, first, k)
+    if (v > first).any():
+        rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
+        total = total + (root / t) ** k * rest
+    return total
 
 
 def sphere_force(a: Array, root: Array, k: Array) -> Array:

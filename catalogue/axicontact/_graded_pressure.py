@@ -5,15 +5,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from ._elementwise import Array
-from ._graded_breaks import rounded_rate, rounding_rate, tipped_rate
+from ._graded_breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from ._graded_paths import growth_beyond, growth_beyond_cap, sinh_growth, smooth_growth, tanh_growth, wavy_growth
-from ._graded_rules import NODES, sine_integral, weighted
+from ._graded_paths import (
+    growth_beyond,
+    growth_beyond_cap,
+    growth_far,
+    growth_from_break,
+    sinh_growth,
+    smooth_growth,
+    tanh_growth,
+    wavy_growth,
+)
+from ._graded_rules import NODES, raised, sine_integral, weighted
 from ._graded_waves import waves_rate
-from ._integrals import integral
+from ._integrals import difference_root, integral
 
 _TERMS = 22
 
@@ -43,24 +55,46 @@ def rim_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
 
 def rounding_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral for f' = r - b beyond b."""
-    return growth_beyond(lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k), r, a, b, k, 2.0)
+    return growth_beyond(_rounding(b, k), r, a, b, k, 2.0)
+
+
+def _rounding(b: Array, k: Array) -> Callable[[Array, Array], Array]:
+    return lambda t, root: _tame(t, root, k) * rounding_rate(t, root, b, k)
 
 
 def rounded_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     """The integral for f' = r/b up to b, 1 beyond."""
     tip = np.where(r < b, power_pressure(np.minimum(r, b), np.minimum(a, b), 2.0, k) / (2.0 * b), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: rounded_rate(t, root, b, k), r, a, b, k)
+    value = tip + growth_beyond_cap(lambda t, root: rounded_rate(t, root, b, k), r, a, b, k)
+    at = (r == b) & (a > b)
+    return np.where(at, _rounded_at(np.where(at, a, 2.0 * b), b, k), value) if at.any() else value
+
+
+def _rounded_at(a: Array, b: Array, k: Array) -> Array:
+    """The same for r = b, next to which the slope is that of the parabola less that of a rounding: two powers."""
+    reach = difference_root(a, b)
+    turn = np.minimum(reach, b)
+    near = 2.0 * raised(turn, k) / (1.0 + k) ** 2 - growth_from_break(_rounding(b, k), turn, b, k, 2.0)
+    return near / b + growth_far(lambda y, t: y**k * rounded_rate(t, y, b, k), turn, reach, b)
 
 
 def sphere_pressure(r: Array, a: Array, R: Array, k: Array) -> Array:
     """The integral for a sphere of unit height over radius."""
-    return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, a, R, k)
+    return _sphere(r, R, difference_root(a, r), difference_root(R, a), k)
+
+
+def _sphere(r: Array, R: Array, reach: Array, end: Array, k: Array) -> Array:
+    return tanh_growth(lambda t, root: sphere_rate(t, root, k), r, R, reach, end, k)
 
 
 def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """The integral for a sphere up to b, continued by its tangent cone."""
-    tip = np.where(r < b, sphere_pressure(np.minimum(r, b), np.minimum(a, b), R, k), 0.0)
-    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k)
+    past = partial(past_tip, R=R, b=b, end=end)
+    within, whole = past(r) < 0.0, past(a) >= 0.0
+    reach = np.where(whole, np.sqrt(np.maximum(-past(r), 0.0) * (b + r)), difference_root(a, r))
+    tip = _sphere(np.minimum(r, b), R, reach, np.where(whole, end, difference_root(R, a)), k)
+    beyond = growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k, past, end)
+    return np.where(within, tip, 0.0) + beyond
 
 
 def hyperboloid_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:

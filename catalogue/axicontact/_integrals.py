@@ -137,15 +137,15 @@ def _part(value: Array, chosen: Array) -> Array:
 
 
 def over_radii(courses: Courses) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
-    """The rule, called at few of many radii where nothing else changes; for integrals `in_groups`."""
+    """The rule, called at few of many radii where nothing else changes and no width is given."""
 
     def decorated(rule: Callable[..., Array]) -> Callable[..., Array]:
         @wraps(rule)
-        def at(slope: Slope, parameters: tuple[Array, ...], r: Array, *lengths: Array, width: Array = 1.0) -> Array:
-            many = isinstance(r, np.ndarray) and r.size >= LEAST and isinstance(width, float) and width == 1.0
+        def at(slope: Slope, parameters: tuple[Array, ...], r: Array, *lengths: Array, **width: Array) -> Array:
+            many = isinstance(r, np.ndarray) and r.size >= LEAST and not width
             fixed = same(*parameters, *lengths) if many else None
             if fixed is None:
-                return rule(slope, parameters, r, *lengths, width=width)
+                return rule(slope, parameters, r, *lengths, **width)
             own, others = fixed[: len(parameters)], fixed[len(parameters) :]
             return along(lambda r: rule(slope, own, r, *others), r, *courses(*others))
 

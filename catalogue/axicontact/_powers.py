@@ -63,6 +63,7 @@ def power_displacement(r: Array, a: Array, n: Array) -> Array:
     return np.where(a > 0.0, n * integral(integrand, reach, NODES), 0.0)
 
 
+@at_many_radii(of_displacement)
 def power_punches(r: Array, a: Array, n: Array) -> Array:
     """Integral of t**n/sqrt(r**2 - t**2) dt from 0 to a < r, over a**n."""
     start, reach = _span(r, a, n)

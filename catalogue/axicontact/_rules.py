@@ -115,11 +115,12 @@ def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Stri
     return integrand, stop, 1.0, a > np.maximum(r, b), 0.0
 
 
-def displacement_integral(slope: Slope, r: Array, a: Array, count: int) -> Array:
+@over_radii(of_displacement)
+def displacement_integral(slope: Slope, parameters: tuple[Array, ...], r: Array, a: Array, count: int) -> Array:
     """Integral of g'(t) arcsin(t/r) from 0 to a, for a < r and g' without singularities near."""
 
     def integrand(angle: Array) -> Array:
-        return slope(r * np.sin(angle)) * angle * np.cos(angle)
+        return slope(r * np.sin(angle), *parameters) * angle * np.cos(angle)
 
     return r * integral(integrand, np.arctan2(a, difference_root(r, a)), count)
 

@@ -74,17 +74,11 @@ def at_many_radii(
     """The integral as a function of r and other lengths, by `along` where the others are the same at many radii.
 
     Many are a `share` of LEAST; it is zero at the radii where no course leads, or wanted `everywhere`.
-    At an infinite radius it is zero, without asking the rule.
     """
 
     def decorated(integral: Callable[..., Array]) -> Callable[..., Array]:
         @wraps(integral)
         def at(r: Array, *others: Array) -> Array:
-            near = r < np.inf
-            if not np.all(near):
-                value = np.zeros_like(r)
-                value[near] = at(r[near], *(x if np.ndim(x) == 0 else x[near] for x in others))
-                return value
             fixed = same(*others) if isinstance(r, np.ndarray) and r.size >= share * LEAST else None
             if fixed is None:
                 return integral(r, *others)

@@ -7,7 +7,6 @@ import numpy as np
 from ._elementwise import Array
 from ._functions import gamma_ratio
 from ._integrals import integral_in_strip
-from ._rules import falling
 
 STEPS, SHORTEST = 7, 1e-9
 """Of the means: with six of them the neighbours of the edge lose 44 units; their root is 1.5e-8 of the radius."""
@@ -71,20 +70,26 @@ def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
     positive = np.maximum(exponent, 0.0)
     cosine = np.minimum(np.sqrt(-np.expm1(-LAST / positive)) / ratio, 1.0)
     stop = whole - np.arcsinh(np.sqrt((1.0 - cosine) / (1.0 + cosine)) / least)
-    fallen = falling(whole)
+    scale = 1.0 / np.expm1(-2.0 * whole)
+
+    def places(v: Array) -> tuple[Array, Array, Array]:
+        """sin(psi), cos(psi) and dpsi/dv over -2 scale."""
+        decay = np.exp(-v)
+        turned = decay * np.expm1(2.0 * (v - whole))
+        tangent = scale * turned
+        share = 1.0 / (1.0 + tangent * tangent)
+        # 1 - tangent: as a difference its rounding grows with the root of the exponent, 300 units at 3e5
+        rest = scale * (1.0 + decay + turned) * np.expm1(-v)
+        return 2.0 * tangent * share, rest * (1.0 + tangent) * share, (2.0 * decay + turned) * share
 
     def integrand(v: Array) -> Array:
-        tangent = fallen(v)
-        square = tangent * tangent
-        cosine = (1.0 - square) / (1.0 + square)
-        taken = (ratio * cosine) * (ratio * cosine)
-        base = 4.0 * square / ((1.0 + square) * (1.0 + square)) + (kc * cosine) * (kc * cosine)
+        sine, cosine, stretch = places(v)
+        taken = (ratio * cosine) ** 2
+        base = sine * sine + (kc * cosine) ** 2
         logarithm = np.where(taken < 0.5, np.log1p(-np.minimum(taken, 0.5)), np.log(base))
-        # dpsi/dv
-        stretch = 2.0 * np.sqrt(least * least + square) / (1.0 + square)
         return np.exp(exponent * logarithm) * stretch
 
-    return integral_in_strip(integrand, stop, 1.0 / np.sqrt(1.0 + positive / 4.0))
+    return -2.0 * scale * integral_in_strip(integrand, stop, 1.0 / np.sqrt(1.0 + positive / 4.0))
 
 
 def _outside(kc: Array, power: Array) -> Array:
