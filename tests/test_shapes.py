@@ -80,6 +80,29 @@ def test_results_have_the_shape_of_the_fields(name: str) -> None:
         assert turned == pytest.approx(many, rel=ROUNDED, abs=ABSOLUTE, nan_ok=True), function
 
 
+@pytest.mark.parametrize(
+    "package",
+    ["normal", "adhesive", "tangential", "plane", "loads", "graded.normal", "graded.adhesive", "graded.tangential"],
+)
+def test_fields_vanish_infinitely_far_away(package: str) -> None:
+    """Next to other radii too, and for several contacts at once; the body itself goes on."""
+    seen = set()
+    for name in modules(package):
+        for function, (fields, keywords) in public(name):
+            if next(iter(signature(function).parameters)) not in ("r", "x"):
+                continue
+            far = np.inf
+            assert (function(far, *fields[1:], **keywords) == 0.0) is ("profile" not in function.__name__), function
+            if "profile" in function.__name__:
+                continue
+            seen.add(function.__name__)
+            mixed = function([fields[0], far], *fields[1:], **keywords)
+            assert mixed[0] == pytest.approx(function(*fields, **keywords), rel=ROUNDED, abs=ABSOLUTE)
+            assert mixed[1] == 0.0
+            assert np.all(function(far, *[[x, x] for x in fields[1:]], **keywords) == 0.0), function
+    assert seen & {"pressure", "displacement", "traction"}
+
+
 def frozen(values: Any) -> np.ndarray[Any, Any]:
     """An array that raises an error where a function writes to its argument."""
     array = np.array(values)
