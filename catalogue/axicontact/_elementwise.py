@@ -111,7 +111,7 @@ def largest(block: Array) -> float:
 
 def _vanishes(function: Callable[..., Array]) -> bool:
     """Whether it is a field of a position that is zero infinitely far away."""
-    code = getattr(function, "__code__", None)
+    code = getattr(getattr(function, "func", function), "__code__", None)
     return code is not None and code.co_varnames[0] in POSITIONS and "profile" not in code.co_name
 
 

@@ -14,6 +14,7 @@ from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, t
 from .._branches import Branches, branches, exponent_of, lowest, radii_around
 from .._domain import numbers, require
 from .._elementwise import Array, Result, elementwise
+from .._functions import sine_root
 from .._stable import growth, stable_radius
 from .._unknowns import beyond_edge, up_to
 from ..normal import sphere_tipped_cone as normal
@@ -458,8 +459,7 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, E_star: Array, dga
 
 def _rate(a: Array, R: Array, theta: Array) -> Array:
     """Derivative g'(a) of the depth without adhesion."""
-    b = R * np.sin(theta)
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
+    root = sine_root(a, R, theta)
     return normal._slope_at(a, root, R, theta)
 
 

@@ -572,7 +572,7 @@ def _pressure(r: Array, a: Array, h: Array, s: Array, E_star: Array) -> Array:
 
 
 def _displacement(r: Array, a: Array, h: Array, s: Array) -> Array:
-    tip = displacement_integral(lambda t: _slope(t, h, s), r, a, 32)
+    tip = displacement_integral(_slope, (h, s), r, a, 32)
     outside = 2 / np.pi * tip
     inside = _depth(a, h, s) - _profile(r, h, s)
     return np.where(a <= 1.5019752682686114 * s, np.where(r > a, outside, inside), np.nan)

@@ -11,12 +11,12 @@ import numpy as np
 
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
+from ..._functions import sine_root
 from ..._graded_across import radius_across
 from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
 from ..._graded_fall import tipped_displacement
 from ..._graded_pressure import tipped_pressure
 from ..._graded_punch import punch_stiffness
-from ..._integrals import difference_root
 from ...normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -609,18 +609,15 @@ def _force_at(a: Array, root: Array, R: Array, theta: Array, H: Array, k: Array)
 
 
 def _depth(a: Array, R: Array, theta: Array, k: Array) -> Array:
-    b = R * np.sin(theta)
-    return _depth_at(a, difference_root(a, b), R, theta, k)
+    return _depth_at(a, sine_root(a, R, theta), R, theta, k)
 
 
 def _rate(a: Array, R: Array, theta: Array, k: Array) -> Array:
-    b = R * np.sin(theta)
-    return _rate_at(a, difference_root(a, b), R, theta, k)
+    return _rate_at(a, sine_root(a, R, theta), R, theta, k)
 
 
 def _force(a: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
-    b = R * np.sin(theta)
-    return _force_at(a, difference_root(a, b), R, theta, H, k)
+    return _force_at(a, sine_root(a, R, theta), R, theta, H, k)
 
 
 def _force_rate_at(a: Array, root: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
