@@ -117,6 +117,15 @@ def test_pressure_in_a_steep_tip(slope: float, place: float, ratio: float) -> No
     check_pressure(slope, place, ratio)
 
 
+@pytest.mark.parametrize("length", [1e-200, 1e200])
+def test_lengths_whose_squares_leave_the_range_of_doubles(length: float) -> None:
+    """They are repeated with numbers of any exponent, of which a rule must use only what those know."""
+    value = import_module("axicontact.graded.normal.sphere_tipped_cone").pressure
+    wanted = value(0.4, 2.0, R=1.2, theta=0.45, H=1.0, k=0.0)
+    found = value(0.4 * length, 2.0 * length, R=1.2 * length, theta=0.45, H=1.0, k=0.0)
+    assert found == pytest.approx(wanted, rel=3e-15, abs=0.0)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("slope", [1e-3, 1.0, 32.0, 1e3, 1e6])
 def test_growth_and_pressure_of_every_flank(slope: float) -> None:
