@@ -160,7 +160,7 @@ def _branches(r: Array, a: Array, b: Array, power: Array, near: Array, far: Arra
     """
     within = near < 0.0
     reach = np.where(within, np.sqrt(np.maximum(far, 0.0) * (a + b)), difference_root(a, r))
-    least = np.minimum(b, reach) * np.exp(-37.0 / np.clip(power, 0.107, 2.0))
+    least = np.minimum(b, reach) * np.exp(-37.0 / np.minimum(np.maximum(power, 0.107), 2.0))
     return within, np.where(near == 0.0, least, np.sqrt(np.abs(near) * (r + b))), reach
 
 
