@@ -72,7 +72,7 @@ def test_a_value_that_all_calls_pass_is_one_as_well():
     "caller",
     [
         "def f(x):\n    return many(x, 3.0) + many(x)\n",
-        "def f(x):\n    return many(x, x)\n",
+        "def f(x):\n    return many(x, x) + many(x)\n",
         "def f(*x):\n    return many(*x)\n",
         "def f(x):\n    return x(many) + many(x)\n",
     ],
@@ -80,6 +80,13 @@ def test_a_value_that_all_calls_pass_is_one_as_well():
 )
 def test_what_is_not_one_value_stays(caller):
     assert texts(caller)["many"] == RULE[RULE.index("def many") :].strip()
+
+
+def test_a_default_that_no_call_leaves_to_stand_goes():
+    """What is behind one that stays has to keep its own."""
+    assert texts("def f(x):\n    return many(x, x)\n")["many"].startswith("def many(x, width):\n")
+    found = texts("def f(x):\n    return rule(x, 2.0, x, x, x, x, x) + rule(x, 2.0, x, tip=x)\n")["rule"]
+    assert found.startswith("def rule(x, stop, width, lengths=LENGTHS, tip=None, smooth=False, least=0.0):\n")
 
 
 def test_what_is_asked_of_the_scene_stays():

@@ -1,6 +1,7 @@
 """Parameters for which all calls of a scene have one value go, with what that decides.
 
-`def f(x, width=1.0)` whose calls never say another width becomes `def f(x)`, and in it `x / width` becomes `x`.
+`def f(x, width=1.0)` whose calls never say another width becomes `def f(x)`, and in it `x / width` becomes `x`;
+where every call says a width, it is `def f(x, width)`.
 """
 
 from __future__ import annotations
@@ -20,12 +21,15 @@ def specialised(modules: Modules, roots: Sequence[Key], shared: frozenset[Key]) 
     """The modules without these parameters; nothing changes in the `roots` and in what is `shared`."""
     while True:
         reached = _reach(modules, roots, shared)
-        found = {key: own for key, own in _fixed(modules, reached, frozenset(roots)).items() if own}
-        if not found:
+        said, left = _said(modules, reached, frozenset(roots))
+        found = {key: own for key, own in _fixed(said).items() if own}
+        needless = {key: _without_default(reached[key], own, left[key]) for key, own in said.items() if own}
+        if not found and not any(needless.values()):
             return modules
         edits: dict[Module, list[Edit]] = {}
         for definition in reached.values():
             own = edits.setdefault(definition.module, [])
+            own += needless.get(definition.key, ()) if not found else ()
             if definition.key in found:
                 own += Folding(definition, found[definition.key]).edits()
             for call, key in _calls(modules, definition):
@@ -91,10 +95,24 @@ def _calls(modules: Modules, definition: Definition) -> Iterator[tuple[ast.Call,
             yield node, references[id(node.func)]
 
 
-def _fixed(modules: Modules, reached: Mapping[Key, Definition], roots: frozenset[Key]) -> dict[Key, dict[str, str]]:
-    """The parameters by function, each with the text of its value; a function that is also handed on has none."""
+def _fixed(said: Mapping[Key, Mapping[str, Sequence[str]]]) -> dict[Key, dict[str, str]]:
+    """The parameters by function, each with the text of its value."""
+    return {
+        key: {p: texts[0] for p, texts in own.items() if texts and texts[0] and set(texts) == {texts[0]}}
+        for key, own in said.items()
+    }
+
+
+def _said(
+    modules: Modules, reached: Mapping[Key, Definition], roots: frozenset[Key]
+) -> tuple[dict[Key, dict[str, list[str]]], dict[Key, set[str]]]:
+    """By function and parameter with a default the texts of its values, and the parameters that some call leaves out.
+
+    Not of a function that is also handed on.
+    """
     defaults = {key: _defaults(d) for key, d in reached.items() if key not in roots}
-    values: dict[Key, dict[str, set[str]]] = {key: {p: set() for p in own} for key, own in defaults.items()}
+    values: dict[Key, dict[str, list[str]]] = {key: {p: [] for p in own} for key, own in defaults.items()}
+    left: dict[Key, set[str]] = {key: set() for key in defaults}
     for definition in reached.values():
         calls = {id(call.func): call for call, _ in _calls(modules, definition)}
         for node, key in _references(modules, definition):
@@ -106,14 +124,26 @@ def _fixed(modules: Modules, reached: Mapping[Key, Definition], roots: frozenset
             given = arguments(call, reached[key].parameters) if key in values else {}
             for parameter in values.get(key, ()):
                 value = given.get(parameter)
+                if value is None:
+                    left[key].add(parameter)
                 text = defaults[key][parameter] if value is None else _text(definition, value)
                 # a name means something in its own module alone
                 foreign = isinstance(value, ast.Name) and definition.module.name != reached[key].module.name
-                values[key][parameter].add("" if foreign else text)
-    return {
-        key: {p: next(iter(texts)) for p, texts in own.items() if len(texts) == 1 and "" not in texts}
-        for key, own in values.items()
-    }
+                values[key][parameter].append("" if foreign else text)
+    return values, left
+
+
+def _without_default(definition: Definition, values: Mapping[str, Sequence[str]], left: set[str]) -> list[Edit]:
+    """The edits that take the defaults which no call leaves to stand; those after one that stays have to stay."""
+    function = definition.function
+    assert function is not None
+    edits: list[Edit] = []
+    last = function.args.args[len(function.args.args) - len(function.args.defaults) :]
+    for arg, value in zip(last, function.args.defaults, strict=True):
+        if not values.get(arg.arg) or arg.arg in left:
+            break
+        edits.append((definition.module.span(arg)[1], definition.module.span(value)[1], ""))
+    return edits
 
 
 def _defaults(definition: Definition) -> dict[str, str]:
