@@ -6,9 +6,11 @@ import random
 from collections.abc import Mapping
 
 import mpmath as mp
+import numpy as np
 import pytest
 import sympy as sp
 
+from axicontact._graded_pressure import power_growth
 from axicontact.graded.normal import concave_power, power_law
 from axiderive import notation as nt
 from axiderive.contact.systems import problem
@@ -65,3 +67,26 @@ def test_displacement_beside_a_hollow(beyond: float, k: float) -> None:
         d, r = concave_power.minimum_depth(**known) * (1.0 + 1e-9), 1.0 + beyond
         found = concave_power.displacement(r, d, **known)
         assert found == pytest.approx(exact("w", HOLLOW, r=r, d=d, **known), rel=4.5 * EPS, abs=0.0), n
+
+
+@pytest.mark.parametrize("n", [2, 4, 6, 16])
+@pytest.mark.parametrize("k", [-1 + 1e-9, -0.6, 0.3, 0.9999999999984])
+def test_even_powers_are_closed(n: int, k: float) -> None:
+    """On the axis, where the steps of the sum are seen, next to the edge, where a power of 1 + k misses 7 units."""
+    a = 0.37
+    for r in (0.0, 0.5 * a, (1 - 2**-50) * a):
+        with mp.workdps(40):
+            x, h, last = (mp.mpf(r) / a) ** 2, (1 + mp.mpf(k)) / 2, n // 2 - 1
+            integral = mp.fsum(
+                mp.binomial(last, j) * x ** (last - j) * (1 - x) ** (h + j) / (h + j) / 2 for j in range(n // 2)
+            )
+            depth = mp.gammaprod([n // 2 + 1, h], [n // 2 + h])
+            wanted = n * depth * mp.mpf(a) ** (n - 1 + mp.mpf(k)) * integral / mp.pi
+            found = power_law.pressure(r, a, A=1.0, n=float(n), H=1.0, k=k)
+            assert abs(found / wanted - 1) * 2**52 <= 6, (n, k, r)
+
+
+def test_closed_powers_are_those_of_the_rule() -> None:
+    r, n = np.linspace(0.01, 0.36, 8), 6.0
+    closed, ruled = (power_growth(r, 0.37 + 0.0 * r, power, 0.3) for power in (n, n + 0.0 * r))
+    assert closed == pytest.approx(ruled, rel=2e-15, abs=0.0)
