@@ -71,8 +71,11 @@ def _rising(x: Array, e: Array) -> Array:
     # the quotients (x + i + e)/(x + i) take up the same one within a binade, 12 units
     steps = np.ceil(np.maximum(FAR - x, 0.0))
     near = np.zeros_like(x + e)
-    for i in reversed(range(int(np.max(steps, initial=0.0)))):
-        near = near + np.where(i < steps, np.log1p(e / (x + i)), 0.0)
+    if near.ndim == 0:
+        near = np.log1p(e / (x + np.arange(float(steps)))).sum()
+    else:
+        for i in reversed(range(int(np.max(steps, initial=0.0)))):
+            near = near + np.where(i < steps, np.log1p(e / (x + i)), 0.0)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
     first, second, third = _series(e)
