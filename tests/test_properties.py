@@ -144,3 +144,17 @@ def test_slip_grows_from_the_edge(name: str, share: float) -> None:
     assert module.tangential_force(a, found, **known) == pytest.approx(force, rel=ROUND_TRIP, abs=2 * unit)
     traction = module.traction(np.linspace(0.0, 1.1 * a, 12), a, c, **keywords_of(module.traction))
     assert np.all(traction >= 0.0)
+
+
+@pytest.mark.parametrize("package", ["normal", "adhesive", "graded.normal", "graded.adhesive"])
+def test_a_term_of_zero_adds_nothing_on_the_axis(package: str) -> None:
+    """Where the pressure of the cone is infinite, of which a coefficient of zero is no part: NaN is zero times it."""
+    parabola, polynomial = (import_module(f"axicontact.{package}.{name}") for name in ("paraboloid", "polynomial"))
+    known = keywords_of(polynomial.pressure) | ({"k": -0.4} if "graded" in package else {})
+    others = {name: value for name, value in known.items() if name != "A"}
+    alone = parabola.pressure([0.0, 0.3], 1.1, **others, R=2.0)
+    assert np.all(np.isfinite(alone))
+    assert polynomial.pressure([0.0, 0.3], 1.1, **others, A=(0.0, 0.25, 0.0)) == pytest.approx(
+        alone, rel=1e-14, abs=0.0
+    )
+    assert polynomial.pressure(0.0, 1.1, **others, A=(1e-3, 0.25)) == np.inf

@@ -68,7 +68,9 @@ def _function(expr: sp.Expr) -> str:
         (index, first, _), base = expr.limits[0], expr.function.atoms(sp.IndexedBase).pop()
         # last, because its product with numbers alone may overflow
         term = f"{_wrapped(expr.function / base[index], PRODUCT)} * {base.label}_{index}"
-        return f"sum({term} for {index}, {base.label}_{index} in enumerate({base.label}, {first}))"
+        # a pressure may be infinite on the axis, also one that no coefficient asks for
+        asked = f" if {base.label}_{index}" if expr.function.has(opaque.PowerPressure) else ""
+        return f"sum({term} for {index}, {base.label}_{index} in enumerate({base.label}, {first}){asked})"
     if isinstance(expr, masters.StruveH):
         return f"struve_h{expr.args[0]}({python(expr.args[1])})"
     return f"{FUNCTIONS[expr.func]}({', '.join(python(arg) for arg in expr.args)})"

@@ -71,7 +71,9 @@ class Family:
             own = fields if term.shape in (*ROOTED, "sphere") or quantity not in GROWTH else fields[:1]
             parts.append(term.call(quantity, *own))
         text = " + ".join(parts)
-        return f"sum({text} for j, A_j in enumerate(A, 1))" if self.summed else text
+        # a pressure may be infinite on the axis, also one that no coefficient asks for
+        asked = " if A_j" if quantity == "pressure" else ""
+        return f"sum({text} for j, A_j in enumerate(A, 1){asked})" if self.summed else text
 
 
 def _text(length: sp.Expr) -> str:
