@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_properties import EPS, ROUND_TRIP, keywords_of
+from test_properties import EPS, ROUND_TRIP, keywords_of, modules
 
 FACED = ("truncated_cone", "rounded_punch")
 """With a flat face of radius b, over which every contact extends."""
@@ -155,3 +155,25 @@ def test_a_ramp_has_relaxed_less_than_what_is_held(name: str, t: float, alpha: f
     fluid = called(module, "ramp_force_maxwell", times, **(known | {"E": known["E_1"]}))
     spring = called(module, "step_force_standard_solid", np.inf, **known, d=known["v"] * times)
     np.testing.assert_allclose(force["standard_solid"], fluid + spring, rtol=ROUND_TRIP)
+
+
+@pytest.mark.parametrize("k", [-0.3, 0.3])
+@pytest.mark.parametrize("package", ["normal", "adhesive"])
+def test_a_contact_of_no_extent_carries_nothing(package: str, k: float) -> None:
+    """On the graded half-space wherever it does on the homogeneous one; powers of k of nothing are infinite."""
+    fields = {"depth": (0.0,), "force": (0.0,), "displacement": (0.5, 0.0)}
+    fields |= {"force_from_depth": (0.0,), "depth_from_force": (0.0,)} if package == "normal" else {}
+    tried = 0
+    names = {name.rpartition(".")[2] for name in modules(f"graded.{package}")} - {*FACED, "truncated_paraboloid"}
+    for name in sorted(names):
+        plain, graded = (import_module(f"axicontact.{folder}{package}.{name}") for folder in ("", "graded."))
+        for function in (function for function in fields if hasattr(plain, function)):
+            if called(plain, function, *fields[function], **keywords_of(getattr(plain, function))) == 0.0:
+                known = keywords_of(getattr(graded, function)) | {"k": k}
+                assert called(graded, function, *fields[function], **known) == 0.0, (name, function)
+                tried += 1
+    assert tried > 30
+    if package == "normal":
+        cone, paraboloid = (import_module(f"axicontact.graded.normal.{name}") for name in ("cone", "paraboloid"))
+        assert cone.mean_pressure(0.0, theta=0.2, H=1.0, k=k) == (np.inf if k < 0.0 else 0.0)
+        assert paraboloid.mean_pressure(0.0, R=2.0, H=1.0, k=k) == 0.0
