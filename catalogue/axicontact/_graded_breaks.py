@@ -25,8 +25,9 @@ def flank_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def flank_force(a: Array, root: Array, b: Array, k: Array) -> Array:
-    sine = root / a
-    return a * a * a**k * (raised(sine, k) * (b / a) + sine_integral(np.arctan2(root, b), k)) / (2.0 + k)
+    within = np.maximum(a, b)
+    sides = raised(root / within, k) * (b / within) + sine_integral(np.arctan2(root, b), k)
+    return a * raised(a, k) * sides / (2.0 + k)
 
 
 def rim_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -41,8 +42,8 @@ def rim_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def rim_force(a: Array, root: Array, b: Array, k: Array) -> Array:
-    sine = root / a
-    return a**3 * a**k * raised(sine, k) * (3.0 + k - (1.0 + k) * sine**2) / ((1.0 + k) * (3.0 + k)) + 0.0 * b
+    sine = root / np.maximum(a, b)
+    return a * a * raised(a, k) * raised(sine, k) * (3.0 + k - (1.0 + k) * sine**2) / ((1.0 + k) * (3.0 + k)) + 0.0 * b
 
 
 def rounding_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -55,7 +56,7 @@ def rounding_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def rounding_force(a: Array, root: Array, b: Array, k: Array) -> Array:
-    return a**3 * a**k * _rounding(root, b, k, lambda y, fall: fall * np.cos(y) ** 2)
+    return a * a * raised(a, k) * _rounding(root, b, k, lambda y, fall: fall * np.cos(y) ** 2)
 
 
 def _rounding(root: Array, b: Array, k: Array, of: Callable[..., Array]) -> Array:
@@ -83,7 +84,8 @@ def rounded_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
 def rounded_force(a: Array, root: Array, b: Array, k: Array) -> Array:
     tip = a / b * (_tip(a, root, b, k) - _tip(a, root, b, k + 2.0))
     inside = 2.0 * a / b / ((1.0 + k) * (3.0 + k))
-    return a * a * a**k * np.where(a < b, inside, tip + flank_force(a, root, b, k) / (a * a * a**k))
+    square = a * raised(a, k)
+    return square * np.where(a < b, inside, tip + flank_force(a, root, b, k) / square)
 
 
 def _tip(a: Array, root: Array, b: Array, k: Array) -> Array:

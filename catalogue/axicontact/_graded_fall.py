@@ -54,7 +54,7 @@ def hyperboloid_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
 
     far = integral(smooth, np.arcsinh((np.pi / 2.0 - SPLIT) / ratio) + np.zeros_like(gap.q), NODES)
     root = difference_root(a, r)
-    return _joined(gap, near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
+    return _joined(gap, a, near + far, root * (root / (np.hypot(a, b) + np.hypot(r, b))))
 
 
 @at_many_radii(of_displacement, SHARE, everywhere=True)
@@ -87,7 +87,7 @@ def waves_displacement(r: Array, a: Array, q: Array, k: Array) -> Array:
         return shape(a * cosine, a * sine) * kernel(sine, cosine, a / gap.q, k)
 
     far = integral_by_panels(smooth, np.pi / 2.0 - first + np.zeros_like(gap.q), first, NODES)
-    return _joined(gap, near + far, _fall(fall, r, a))
+    return _joined(gap, a, near + far, _fall(fall, r, a))
 
 
 @at_many_radii(of_displacement, SHARE, everywhere=True)
@@ -171,8 +171,8 @@ def _fall(shape: Shape, r: Array, a: Array) -> Array:
     return shape(r, root) * (root / a) ** 2
 
 
-def _joined(gap: _Gap, value: Array, fall: Array) -> Array:
-    return np.where(gap.outside, value, value + fall)
+def _joined(gap: _Gap, a: Array, value: Array, fall: Array) -> Array:
+    return np.where(a > 0.0, np.where(gap.outside, value, value + fall), 0.0)
 
 
 def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.inf) -> Array:
@@ -180,7 +180,7 @@ def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.in
     gap = _gap(r, a, k)
     own, close = _weighed(gap, shape, a), np.minimum(gap.q, c)
     near = from_edge(own, a, gap.q, close, np.arcsinh(a / close / 2.0), k)
-    return _joined(gap, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
+    return _joined(gap, a, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
 
 
 class _Break(NamedTuple):
@@ -205,4 +205,4 @@ def _broken(beyond: Shape, within: Callable[[Array], Array], r: Array, a: Array,
     tip = _weighed(gap, lambda more, z: within(more) / (z / a) ** 2, a)
     value = value + over_cap(tip, gap.q, at.root, at.b, k, at.end)
     fall = np.where(at.more < 0.0, _fall(beyond, r, a), within(np.maximum(at.more, 0.0)))
-    return np.where(a > at.b, _joined(gap, value, fall), 0.0)
+    return np.where(a > at.b, _joined(gap, a, value, fall), 0.0)

@@ -42,6 +42,11 @@ def power_excess(n: Array, k: Array) -> Array:
     return np.where(log < 0.5, np.expm1(log), power_factor(n, k) - 1.0)
 
 
+def axis_power(n: Array, k: Array) -> Array:
+    """n + k - 1, with which a pressure of f = r**n begins; the two first whose sum is exact, where it may cancel."""
+    return np.where(n < 0.5, (k - 1.0) + n, (n - 1.0) + k)
+
+
 def power_depth(a: Array, n: Array, k: Array) -> Array:
     """g(a) of f = r**n."""
     return power_factor(n, k) * a**n
@@ -52,12 +57,14 @@ def power_rate(t: Array, n: Array, k: Array) -> Array:
 
 
 def power_force(a: Array, n: Array, k: Array) -> Array:
-    return power_factor(n, k) * (n / (n + (1.0 + k))) * a**n * a * a**k
+    return power_factor(n, k) * (n / (n + (1.0 + k))) * a**n * raised(a, k)
 
 
 def power_mean(a: Array, n: Array, k: Array) -> Array:
     """Force over the square of the radius."""
-    return power_factor(n, k) * (n / (n + (1.0 + k))) * (a**n / a * a**k)
+    m = axis_power(n, k)
+    power = np.where(a > 0.0, a**n / a * a**k, np.where(m > 0.0, 0.0, np.where(m < 0.0, np.inf, 1.0)))
+    return power_factor(n, k) * (n / (n + (1.0 + k))) * power
 
 
 def _gamma(x: Array) -> Array:
@@ -93,7 +100,8 @@ def _series(e: Array) -> tuple[Array, Array, Array]:
 def sphere_depth(a: Array, root: Array, k: Array) -> Array:
     """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
     v = np.arcsinh(a / root)
-    return a * (root / a * v) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    value = a * (root / a * v) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    return np.where(a > 0.0, value, 0.0)
 
 
 def sphere_rate(t: Array, root: Array, k: Array) -> Array:
@@ -117,12 +125,12 @@ def sphere_force(a: Array, root: Array, k: Array) -> Array:
     def integrand(x: Array) -> Array:
         return sinh_over(x) ** k * (np.sinh(v - x) * np.sinh(v + x))
 
-    return (root * v) ** k * root * (root * v) * weighted(integrand, v, k)
+    return root * raised(root * v, k) * weighted(integrand, v, k)
 
 
 def hyperboloid_depth(a: Array, b: Array, k: Array) -> Array:
     """g(a) of f = sqrt(r**2 + b**2) - b."""
-    return a * (np.hypot(a, b) / a) ** k * sine_integral(np.arctan2(a, b), k)
+    return np.where(a > 0.0, a * (np.hypot(a, b) / a) ** k * sine_integral(np.arctan2(a, b), k), 0.0)
 
 
 def hyperboloid_rate(t: Array, b: Array, k: Array) -> Array:
@@ -150,7 +158,7 @@ def gaussian_rate(t: Array, s: Array, k: Array) -> Array:
 
 
 def gaussian_force(a: Array, s: Array, k: Array) -> Array:
-    return 2.0 * a * a**k * _bell(a, s, k, lambda fall: fall * np.exp(-fall))
+    return 2.0 * raised(a, k) * _bell(a, s, k, lambda fall: fall * np.exp(-fall))
 
 
 def _bell(a: Array, s: Array, k: Array, of: Callable[..., Array]) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
-from ._graded_growth import gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
+from ._graded_growth import axis_power, gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
 from ._graded_paths import (
     growth_beyond,
     growth_beyond_cap,
@@ -127,8 +127,7 @@ def power_growth(r: Array, a: Array, n: Array, k: Array) -> Array:
     """The integral for g'(t) = t**(n - 1), over a**(n + k - 1)."""
     if isinstance(n, int | float) and n % 2.0 == 0.0 and n <= _EVEN:
         return _even_growth(r, a, int(n), k)
-    # of the three numbers the two whose sum is exact first: it may cancel
-    m = np.where(n < 0.5, (k - 1.0) + n, (n - 1.0) + k)
+    m = axis_power(n, k)
     length = np.log1p((a - r) / r)
     length = np.where(np.isfinite(length), length, np.log(a) - np.log(r))
     near = np.minimum(np.minimum(length, 1.0), 20.0 / np.maximum(np.abs(m), 1e-300))

@@ -6,6 +6,7 @@ import numpy as np
 
 from ._elementwise import Array
 from ._graded_displacement import punch_share
+from ._graded_rules import raised
 from ._integrals import difference_root
 
 STATIONARY = {"force": (3.0, 1.0), "depth": (1.0, -1.0)}
@@ -14,7 +15,7 @@ STATIONARY = {"force": (3.0, 1.0), "depth": (1.0, -1.0)}
 
 def punch_stiffness(a: Array, H: Array, k: Array) -> Array:
     """dF/dd of a contact of radius a."""
-    return 2.0 * H / (1.0 + k) * a * a**k
+    return 2.0 * H / (1.0 + k) * raised(a, k)
 
 
 def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
@@ -31,7 +32,7 @@ def punch_displacement(r: Array, a: Array, k: Array) -> Array:
 def graded_retraction(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
     """sqrt(2 pi dgamma a**(1 - k)/H)."""
     # no power (1 - k)/2, whose rounding 600 decades of radii turn into 200 units of the last place
-    return np.sqrt(2.0 * np.pi * dgamma / H) * np.sqrt(a) * np.sqrt(a**-k)
+    return np.where(a > 0.0, np.sqrt(2.0 * np.pi * dgamma / H) * np.sqrt(a) * np.sqrt(a**-k), 0.0)
 
 
 def stationary(control: str, k: Array) -> Array:

@@ -25,7 +25,7 @@ def waves_rate(t: Array, q: Array, k: Array) -> Array:
 
 
 def waves_force(a: Array, q: Array, k: Array) -> Array:
-    return q * a * a * a**k * _waves(a, q, k, lambda x, cosine: np.sin(x) * cosine * cosine, lambda c, _: c * c)
+    return q * a * raised(a, k) * _waves(a, q, k, lambda x, cosine: np.sin(x) * cosine * cosine, lambda c, _: c * c)
 
 
 def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array], factor: Callable[..., Array]) -> Array:

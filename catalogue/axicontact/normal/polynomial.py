@@ -528,7 +528,9 @@ def _force(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
-    terms = (j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) * A_j for j, A_j in enumerate(A, 1))
+    terms = (
+        j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) * A_j for j, A_j in enumerate(A, 1) if A_j
+    )
     return np.where(r < a, E_star / np.pi * sum(terms), 0.0)
 
 

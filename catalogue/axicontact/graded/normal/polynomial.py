@@ -577,7 +577,7 @@ def _mean_pressure(a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
     inside = np.minimum(r, a)
-    growth = sum(A_j * power_pressure(inside, a, j, k) for j, A_j in enumerate(A, 1))
+    growth = sum(A_j * power_pressure(inside, a, j, k) for j, A_j in enumerate(A, 1) if A_j)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
