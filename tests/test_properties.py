@@ -158,3 +158,15 @@ def test_a_term_of_zero_adds_nothing_on_the_axis(package: str) -> None:
         alone, rel=1e-14, abs=0.0
     )
     assert polynomial.pressure(0.0, 1.1, **others, A=(1e-3, 0.25)) == np.inf
+
+
+@pytest.mark.parametrize("n", [1.5, 2.5, 3.0])
+def test_the_edge_of_a_concave_face_is_infinite(n: float) -> None:
+    """At the edge itself as next to it, and without a warning: the part of the face has no path left there."""
+    for package, load in (("normal", 0.6), ("plane", 1.5)):
+        pressure = import_module(f"axicontact.{package}.concave_power").pressure
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            found = pressure([1.0 - 2.0**-52, 1.0, 1.5], load, a=1.0, h=0.15, n=n, E_star=1.0)
+        assert found[0] > 1e6
+        assert found[1:].tolist() == [np.inf, 0.0]
