@@ -46,7 +46,8 @@ def _fallen_pressure(depth: Array, n: Array) -> Array:
         return np.exp(-rate * fall) * _weight(np.where(steep, np.maximum(stop - step, 0.0), step))
 
     reach = np.where(steep, stop - np.sqrt(cut), np.sqrt(depth - cut))
-    return integral_by_length(integrand, reach, lengths=LENGTHS)
+    # at the edge, where nothing is left of the path, the weight has but a limit
+    return np.where(depth > 0.0, integral_by_length(integrand, reach, lengths=LENGTHS), 0.0)
 
 
 @at_many_radii(of_displacement)
@@ -90,7 +91,7 @@ def power_strips(x: Array, a: Array, n: Array) -> Array:
 
 
 def _weight(s: Array) -> Array:
-    """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
+    """2 s/sqrt(1 - exp(-2 s**2)), for s > 0."""
     return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))
 
 
