@@ -24,8 +24,8 @@ test: $(VENV)/.test
 	$(PY) -m pytest -n 2 $(ARGS) </dev/null
 
 lint: $(VENV)/.lint
-	$(PY) -m ruff check . </dev/null
-	$(PY) -m ruff format --check . </dev/null
+	$(PY) -m ruff check --no-cache . </dev/null
+	$(PY) -m ruff format --no-cache --check . </dev/null
 	$(PY) -m mypy </dev/null
 
 PAGE := 11

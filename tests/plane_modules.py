@@ -10,7 +10,7 @@ from axiderive.emit.imports import RUNTIME
 from axiderive.emit.kernels import kernels_source
 from axiderive.emit.nodes import nodes_source
 from axiderive.emit.python import NODE_COUNTS
-from axiderive.emit.symbols import symbols_source
+from axiderive.emit.symbols import symbols_sources
 from axiderive.entry import Entry
 from axiderive.profiles import plane
 
@@ -42,7 +42,8 @@ def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     (base / "_nodes.py").write_text(nodes_source(NODE_COUNTS))
     (base / "_kernels.py").write_text(kernels())
     (base / "__init__.py").write_text("")
-    (base / "_symbols.py").write_text(symbols_source({"theta", "R", "A", "b", "h", "n", "a", "E_star"}))
+    for name, text in symbols_sources({"theta", "R", "A", "b", "h", "n", "a", "E_star"}).items():
+        (base / name).write_text(text)
     for path_, text in sources.items():
         (base / Path(path_).relative_to("axicontact")).write_text(text)
 

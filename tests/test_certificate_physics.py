@@ -11,7 +11,7 @@ from certificates import CELLS, DERIVE, Entries, expected
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact import adhesive, loads, normal, tangential, viscoelastic
+from axiderive.contact import adhesive, detachment, loads, normal, tangential, viscoelastic
 from axiderive.contact.medium import GRADED, HOMOGENEOUS
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
@@ -22,8 +22,11 @@ from axiderive.proof.compact import Compact
 from axiderive.proof.complete import Complete
 from axiderive.proof.domain import NotProvedError
 
+# every build proves all of them, and .ci/run compares the evidence of one from nothing
+PROVED = [pytest.param(*cell, marks=() if cell[1] in ("cone", "flat_punch") else pytest.mark.sweep) for cell in CELLS]
 
-@pytest.mark.parametrize(("kind", "name"), CELLS)
+
+@pytest.mark.parametrize(("kind", "name"), PROVED)
 def test_every_closed_formula_is_proved(kind: str, name: str) -> None:
     found = DERIVE[kind](profiles.load(name))
     certificates = certify_profile(profiles.load(name), found)
@@ -49,6 +52,7 @@ def test_displacement_of_a_prescribed_pressure_is_proved(load: Profile) -> None:
     [
         *((normal.derive, name) for name in profiles.NAMES),
         *((module.derive, name) for module in (adhesive, tangential) for name in profiles.COMPACT_NAMES),
+        *((detachment.derive, name) for name in ("flat_punch", "concave_power", "concave_quartic")),
     ],
 )
 def test_the_homogeneous_half_space_is_the_limit(derive: Callable[..., Entries], name: str) -> None:

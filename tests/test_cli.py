@@ -80,6 +80,22 @@ def test_unknown_names_end_with_code_2_and_the_nearest_name(arguments, message, 
 
 
 @pytest.mark.parametrize(
+    ("name", "key"),
+    [
+        ("adhesive.paraboloid", "paraboloid.adh"), ("axicontact.adhesive.paraboloid", "paraboloid.adh"),
+        ("normal.cone", "cone"), ("axicontact.graded.normal.cone", "cone.fgm"), ("axicontact.materials", "materials"),
+        ("adhesive.paraboloid.F", "paraboloid.adh.F"), ("axicontact.normal.cone.pressure", "cone.p"),
+        ("plane.wedge.load", "plane.wedge.P"), ("loads.uniform.displacement", "loads.uniform.w"),
+    ],
+)  # fmt: skip
+def test_modules_and_functions_are_keys_too(name, key, capsys):
+    """What is imported can be shown under its own name."""
+    assert cli.main(["show", name]) == cli.main(["show", key]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[: len(lines) // 2] == lines[len(lines) // 2 :]
+
+
+@pytest.mark.parametrize(
     "arguments",
     [[], ["derive"], ["build", "--jobs", "0"], ["build", "--jobs", "two"], ["show"], ["show", "cone", "--as", "html"]],
     ids=" ".join,
@@ -94,7 +110,7 @@ def test_bad_command_lines_end_with_code_2(arguments, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "build,list,show,check,derive,emit,study"),
+        ([], "build,list,show,check,verify,derive,emit,study"),
         (["derive", "-r**2"], "-- EXPRESSION"),
         (["build", "--only", ","], "',' names no profile; write cone,sphere"),
         (["check", "cone", "--digits", "1"], "'1' is below 10 digits"),

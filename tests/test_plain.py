@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import dis
 import inspect
 import math
+from collections.abc import Iterator
+from types import CodeType, FunctionType
 from typing import Any
 
 import numpy as np
@@ -99,3 +102,31 @@ def test_a_name_of_numpy_needs_arrays_only_where_it_is_numpys() -> None:
     assert formula(2.0) == 6.0
     assert scalar(summed_by_numpy) is None
     assert scalar(largest_of_an_array) is None
+
+
+def test_bodies_over_plain_numbers_do_not_invert() -> None:
+    """`~True` is -2, which Python 3.12 warns of and 3.16 refuses; a body that iterates gets Python's own bool."""
+    twins = 0
+    for name in MODULES:
+        for function in bodies(name):
+            if trace(function, map(str, range(function.__code__.co_argcount)), ()) is not None:
+                continue
+            twin = scalar(function)
+            if twin is not None:
+                twins += 1
+                assert not list(inverting(twin, set())), f"{name}.{function.__name__}"
+    assert twins > 30
+
+
+def inverting(function: Any, seen: set[Any]) -> Iterator[str]:
+    """The functions that `~` stands in, of this one and those it calls."""
+    seen.add(function.__code__)
+    pending = [function.__code__]
+    while pending:
+        code = pending.pop()
+        pending += [constant for constant in code.co_consts if isinstance(constant, CodeType)]
+        if any(step.opname == "UNARY_INVERT" for step in dis.get_instructions(code)):
+            yield code.co_qualname
+        for called in map(function.__globals__.get, code.co_names):
+            if isinstance(called, FunctionType) and called.__code__ not in seen:
+                yield from inverting(called, seen)

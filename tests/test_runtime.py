@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from axicontact import _across, _arcs, _inverse
-from axicontact._functions import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axicontact._nodes import gauss_legendre
 from axicontact._powers import power_displacement, power_pressure, power_punches
+from axicontact._special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axiderive.emit import nodes as certified
 from axiderive.emit.symbols import bounds
 

@@ -43,8 +43,8 @@ def test_the_folder_holds_module_test_page_evidence_scene_and_manifest(needle):
 
 def test_the_module_is_short_and_needs_numpy_alone(needle):
     source = (needle / "needle_on_gel.py").read_text()
-    assert len(source.splitlines()) <= 105
-    assert len([line for line in source.splitlines() if line.strip()]) <= 80
+    assert len(source.splitlines()) <= 112
+    assert len([line for line in source.splitlines() if line.strip()]) <= 84
     tree = ast.parse(source)
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     imported |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
@@ -143,3 +143,35 @@ def test_nothing_in_a_title_is_a_command_of_latex_or_python():
     tree = ast.parse(module)
     assert ast.get_docstring(tree).startswith("/write18{x}")
     assert "__import__" not in {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+
+
+UNITS_AND_INFINITY = """
+import needle_on_gel as module, numpy as np
+
+class Quantity:
+    units, magnitude = "mm", 1.0
+    def __array__(self, dtype=None, copy=None):
+        return np.asarray(self.magnitude, dtype)
+    def __float__(self):
+        return self.magnitude
+
+for given in (Quantity(), [Quantity()], [[1.0], [Quantity()]], np.ma.array([1.0])):
+    for call in (lambda: module.force(given), lambda: module.pressure(1e-4, given)):
+        try:
+            call()
+        except TypeError as error:
+            assert "a = " in str(error) and "is no bare number; give a.to('m').magnitude" in str(error), error
+        else:
+            raise AssertionError(given)
+assert module.pressure(np.inf, 1e-4) == module.displacement(np.inf, 1e-4) == 0.0
+assert module.displacement([1e-5, np.inf], 1e-4)[1] == 0.0
+assert np.isnan(module.pressure(-np.inf, 1e-4)) and np.isnan(module.pressure(np.inf, -1.0))
+print("as in the catalogue")
+"""
+
+
+def test_units_are_refused_and_fields_vanish_far_away(needle):
+    """As in the modules of the catalogue; the displacement at an infinite radius was NaN."""
+    command = [sys.executable, "-W", "error", "-c", UNITS_AND_INFINITY]
+    run = subprocess.run(command, cwd=needle, capture_output=True, text=True, check=False)
+    assert run.stdout == "as in the catalogue\n", run.stderr

@@ -90,6 +90,10 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
         ('profile = "cone"\n[want]\nat = { p = 1 }', "at names one field of the contact"),
         ('profile = "cone"\n[want]\nat = { F = "50 mm" }', "F must be a force, but '50 mm' is a length"),
         (f'profile = "{OUTSIDE}"\n[medium]\nkind = "power_law"', "there are rules for sums of powers of r"),
+        ('name = "class"\nprofile = "cone"', "module 'class.py' cannot be imported, class is a word of Python"),
+        ('name = "axicontact"\nprofile = "cone"', "would hide the axicontact of others; choose another name"),
+        ('profile = "cone"\n[output]\nmodule = "Numpy.py"', "would hide the numpy of others"),
+        ('name = "random"\nprofile = "cone"', "would hide the random of others"),
         ('profile = "R - sqrt(R**2 - r**2"', "'(' was never closed"),
     ],
 )
@@ -97,6 +101,15 @@ def test_a_problem_says_what_to_do(source, message):
     found = problems(source)
     assert message in found
     assert re.match(r"scene\.toml:\d+: ", found) or not source
+
+
+@pytest.mark.parametrize(
+    ("name", "module"), [("接触", "scene.py"), ("Nädel", "Nadel.py"), ("4 µm", "scene_4_m.py"), ("???", "scene.py")]
+)
+def test_any_name_has_a_module(name, module):
+    """One without ASCII letters ended in a KeyError."""
+    found = reading.read(text.parse("scene", f'name = "{name}"\nprofile = "cone"'.encode()))
+    assert found.module == module
 
 
 def test_bytes_that_are_no_text_are_refused():

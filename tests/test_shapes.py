@@ -180,3 +180,49 @@ def test_an_integral_in_groups_takes_a_grid_of_radii() -> None:
     assert (found.ravel() == _rules.pressure_integral_sinh(slope, tuple(flat[:2]), *flat[2:])).all()
     grid = rounded_punch.displacement(1.2 + r, 1.1, R=1.45, b=0.5)
     assert (grid.ravel() == rounded_punch.displacement(1.2 + r.ravel(), 1.1, R=1.45, b=0.5)).all()
+
+
+FACED = ("truncated_cone", "truncated_paraboloid", "rounded_punch")
+AGREED = {"normal": 6.0, "graded.normal": 4.0}
+"""Units of the last place: 5 of normal contacts, whose numbers take the functions of `math`, none of graded ones, with
+those of arrays; 9 and 13 before the sums of arrays went by neighbours."""
+CONDITIONED = 30.0
+"""A value that changes by more units than these, for one of its fields, is next to a zero."""
+
+
+def drawn(name: str, own: dict[str, Any], fields: list[str], count: int, rng: np.random.Generator) -> dict[str, Any]:
+    """Fields over decades, one contact in three next to its end or its break, one radius in two next to the edge."""
+    found = own | {key: own[key] * 10.0 ** rng.uniform(-3.0, 1.0, count) for key in fields}
+    beside = 10.0 ** rng.uniform(-9.0, 0.0, count)
+    if "a" in fields and (ends := {"b", "R"} & set(own)):
+        end = own["b" if "b" in ends else "R"] * np.ones(count)
+        sign = -1.0 if name.endswith(("sphere", "ellipsoid")) else rng.choice([-1.0, 1.0], count)
+        found["a"] = np.where(rng.random(count) < 1 / 3, end * (1.0 + sign * beside), found["a"])
+    if "r" in fields and "a" in found:
+        edge = found["a"] * (1.0 + rng.choice([-1.0, 1.0], count) * beside)
+        found["r"] = np.where(rng.random(count) < 0.5, edge, found["r"])
+    return found
+
+
+@pytest.mark.parametrize("package", AGREED)
+def test_arrays_and_their_elements_agree(package: str) -> None:
+    """To the last places, away from zeros: both sum one rule, of which an order of terms is 8 units."""
+    rng, tried = np.random.default_rng(7), 0
+    for name in modules(package):
+        for function, call in public(name):
+            own = by_name(function, call)
+            fields = list(own)[: len(call[0])]
+            given = drawn(name, own, fields, 8, rng)
+            if "a" in fields and name.endswith(FACED):
+                given["a"] = np.maximum(given["a"], own["b"])
+            for i, value in enumerate(function(**given)):
+                point = given | {key: float(given[key][i]) for key in fields}
+                alone = function(**point)
+                tried += bool(0.0 < abs(alone) < np.inf)
+                if alone == value or np.isnan(alone) and np.isnan(value):
+                    continue
+                if abs(value - alone) > AGREED[package] * np.spacing(abs(alone)):
+                    moved = [function(**point | {key: point[key] * (1.0 - 2.0**-26)}) for key in fields]
+                    changes = [abs(other - alone) * 2.0**26 / abs(alone) for other in moved]
+                    assert max(changes) > CONDITIONED, (name, function.__name__, point, alone, value)
+    assert tried > 1200

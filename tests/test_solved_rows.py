@@ -107,7 +107,7 @@ def test_beyond_an_edge_the_length_of_the_print_is_solved_for(name: str, monkeyp
         assert f"({first} + k, {last + 1.0 if own.suffixes == ('aF',) else last}" in source(f"{name}.fgm")
         for x in (0.6, 2.3):
             printed = number(radius, t=number(length, x=x))
-            met = radius_at(monkeypatch, x, _graded_inverse.radius_beyond, np.array([R]), (), ends)
+            met = radius_at(monkeypatch, x, _graded_inverse.contact_beyond, np.array([R]), (), ends)
             assert met == pytest.approx(printed, rel=1e-14, abs=0.0)
     joined = [own for own in found if own.small == JOINED]
     assert len(joined) == (2 if first == 1.0 else 0)
@@ -248,7 +248,7 @@ def test_below_a_vertical_flank_the_length_of_the_print_is_solved_for(monkeypatc
         tip = np.array(2.0 if own.suffixes == ("ad",) else 3.0 + K)
         for t in (0.4, 3.0):
             x, at = number(like, t=t), (np.array([R]), (), tip, np.array(K))
-            found = radius_at(monkeypatch, x, _graded_inverse.radius_below, *at)
+            found = radius_at(monkeypatch, x, _graded_inverse.contact_below, *at)
             assert found == pytest.approx(number(radius, t=t), rel=1e-13, abs=0.0)
     for own in graded_unknowns(stored("sphere_tipped_cone.fgm")):
         if own.small == "a<b" and len(own.suffixes) == 2:

@@ -11,12 +11,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._elementwise import largest
+from ._elementwise import Array
 from ._rewriting import depending, numbers_first, without_choice
 from ._trace import CONNECTIVES, FUNCTIONS, RELATIONS, Node, Path, needed, of_a_module, places, trace, used_at
 
 NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
 NAMES |= {"inf": np.inf, "nan": np.nan}
+INFINITE = np.array(np.inf).view(np.uint64)[()]
 EXTREMES = ("minimum", "maximum")
 SIGNS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
 PREPARE = """
@@ -70,6 +71,12 @@ def program(
         summed = result is None or any(node.name == "integral" for node in needed(result))
         _programs[key] = None if result is None or summed else _Writer(result, names, given, fields).program()
     return _programs[key]
+
+
+def largest(block: Array) -> float:
+    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
+    bits = np.maximum.reduce(block.view(np.uint64))
+    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
 
 
 class _Writer:

@@ -39,6 +39,8 @@ def branches(rate: Load, radii: Array, high: Array | float, control: str, E_star
     ends = np.concatenate([np.zeros_like(rises[:1]), ~rises[1:] & rises[:-1]])
     below = np.concatenate([grid[:1], grid[:-1]])
     first, last = (_changes(balance, mask, below, grid, sign) for mask, sign in ((starts, 1.0), (ends, -1.0)))
+    # where g' is infinite the load may be too
+    first = np.minimum(first, np.nextafter(grid[-1], 0.0))
     missing = np.full((max(0, len(first) - len(last)), *last.shape[1:]), np.nan)
     last = np.concatenate([last, missing])[: len(first)]
     return Branches(first, np.where(np.isfinite(first) & np.isnan(last), high, last))
@@ -84,7 +86,7 @@ def decades() -> Array:
 def radii_below(high: Array) -> Array:
     """Radii up to an end at which g' is infinite."""
     return np.multiply.outer(
-        np.concatenate([10.0 ** np.arange(-150.0, 0.0, 10.0), 1.0 - 0.5 ** np.arange(1.0, 53.0, 3.0)]),
+        np.concatenate([10.0 ** np.arange(-150.0, 0.0, 10.0), 1.0 - 0.5 ** np.arange(1.0, 53.0, 3.0), [1.0]]),
         np.atleast_1d(high),
     )
 

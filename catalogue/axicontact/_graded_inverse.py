@@ -70,10 +70,10 @@ def _curve(load: Load, rate: Load, needs: tuple[Array, ...]) -> Curve:
     return curve
 
 
-def radius_beyond(
+def contact_beyond(
     load: Load, rate: Load, value: Array, b: Array, needs: tuple[Array, ...], exponents: tuple[Array, Array]
-) -> Array:
-    """The same for a flat face of radius b; both functions take a and its root b t = sqrt(a**2 - b**2).
+) -> tuple[Array, Array]:
+    """The same for a flat face of radius b, with the root b t = sqrt(a**2 - b**2); load and rate take both.
 
     The load grows as a power of t for small and for large t, with the two `exponents`; so does the unknown, which
     does not run away where the first is 1 + k near 0.
@@ -90,16 +90,18 @@ def radius_beyond(
 
     unit = unknown.of(b * np.sqrt(2.0)) * np.ones_like(value)
     x = inverse(curve, value, unit * (value / curve(unit)[0]), (SLACK, np.inf), smooth=True)
-    return unknown.back(x)[0]
+    return unknown.back(x)[0], b * root_of(x, first, last)[0]
 
 
-def radius_below(
+def contact_below(
     load: Load, rate: Load, value: Array, R: Array, needs: tuple[Array, ...], exponent: Array, k: Array
-) -> Array:
-    """The same for a sphere, in t = a/sqrt(R**2 - a**2); NaN where the load is beyond that of a = R.
+) -> tuple[Array, Array]:
+    """The same for a sphere, in t = a/sqrt(R**2 - a**2), with that root; NaN where the load is beyond that of a = R.
 
     It begins as t**`exponent`, and ends as const - t**-k, log(t) or t**-k, by the sign of k; the unknown is
     (1 - (1 + t**exponent)**(-k/exponent))/k, which does the same.
+    From STEEPEST on the radius is R to the last digit, and the contact that of STEEPEST: the load in excess of it
+    is what a flat face of that radius carries.
     """
     value = value + np.zeros(1)
     k = np.where(np.abs(k) < 1e-30, 1e-30, k)
@@ -114,21 +116,26 @@ def radius_below(
         power = np.expm1(-exponent / k * np.log1p(-k * x))
         return power ** (1.0 / exponent)
 
-    def radius(t: Array) -> tuple[Array, Array]:
+    def contact(t: Array) -> tuple[Array, Array]:
         root = R / np.hypot(1.0, t)
         return root * t, root
 
     def curve(x: Array) -> tuple[Array, Array]:
         t = place(x)
-        a, root = radius(t)
+        a, root = contact(t)
         own = load(a, root, *needs)
         return own, a * (root / R) ** 2 * rate(a, root, *needs) / own / like(t)[1]
 
     steepest = STEEPEST * np.ones_like(value)
     half = 0.5 * np.ones_like(value)
     largest = like(steepest)[0]
-    x = inverse(curve, value, half * (value / curve(half)[0]), (SLACK, np.inf), largest, smooth=True)
-    return np.where(value <= load(*radius(steepest), *needs), radius(place(x))[0], np.nan)
+    last = load(*contact(steepest), *needs)
+    wanted = np.minimum(value, last)
+    x = inverse(curve, wanted, half * (wanted / curve(half)[0]), (SLACK, np.inf), largest, smooth=True)
+    a, root = contact(place(x))
+    if np.any(value > last):
+        a = np.where(value <= load(R, np.zeros_like(R), *needs) * (1.0 + 2.0**-48), a, np.nan)
+    return a, root
 
 
 def gaussian_reach(s: Array, k: Array) -> Array:

@@ -18,6 +18,18 @@ def punch_stiffness(a: Array, H: Array, k: Array) -> Array:
     return 2.0 * H / (1.0 + k) * raised(a, k)
 
 
+def punch_force(d: Array, a: Array, H: Array, k: Array) -> Array:
+    """Force at a depth, none at the radii zero and infinity."""
+    stiffness = punch_stiffness(a, H, k)
+    return np.where((stiffness > 0.0) & (stiffness < np.inf), stiffness * d, 0.0)
+
+
+def punch_depth(F: Array, a: Array, H: Array, k: Array) -> Array:
+    """Depth under a force, none at the radii zero and infinity."""
+    stiffness = punch_stiffness(a, H, k)
+    return np.where((stiffness > 0.0) & (stiffness < np.inf), F / stiffness, 0.0)
+
+
 def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
     """Pressure per depth: infinite at the edge, zero outside."""
     root = difference_root(a, r)

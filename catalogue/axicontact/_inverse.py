@@ -49,12 +49,12 @@ def inverse(
     solvable = (value > 0.0) & (value < np.inf) & (y == y)
     for iteration in range(ITERATIONS):
         # written so that a curve which has left the range of doubles is not met
-        left = solvable & ~(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
-        left = left & ~(np.abs(value - y) <= close)
+        left = solvable & np.logical_not(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
+        left = left & np.logical_not(np.abs(value - y) <= close)
         if share is not None:
             # of where the step leads too: far below the root t may stand for nothing
             moved = np.maximum(share(t), share(np.minimum(t * np.exp(np.minimum(step, 700.0)), largest)))
-            left = left & ~(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
+            left = left & np.logical_not(np.abs(error) * moved <= 4.0 * ROUNDING * slope)
         if not np.count_nonzero(left):
             break
         low = np.where(error > 0.0, np.maximum(low, position), low)

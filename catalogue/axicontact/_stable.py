@@ -47,8 +47,11 @@ def stable_radius(
         low, high, least, top, beyond = _divided(value, low, high, least, top, load, corner)
     elif outer is not None:
         beyond = np.ones(low.shape, dtype=bool)
-    first, reach, largest, place = _counted(low, np.where(np.isfinite(top), high, np.inf), beyond, inner, outer)
-    ends = np.isfinite(reach)
+    ends = np.isfinite(top)
+    if outer is None and np.any(ends):
+        # where the load ends steeply the unknown does so too
+        ends = ends & (slope_of(high) < np.inf)
+    first, reach, largest, place = _counted(low, np.where(ends, high, np.inf), beyond, inner, outer)
     # the load is a difference, known to the rounding of its parts
     fixed = np.abs(least) + pulled(low)
     parts = fixed + np.abs(value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._functions import struve_h0, struve_h1
+from ._special import struve_h0, struve_h1
 
 TERMS, LOOKS, TURNS = 15, 12, 60
 """Of a Taylor series, of its points, and of the search for its root; two or three points are enough."""
@@ -37,7 +37,7 @@ def inverse_over_waves(value: Array, waves: Array, power: int) -> Array:
         # what the next term of the series would be, or less
         rest = np.abs(series[-1] * s ** len(series))
         settled = within & (np.abs(s) < 1.0) & (rest <= 0.5 * ROUNDING * value)
-        left = left & ~(settled & (np.abs(value - y) <= FAR * value))
+        left = left & np.logical_not(settled & (np.abs(value - y) <= FAR * value))
         if not np.count_nonzero(left):
             break
     return np.where(value >= 0.0, np.where(value < np.inf, z, np.inf), np.nan)

@@ -16,6 +16,12 @@ from ._gamma import gamma
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["effective_modulus", "effective_shear_modulus", "graded_modulus", "h_N"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def effective_modulus(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike) -> Result:
     """Effective modulus E_star of two bodies; the modulus of a rigid one is infinite.

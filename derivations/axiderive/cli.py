@@ -1,4 +1,4 @@
-"""The command `axicontact`: build, list, show, check.
+"""The command `axicontact`: build, list, show, check, verify.
 
 Nothing heavy is imported before a command needs it: `list` and `show` answer
 from the stored index without SymPy or NumPy.
@@ -94,6 +94,10 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p, or chapter; default all formulas")
     _numerical(check)
 
+    verify = commands.add_parser("verify", help="prove the stored formulas again, by a program that wrote none of them")
+    verify.set_defaults(run=_verify)
+    verify.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p; default all formulas")
+
     derive = commands.add_parser(
         "derive",
         help="formulas and a module for a profile of your own",
@@ -180,6 +184,13 @@ def _check(arguments: argparse.Namespace) -> int:
     settings = Settings(arguments.digits, arguments.points, arguments.seed)
     folder = project_root() / "catalogue" / "evidence"
     return 0 if check(arguments.keys, folder, settings, verbose=arguments.verbose) else FAILED
+
+
+def _verify(arguments: argparse.Namespace) -> int:
+    from .verify import verify
+    from .work import project_root
+
+    return 0 if verify(arguments.keys, project_root() / "catalogue" / "evidence") else FAILED
 
 
 def _derive(arguments: argparse.Namespace) -> int:

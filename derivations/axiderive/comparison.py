@@ -97,7 +97,9 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
 
 def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:
     profiles = {**old.get("profiles", {}), **new["profiles"]}
-    return {**new, "profiles": {name: profiles[name] for name in order if name in profiles}}
+    # what was counted over all profiles stays as the last build of all of them left it
+    counted = {"twice": old["twice"]} if "twice" in old else {}
+    return {**new, **counted, "profiles": {name: profiles[name] for name in order if name in profiles}}
 
 
 def _owner(path: str) -> str:

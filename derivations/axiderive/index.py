@@ -14,6 +14,7 @@ from typing import Any
 from .exits import ENVIRONMENT, USAGE, CommandError
 
 Row = dict[str, Any]
+PREFIX = "axicontact."
 FIRST = ("key", "problem", "profile", "physics", "quantity")
 
 
@@ -106,6 +107,17 @@ def _likeness(stem: str, name: str) -> float:
     return max(ratio, 0.9) if stem and name.startswith(stem.casefold()) and stem != name else ratio
 
 
+def module_of(row: Row) -> str:
+    """The module of a formula, below the package."""
+    return str(row["python"]).partition("(")[0].removeprefix(PREFIX).rpartition(".")[0]
+
+
+def _places(row: Row) -> tuple[str, str, str]:
+    """The module of a formula, its function there, and the module with the end of its key."""
+    module = module_of(row)
+    return module, f"{module}.{row['function']}", f"{module}.{row['quantity']}"
+
+
 def _words(profile: Row) -> str:
     """What a profile is called and whose work it is."""
     return " ".join((profile["name"], profile["title"], *profile["synonyms"], *profile["sources"])).casefold()
@@ -135,8 +147,12 @@ class Index:
         raise nearest(name, "profile", [row["name"] for row in self.profiles])
 
     def select(self, key: str) -> list[Row]:
-        """The entry of that key, or all entries of the problem of that key: cone, cone.adh, plane.wedge."""
+        """The entry of that key, or all entries of the problem of that key: cone, cone.adh, plane.wedge.
+
+        A module or function of the package is such a key too, as `adhesive.cone` or `axicontact.normal.cone.force`.
+        """
         found = [row for row in self.entries if key in (row["key"], row["problem"])]
+        found = found or [row for row in self.entries if key.removeprefix(PREFIX) in _places(row)]
         if found:
             return found
         raise self._not_known(key)

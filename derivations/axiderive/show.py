@@ -6,6 +6,8 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from .index import PREFIX, module_of
+
 if TYPE_CHECKING:
     from .index import Index, Row
 
@@ -54,7 +56,8 @@ def _shape(pieces: list[Row]) -> str | list[str]:
 def shown(index: Index, key: str, form: str) -> str:
     """The entry, or all entries of a problem, in one of `FORMS`."""
     entries = index.select(key)
-    whole = key == entries[0]["problem"]
+    problem = entries[0]["problem"]
+    whole = key.removeprefix(PREFIX) in (problem, module_of(entries[0]))
     profile = index.profile(entries[0]["profile"])
     if form == "json":
         record = {"profile": profile, "entries": entries} if whole else entries[0]
@@ -64,7 +67,7 @@ def shown(index: Index, key: str, form: str) -> str:
         return "\n\n".join(index.source(entry) for entry in first.values())
     if form == "latex":
         return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
-    head = [_profile_text(profile, key)] if whole else []
+    head = [_profile_text(profile, problem)] if whole else []
     return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
 
 

@@ -6,7 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from .contact import systems
 from .proof import certificate, checks, plane
+from .records import entry_record, profile_record
+from .verifier import reasons, rests_on
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
@@ -22,12 +25,13 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
     Returns
     -------
     dict
-        JSON-able: `settings`, `entries` (by suffix: status, whether certified, worst
-        residual, a summary, the certificate and the checks) and `failures`, a
-        list of key and message.
+        JSON-able: `settings`, `entries` (by suffix: status, whether certified, what the
+        second prover says of it, worst residual, a summary, the certificate and the
+        checks) and `failures`, a list of key and message.
     """
     prover = plane if problem.system.name == "plane" else certificate
     certificates = prover.certify_profile(problem.profile, dict(entries))
+    second = reasons(*_stored(problem, entries))
     found = checks.check_problem(problem, entries, **settings.record())
     by_key: dict[str, list[Evidence]] = {entry.key: [] for entry in entries.values()}
     for check in found:
@@ -35,27 +39,41 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
     return {
         "settings": settings.record(),
         "entries": {
-            suffix: _entry(entry.status, certificates[suffix], by_key[entry.key]) for suffix, entry in entries.items()
+            suffix: _entry(entry, certificates[suffix], second[suffix], by_key[entry.key])
+            for suffix, entry in entries.items()
         },
         "failures": [{"key": c.key, "message": _failure(c)} for c in found if c.outcome == "failed"],
     }
 
 
-def _entry(status: str, proof: Certificate, checks: Sequence[Evidence]) -> dict[str, Any]:
+def _stored(problem: Problem, entries: Mapping[str, Entry]) -> list[dict[str, Any]]:
+    """The problem as the evidence stores it, and the normal contact it rests on, derived anew."""
+    below = rests_on(problem.key)
+    out = [{"problem": problem.key, "entries": {suffix: entry_record(entry) for suffix, entry in entries.items()}}]
+    if below:
+        plain = systems.problem(below).derive()
+        out.append({"problem": below, "entries": {suffix: entry_record(entry) for suffix, entry in plain.items()}})
+    return [{**record, "profile": profile_record(problem.profile)} for record in out]
+
+
+def _entry(entry: Entry, proof: Certificate, missing: str, checks: Sequence[Evidence]) -> dict[str, Any]:
     residuals = [check.worst for check in checks if check.passed and check.worst]
     return {
-        "status": status,
+        "status": entry.status,
         "certified": proof.proved,
+        "twice": {"cases": len(entry.cases), "shown": proof.proved and not missing, "reason": missing},
         "residual": max(residuals, key=float, default=""),
-        "summary": _summary(proof, checks),
+        "summary": _summary(proof, missing, checks),
         "certificate": {"proved": proof.proved, "steps": list(proof.steps), "reason": proof.reason},
         "checks": [asdict(check) for check in checks],
     }
 
 
-def _summary(proof: Certificate, checks: Sequence[Evidence]) -> str:
+def _summary(proof: Certificate, missing: str, checks: Sequence[Evidence]) -> str:
     """One line for `show`, the docstring and the handbook."""
     parts = ["certified" if proof.proved else "not certified"]
+    if proof.proved:
+        parts.append("by the first prover only" if missing else "by two provers")
     parts += [f"{check.compared}: {_short(check)}" for check in checks if check.outcome != "not available"]
     return "; ".join(parts)
 
@@ -73,6 +91,8 @@ def details(found: Mapping[str, Any]) -> list[str]:
     lines = [f"certificate: {step}" for step in proof["steps"]]
     if not proof["proved"]:
         lines.append(f"no certificate: {proof['reason']}")
+    if proof["proved"] and found["twice"]["reason"]:
+        lines.append(f"by the first prover only: {found['twice']['reason']}")
     for check in found["checks"]:
         text = f"{check['compared']}: {check['outcome']}"
         if check["worst"]:

@@ -26,7 +26,7 @@ DERIVING = (
     "axiderive.srepr",
     "axiderive.records",
 )
-VERIFYING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.verification")
+VERIFYING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.verification", "axiderive.verifier")
 WRITING = (*DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
 MEASURING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.stable")
 

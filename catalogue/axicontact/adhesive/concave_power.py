@@ -12,11 +12,17 @@ import numpy as np
 from .._adhesion import PullOff, hess_retraction, require_control
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio
+from .._special import gamma_ratio
 from ..normal import concave_power as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = ["pull_off", "retraction"]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def retraction(*, a: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:

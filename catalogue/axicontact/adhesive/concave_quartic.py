@@ -16,6 +16,12 @@ from .._elementwise import Array, Result, elementwise
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["pull_off", "retraction"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def retraction(*, a: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
     """Retraction of the edge at which it peels off.

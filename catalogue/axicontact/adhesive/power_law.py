@@ -13,11 +13,27 @@ import numpy as np
 from .._adhesion import XI, PullOff, hess_retraction, lift, power_law_radius, pull, require_control, tension
 from .._domain import numbers, require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio, nth_root
+from .._functions import nth_root
+from .._special import gamma_ratio
 from ..normal import power_law as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "displacement",
+    "force",
+    "pressure",
+    "pull_off",
+    "radius_from_depth",
+    "radius_from_force",
+    "retraction",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def retraction(a: ArrayLike, *, E_star: ArrayLike, dgamma: ArrayLike) -> Result:

@@ -17,6 +17,12 @@ from .._kernels import OUTSIDE_2
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["displacement"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def displacement(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, E_star: ArrayLike) -> Result:
     """Displacement of the surface into the half-space.

@@ -18,6 +18,12 @@ from .._numbers import with_math
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["depth_from_force", "displacement", "force", "pressure", "profile", "stiffness"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 @with_math
 def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:

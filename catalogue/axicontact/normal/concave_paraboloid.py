@@ -17,6 +17,22 @@ from .._powers import power_punches
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "depth_from_force",
+    "displacement",
+    "force",
+    "minimum_depth",
+    "minimum_force",
+    "pressure",
+    "profile",
+    "stiffness",
+    "zero_radius",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 @with_math
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:

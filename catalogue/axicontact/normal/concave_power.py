@@ -11,12 +11,28 @@ import numpy as np
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio
 from .._powers import power_pressure, power_punches
 from .._ring import outside_zero_pressure, ring_of_zero_pressure
+from .._special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth_from_force",
+    "displacement",
+    "force",
+    "minimum_depth",
+    "minimum_force",
+    "pressure",
+    "profile",
+    "stiffness",
+    "zero_radius",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:

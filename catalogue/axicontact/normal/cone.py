@@ -17,6 +17,24 @@ from .._numbers import with_math
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 @with_math
 def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:

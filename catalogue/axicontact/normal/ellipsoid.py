@@ -12,14 +12,32 @@ import numpy as np
 from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import tanh_gap
 from .._inverse import inverse
 from .._numbers import with_math
 from .._rules import displacement_integral_tanh
+from .._special import tanh_gap
 from .._starts import between
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 @with_math

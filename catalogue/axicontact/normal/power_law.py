@@ -11,12 +11,31 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio, lower_power, nth_root, without_root
+from .._functions import lower_power, nth_root, without_root
 from .._numbers import with_math
 from .._powers import power_displacement, power_pressure
+from .._special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 @with_math

@@ -13,7 +13,7 @@ from .._across import inverse_across
 from .._arcs import arc_strips
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import sine_root, tanh_gap
+from .._functions import sine_root
 from .._numbers import with_math
 from .._rules import (
     displacement_integral_beyond,
@@ -21,9 +21,28 @@ from .._rules import (
     force_integral_beyond,
     pressure_integral_beyond,
 )
+from .._special import tanh_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 @with_math

@@ -11,12 +11,30 @@ import numpy as np
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._functions import struve_h0, struve_h1
 from .._rules import displacement_integral_waves, pressure_integral_waves
+from .._special import struve_h0, struve_h1
 from .._waves import inverse_over_waves
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:

@@ -11,13 +11,20 @@ import numpy as np
 
 from .._domain import require, require_order
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio, lower_power
+from .._functions import lower_power
 from .._plane import even, odd
 from .._powers import power_pressure, power_strips
 from .._ring import outside_zero_pressure, ring_of_zero_pressure
+from .._special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = ["depth", "minimum_load", "pressure", "profile", "slope", "zero_distance"]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(x: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:

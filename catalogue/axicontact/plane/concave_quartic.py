@@ -16,6 +16,12 @@ from .._plane import even, odd
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["depth", "minimum_load", "pressure", "profile", "slope", "zero_distance"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(x: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Profile f(x) of the indenter.

@@ -16,6 +16,12 @@ from .._plane import even, require_eccentricity, turned
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["contact_width", "pressure", "tilt"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def pressure(x: ArrayLike, P: ArrayLike, *, a: ArrayLike, e: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.

@@ -11,12 +11,19 @@ import numpy as np
 
 from .._domain import require
 from .._elementwise import Array, Result, elementwise
-from .._functions import gamma_ratio, lower_power, nth_root
+from .._functions import lower_power, nth_root
 from .._plane import even, odd
 from .._powers import power_pressure, power_strips
+from .._special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = ["depth", "half_width_from_load", "load", "pressure", "profile", "slope"]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(x: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:

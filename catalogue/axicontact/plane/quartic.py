@@ -16,6 +16,12 @@ from .._plane import even, odd
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["depth", "half_width_from_load", "load", "pressure", "profile", "slope"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(x: ArrayLike, *, A: ArrayLike) -> Result:
     """Profile f(x) of the indenter.

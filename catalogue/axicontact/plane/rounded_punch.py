@@ -18,6 +18,12 @@ from .._rules import pressure_integral_beyond
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["depth", "half_width_from_load", "load", "pressure", "profile", "slope"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(x: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(x) of the indenter.

@@ -15,6 +15,12 @@ from ..normal import concave_quartic as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["step_force_kelvin_voigt", "step_force_maxwell", "step_force_power_creep", "step_force_standard_solid"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def step_force_maxwell(
     t: ArrayLike, *, d: ArrayLike, a: ArrayLike, h: ArrayLike, E: ArrayLike, tau: ArrayLike

@@ -26,6 +26,21 @@ from ..normal import flat_punch as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "ramp_force_kelvin_voigt",
+    "ramp_force_maxwell",
+    "ramp_force_power_creep",
+    "ramp_force_standard_solid",
+    "step_force_kelvin_voigt",
+    "step_force_maxwell",
+    "step_force_power_creep",
+    "step_force_standard_solid",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def ramp_force_maxwell(t: ArrayLike, *, a: ArrayLike, v: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.

@@ -30,6 +30,25 @@ from ..normal import sextic as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "ramp_force_kelvin_voigt",
+    "ramp_force_maxwell",
+    "ramp_force_power_creep",
+    "ramp_force_standard_solid",
+    "step_force_kelvin_voigt",
+    "step_force_maxwell",
+    "step_force_power_creep",
+    "step_force_standard_solid",
+    "step_load_radius_kelvin_voigt",
+    "step_load_radius_maxwell",
+    "step_load_radius_power_creep",
+    "step_load_radius_standard_solid",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def ramp_force_maxwell(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
     """Normal force at time t on a Maxwell fluid, indented at the constant speed v.

@@ -24,6 +24,21 @@ from ..normal import truncated_paraboloid as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "step_force_kelvin_voigt",
+    "step_force_maxwell",
+    "step_force_power_creep",
+    "step_force_standard_solid",
+    "step_load_radius_kelvin_voigt",
+    "step_load_radius_maxwell",
+    "step_load_radius_power_creep",
+    "step_load_radius_standard_solid",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def step_force_maxwell(
     t: ArrayLike, *, d: ArrayLike, R: ArrayLike, b: ArrayLike, E: ArrayLike, tau: ArrayLike

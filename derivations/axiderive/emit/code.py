@@ -46,8 +46,8 @@ def _code(expr: sp.Expr) -> tuple[str, int]:
         return str(int(expr)), ATOM if expr >= 0 else SUM
     if expr.is_Float:
         return repr(float(expr)), ATOM
-    if expr is sp.pi:
-        return "np.pi", ATOM
+    if expr is sp.pi or expr is sp.E:
+        return f"np.{'pi' if expr is sp.pi else 'e'}", ATOM
     if expr.is_Symbol:
         return str(expr.name), ATOM
     if expr.is_Add:

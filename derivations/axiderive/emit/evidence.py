@@ -44,6 +44,7 @@ def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, An
     return {
         "suffix": entry.key[len(profile_id) + 1 :],
         "certified": bool(record.get("certified")),
+        "twice": bool(record.get("twice", {}).get("shown")),
         "cells": [_agreement(by_kind[kind]) for kind in KINDS],
         "evaluation": _evaluation(measured) if measured else [],
         "ruled": measured.get("form") == "rule",

@@ -19,7 +19,7 @@ from .code import python
 from .layers import closed, radius_text, reach, text
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
-from .vocabulary import HELPERS
+from .vocabulary import HELPERS_OF
 
 COUNT = 64
 """Nodes over a closed g'."""
@@ -54,7 +54,7 @@ def library_source(
         "import numpy as np",
         "",
         "from .._elementwise import Array",
-        f"from .._functions import {', '.join(HELPERS)}",
+        *(f"from ..{module} import {', '.join(names)}" for module, names in HELPERS_OF.items()),
         "from .._integrals import difference_root",
         "from .._inverse import inverse",
         "from .._over_profile import over_profile, pressure_over_profile",

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from .layout import LINE
 from .private import Private, PrivateFunctions
-from .vocabulary import HELPERS
+from .vocabulary import HELPERS_OF
 
 RUNTIME = Path(__file__).with_name("runtime")
 
@@ -39,6 +41,18 @@ class ModuleText:
     imports: list[str] = field(default_factory=list)
     public: list[Public] = field(default_factory=list)
     private: list[dict[str, object]] = field(default_factory=list)
+
+    @property
+    def interface(self) -> list[str]:
+        return interface([re.match(r"def (\w+)", function.signature)[1] for function in self.public])  # type: ignore[index]
+
+
+def interface(functions: Sequence[str]) -> list[str]:
+    """The lines that say what a module is there for: its public functions, for `import *` and for `dir`."""
+    names = [f'"{name}"' for name in sorted(functions)]
+    line = f"__all__ = [{', '.join(names)}]"
+    listed = [line] if len(line) <= LINE else ["__all__ = [", *(f"    {name}," for name in names), "]"]
+    return [*listed, "", "", "def __dir__() -> list[str]:", "    return __all__"]
 
 
 def is_used(private: Private, module: ModuleText, functions: PrivateFunctions) -> bool:
@@ -80,9 +94,7 @@ def imports(module: ModuleText) -> list[str]:
     if domain:
         blocks.append(f"from .._domain import {', '.join(domain)}")
     blocks.append("from .._elementwise import Array, Result, elementwise")
-    helpers = [name for name in HELPERS if f"{name}(" in text]
-    if helpers:
-        blocks.append(f"from .._functions import {', '.join(helpers)}")
+    blocks += _helpers("_functions", text)
     if "difference_root(" in text:
         blocks.append("from .._integrals import difference_root")
     roots = [name for name in ("inverse", "inverse_below") if f"{name}(" in text]
@@ -106,7 +118,20 @@ def imports(module: ModuleText) -> list[str]:
         line = f"from .._rules import {', '.join(rules)}"
         split = ["from .._rules import (", *(f"    {rule}," for rule in rules), ")"]
         blocks += [line] if len(line) <= 120 else split
-    return [*blocks, *starts, *waves, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
+    return [
+        *blocks,
+        *_helpers("_special", text),
+        *starts,
+        *waves,
+        "",
+        "if TYPE_CHECKING:",
+        "    from numpy.typing import ArrayLike",
+    ]
+
+
+def _helpers(source: str, text: str) -> list[str]:
+    names = [name for name in HELPERS_OF[source] if f"{name}(" in text]
+    return [f"from ..{source} import {', '.join(names)}"] if names else []
 
 
 @cache

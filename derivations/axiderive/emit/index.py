@@ -11,6 +11,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..contact import systems
+from ..records import profile_record
 from .matrix import matrix
 from .ranges import regions
 from .rows import row
@@ -62,8 +63,9 @@ def index_record(
 
 
 def evidence_record(problem: Problem, records: Mapping[str, Any], evidence: Mapping[str, Any]) -> dict[str, Any]:
-    """Everything stored about one problem: the entries as `check` reads them, and what was found about them."""
-    return {"format": FORMAT, "problem": problem.key, "evidence": evidence, "entries": records}
+    """All that is stored of one problem: the entries as `check` and `verify` read them, and what was found of them."""
+    profile = profile_record(problem.profile)
+    return {"format": FORMAT, "problem": problem.key, "evidence": evidence, "profile": profile, "entries": records}
 
 
 def _count(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Entry]], system: System) -> int:

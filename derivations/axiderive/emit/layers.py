@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 import sympy as sp
@@ -23,13 +23,34 @@ LEAST_POWER = sp.Rational(1, 12)
 
 def reach(layers: Iterable[Layer], start: sp.Expr) -> str:
     """How far a rule goes towards a start where f is a power below 1 of the distance, as its last argument."""
-    shapes = (beyond(layer.shape, start) for layer in layers if layer.start == start)
-    powers = [p for shape in shapes for p in shape.atoms(sp.Pow) if p.base in (r, excess)]
-    if any(not p.exp.is_number for p in powers):
-        least = LEAST_POWER
-    else:
-        least = min((p.exp for p in powers if p.exp > 0), default=sp.S.One)
+    least = least_power(layers, start)
     return "" if least >= 1 else f", {_far(least):.1f}"
+
+
+def least_power(layers: Iterable[Layer], start: sp.Expr) -> sp.Expr:
+    """The least power of the distance from a start in what begins there, 1 if all are larger."""
+    shapes = (beyond(layer.shape, start) for layer in layers if layer.start == start)
+    powers = [power for shape in shapes for power in _powers(shape)]
+    if any(not power.is_number for power in powers):
+        return LEAST_POWER
+    return min((power for power in powers if power > 0), default=sp.S.One)
+
+
+def _powers(expr: sp.Expr) -> Iterator[sp.Expr]:
+    """Powers of the distance that an expression has, those behind a root of what vanishes at the start too."""
+    for power in expr.atoms(sp.Pow):
+        place = next((symbol for symbol in (r, excess) if power.base.has(symbol)), None)
+        if power.base == place:
+            yield power.exp
+        elif place is not None and not power.exp.is_Integer and sp.expand(power.base.subs(place, 0)) == 0:
+            yield power.exp * _order(power.base, place)
+
+
+def _order(base: sp.Expr, place: sp.Symbol) -> sp.Expr:
+    """The least power of a base that vanishes."""
+    if base.is_polynomial(place):
+        return sp.Integer(min(power for (power,) in sp.Poly(base, place).monoms()))
+    return min((power for power in (sp.S.One, *_powers(base)) if power.is_positive), default=sp.S.One)
 
 
 def _far(power: sp.Expr) -> float:

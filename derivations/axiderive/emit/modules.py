@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 
+import sympy as sp
+
 from ..contact import systems
 from ..entry import Entry
 from ..notation import coefficients, e
 from . import graded, physics, plane, python
 from .private import parameter_name
 from .public import PACKAGE
-from .symbols import symbols_source
+from .symbols import symbols_sources
 
 Derived = Mapping[str, Mapping[str, Entry]]
 """Entries by key of the problem and suffix."""
@@ -28,7 +30,8 @@ def package_sources(derived: Derived) -> dict[str, str]:
     files |= physics.module_sources(families, normal_texts)
     files |= graded.module_sources(families["graded.normal"], families)
     files |= plane.module_sources(families["plane"])
-    files[f"{PACKAGE}/_symbols.py"] = symbols_source(parameter_names(derived))
+    tables = symbols_sources(parameter_names(derived), _arguments(derived))
+    files |= {f"{PACKAGE}/{name}": text for name, text in tables.items()}
     files[f"{PACKAGE}/__init__.py"] = python.package_source(_packages(files))
     return files
 
@@ -44,6 +47,12 @@ def parameter_names(derived: Derived) -> set[str]:
             held = entry.quantity.arguments[1:] if loaded else ()
             found |= {parameter_name(symbol) for symbol in (*entry.parameters, *held) if symbol not in unbound}
     return found
+
+
+def _arguments(derived: Derived) -> set[sp.Symbol | sp.IndexedBase]:
+    """The symbols of all fields and parameters."""
+    every = [entry for entries in derived.values() for entry in entries.values()]
+    return {symbol for entry in every for symbol in (*entry.quantity.arguments, *entry.parameters)}
 
 
 def _packages(paths: Iterable[str]) -> list[str]:

@@ -73,7 +73,7 @@ def source_of(entry: Entry, entries: Mapping[str, Entry] | None = None) -> str:
             text += "\n" + "\n".join(str(line) for line in function["lines"])  # type: ignore[attr-defined]
     part = ModuleText(module.title, module.text, [], public, private)
     whole = _environment().get_template("module.py.j2").render(module=part)
-    return whole[whole.index("def ") :]
+    return whole[whole.index(f"def {name}(") :]
 
 
 def _module(entries: Mapping[str, Entry]) -> ModuleText:

@@ -62,7 +62,8 @@ def matrix_tables(found: Mapping[str, Any]) -> str:
     others = [["profile", "formulas"]]
     others += [[f"`{p}`", *cells.values()] for p, cells in found["profiles"].items() if names[0] not in cells]
     legend = "; ".join(f"{sign} {text}" for sign, text in found["legend"].items())
-    return "\n\n".join([f"{legend}.", _table(rows), _table(others)])
+    sentences = [f"{found['twice']}."] if found.get("twice") else []
+    return "\n\n".join([f"{legend}.", _table(rows), _table(others), *sentences])
 
 
 def timing_table(measured: Mapping[str, Any]) -> str:

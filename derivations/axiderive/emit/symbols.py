@@ -1,4 +1,4 @@
-"""The table of parameters and their domains behind `require`, read off the notation."""
+"""The tables of parameters and their domains behind `require`, read off the notation."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from .. import notation as nt
-from ..letters import LETTERS
+from ..letters import LETTERS, name_of
 from . import layout
 
 INSTEAD = {
@@ -23,19 +23,16 @@ INSTEAD = {
 LOADED = {nt.d: "d >= 0", nt.F: "F >= 0"}
 """A field elsewhere, and where it is a parameter it may be zero."""
 
-HEAD = '''"""Domains and meanings of the keyword parameters."""
+HEAD = '''"""Domains of the keyword parameters in words, and the units of all arguments: what messages need."""
 
 from __future__ import annotations
 
-from math import inf
 from typing import NamedTuple
 
 
 class Domain(NamedTuple):
-    """Where a parameter may lie, in numbers and in words, and what the parameter is."""
+    """Where a parameter may lie, and what it is."""
 
-    low: float
-    high: float
     rule: str
     meaning: str
     closed: str = ""
@@ -47,6 +44,14 @@ class Domain(NamedTuple):
 
 
 SYMBOLS = {
+'''
+INTERVALS = '''"""Domains of the keyword parameters in numbers."""
+
+from __future__ import annotations
+
+from math import inf
+
+INSIDE = {
 '''
 
 
@@ -71,20 +76,42 @@ def key_of(symbol: sp.Symbol, name: str) -> str:
     return f"{symbol}={name}" if symbol in LETTERS else f"{name}={name}"
 
 
-def symbols_source(names: Iterable[str]) -> str:
-    """The text of `_symbols.py` for the parameters of these names in the notation."""
+def symbols_sources(names: Iterable[str], arguments: Iterable[sp.Symbol | sp.IndexedBase] = ()) -> dict[str, str]:
+    """The texts of `_symbols.py` and `_intervals.py` for the parameters of these names in the notation.
+
+    They are apart because every import needs the numbers, and the words are for messages.
+    """
     wanted = set(names)
-    rows = [line for record in nt.all_notation() if record.name in wanted for line in _row(record)]
-    return HEAD + "\n".join([*rows, "}", ""])
+    records = [record for record in nt.all_notation() if record.name in wanted]
+    words = [line for record in records for line in _row(record)]
+    intervals = [f'    "{record.name}": ({", ".join(bounds(_domain(record))[:2])}),' for record in records]
+    return {
+        "_symbols.py": HEAD + "\n".join([*words, "}", *_units(set(arguments)), ""]),
+        "_intervals.py": INTERVALS + "\n".join([*intervals, "}", ""]),
+    }
+
+
+def _units(arguments: set[sp.Symbol | sp.IndexedBase]) -> list[str]:
+    """Of a letter with two meanings, a length and an exponent, there is no unit to be told."""
+    units: dict[str, set[str]] = {}
+    for record in nt.all_notation():
+        if record.symbol in arguments:
+            units.setdefault(name_of(record.symbol), set()).add(record.unit)
+    rows = [f'    "{letter}": "{unit}",' for letter, (unit, *others) in units.items() if not others]
+    return ["UNITS = {", *rows, "}", '"""Units of the arguments, by their letters in the interface."""']
 
 
 def _row(record: nt.Notation) -> list[str]:
-    domain = LOADED.get(record.symbol, record.domain)
-    low, high, closed = bounds(domain)
+    domain = _domain(record)
+    closed = bounds(domain)[2]
     unit = "" if record.unit == "1" else f", in {record.unit}"
-    parts = [low, high, f'"{domain}"', f'"{record.meaning}{unit}"']
+    parts = [f'"{domain}"', f'"{record.meaning}{unit}"']
     instead, letter = INSTEAD.get(record.symbol, ""), LETTERS.get(record.symbol, "")
     named = {"closed": closed, "instead": instead, "letter": letter}
     parts += [f'{name}="{text}"' for name, text in named.items() if text]
     lines = layout.call(f'"{record.name}": Domain', parts, "),")
     return ["    " + line for line in lines]
+
+
+def _domain(record: nt.Notation) -> str:
+    return LOADED.get(record.symbol, record.domain)

@@ -15,10 +15,12 @@ from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import parse
 from ..contact import normal
+from ..contact.general import layers
 from ..contact.medium import GRADED, HOMOGENEOUS
 from ..emit import python
 from ..emit.example import number
 from ..emit.general import library_source
+from ..emit.layers import least_power
 from ..entry import Entry
 from ..notation import a, r
 from ..profiles.profile import Profile, Sketch
@@ -90,7 +92,16 @@ class Answer:
         if entry.status != "integral":
             return "solved by iteration"
         nested = any(i.function.has(sp.Integral) for c in entry.cases for i in c.expr.atoms(sp.Integral))
-        return "one regular integral over g'(t), itself an integral" if nested else "one regular integral"
+        # the force weighs the slope with r**2
+        gentle = self._gentle or suffix in ("F", "pm")
+        kind = "one regular integral" if gentle else "one integral, infinite but integrable at one end,"
+        return f"{kind} over g'(t), itself an integral" if nested else kind.rstrip(",")
+
+    @property
+    def _gentle(self) -> bool:
+        """Whether the slope is finite at the tip and at every break; that of sqrt(r**2 + 2*r*s) is not."""
+        found = layers(self.profile)
+        return all(least_power(found, layer.start) >= 1 for layer in found)
 
     @property
     def told(self) -> str:

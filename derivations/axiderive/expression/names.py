@@ -27,7 +27,6 @@ RESULTS = frozenset(
         "H_x",
         "F_x",
         "P",
-        "L",
         "x_zero",
         "slope",
         "tilt",
@@ -86,7 +85,6 @@ INTERNAL = frozenset(
         "face",
         "edge",
         "j",
-        "N",
         "C",
         "e",
         "i",
@@ -125,6 +123,9 @@ INTERNAL = frozenset(
     ]
 )
 """Names of the generated code and of integration variables."""
+NO_REALS = {"nan": "no number", "oo": "infinity", "inf": "infinity", "infinity": "infinity",
+            "zoo": "infinity", "i": "the imaginary unit"}  # fmt: skip
+"""What is read as something else than a length, in lower case."""
 FUNCTIONS = ("Max", "Piecewise", "sqrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "asinh", "atan")
 
 
@@ -134,6 +135,9 @@ def refusal(name: str) -> str:
         return (
             f"{name[:40]!r} is no name of a parameter; use a letter, then at most 9 letters or digits, as b2 or h_tip"
         )
+    meaning = NO_REALS.get(name.lower())
+    if meaning and name != "i":
+        return f"{name} stands for {meaning}, but f(r) is real and finite; write a number, or a parameter as {name}1"
     if name in FUNCTIONS:
         return f"{name} is a function; write {name}(...) or give the parameter another name"
     if name in RESULTS:

@@ -19,7 +19,7 @@ from ..notation import F, a, a_c, d, dgamma, n
 from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
-from .statement import Rule, paired, require_zero
+from .statement import Rule, closed, paired, require_regions, require_zero
 
 PUNCH = {
     "d": lambda medium: sp.S.One,
@@ -41,10 +41,10 @@ class Adhesive:
 
     def retraction(self) -> list[str]:
         """Griffith: the energy released equals the work of separation."""
-        (case,) = self.entries["Dl"].cases
-        domain = self.normal.domain((a,))
+        require_regions(self.entries["Dl"], ((a,),))
+        (case,), domain = self.entries["Dl"].cases, self.normal.domain((a,))
         gap = self.medium.modulus * a**self.medium.k * case.expr**2 - 2 * sp.pi * a * dgamma
-        if case.chain != (a,) or sign(case.expr, domain) <= 0:
+        if sign(case.expr, domain) <= 0:
             message = "the retraction is not shown to be positive"
             raise NotProvedError(message)
         return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
@@ -55,8 +55,9 @@ class Adhesive:
         unit = PUNCH[suffix](self.medium)
         for case, own in paired(entry, plain):
             domain = self.normal.domain(case.chain)
-            # integrals that both sides share cancel as they stand
-            gap = sp.expand(case.expr - own.expr) + unit * shift.expr
+            # integrals that both sides share are numbers here
+            shared = {integral: sp.Dummy("integral") for integral in own.expr.atoms(sp.Integral)}
+            gap = (case.expr - own.expr).xreplace(shared) + unit * shift.expr
             steps.append(require_zero(gap, domain, f"{suffix} = {plain.key} - flat punch of unit depth times Dl"))
         return steps
 
@@ -66,9 +67,7 @@ class Adhesive:
         The work of separation is written as the share s^2, 0 < s < 1, of the one that a contact of radius a can carry.
         """
         source, value = STABLE[suffix]
-        if self.entries[suffix].status == "root":
-            message = f"{self.entries[suffix].key} is the root of an equation"
-            raise NotProvedError(message)
+        require_regions(closed(self.entries[suffix]), ((),))
         ((regime, level),) = self.stationary({"F": "force", "d": "depth"}[source])
         ((inverse,), (forward,)) = self.entries[suffix].cases, self.entries[source].cases
         domain = Domain(*self.normal.domain(regime.chain).chains(), (SHARE, 1))
@@ -77,7 +76,7 @@ class Adhesive:
             sp.powdenest(sp.expand_power_base(forward.expr.subs(dgamma, work), force=True), force=True)
         )
         found = inverse.expr.subs({value: given, dgamma: work}, simultaneous=True)
-        if inverse.chain or sign(level, domain) <= 0:
+        if sign(level, domain) <= 0:
             message = f"{self.entries[suffix].key} is not shown to be the stable branch"
             raise NotProvedError(message)
         statement = f"{suffix}({source}(a)) = a for 2 pi a dgamma = s^2 c_N(a) Dl_c^2, s < 1"
@@ -96,17 +95,19 @@ class Adhesive:
         name = CONTROLS[control][0]
         entry, regimes = self.entries[name], self.stationary(control)
         if entry.status == "closed":
+            require_regions(entry, ((),))
             (case,), ((regime, level),) = entry.cases, regimes
             return self._closed_radius(case, regime, level, control)
         steps = self.retraction()
         (shift,) = self.entries["Dl"].cases
-        chains = [tuple(length.subs(a, a_c) for length in regime.chain) for regime, _ in regimes]
-        if [case.chain for case in entry.cases] != chains:
-            message = f"the cases of {entry.key} are not the regimes of the contact"
-            raise NotProvedError(message)
-        for case, (regime, level) in zip(entry.cases, regimes, strict=True):
+        own = {_moved(regime.chain): (regime, level) for regime, level in regimes}
+        require_regions(entry, tuple(own))
+        for case in entry.cases:
+            regime, level = own[case.chain]
             domain = self.normal.domain(regime.chain)
-            equation = (case.expr.lhs - case.expr.rhs).subs(a_c, a)
+            sides = case.expr.subs(a_c, a)
+            require_analytic(sides.lhs, domain)
+            equation = sides.lhs - sides.rhs
             weight = self._number(control) / (2 * a)
             gap = equation - weight * (level - shift.expr)
             steps.append(require_zero(gap, domain, f"the equation is that of a stationary {control}"))
@@ -120,10 +121,9 @@ class Adhesive:
     def _closed_radius(self, case: Case, regime: Case, level: sp.Expr, control: str) -> list[str]:
         domain, k = self._steep(regime.chain), self.medium.k
         rise = normal(a * sp.diff(level, a) / level, domain) - (1 - k) / 2
-        if case.chain or sign(level, domain) <= 0 or sign(rise, domain) <= 0:
+        if sign(level, domain) <= 0 or sign(rise, domain) <= 0:
             message = f"the {control} is not shown to have a minimum"
             raise NotProvedError(message)
-        require_analytic(case.expr, domain)
         if sign(case.expr, domain) <= 0:
             message = f"{case.expr} is not shown to be positive"
             raise NotProvedError(message)
@@ -147,7 +147,7 @@ class Adhesive:
             (plain,) = (own for own in self.normal.entry(suffix).cases if own.chain == regime.chain)
             reduced = plain.expr - unit * level
             if case.chain:
-                if case.chain != tuple(length.subs(a, a_c) for length in regime.chain):
+                if case.chain != _moved(regime.chain):
                     message = f"the cases of {entry.key} are not the regimes of the contact"
                     raise NotProvedError(message)
                 gap = case.expr.subs(a_c, a) - reduced
@@ -157,6 +157,11 @@ class Adhesive:
             statement = f"{entry.suffix} = {suffix} at {radius}, with the retraction of a stationary {control}"
             steps.append(require_zero(gap, domain, statement))
         return steps
+
+
+def _moved(chain: Chain) -> Chain:
+    """The radius at pull-off for that of the contact."""
+    return tuple(length.subs(a, a_c) for length in chain)
 
 
 def _pull_off_rules() -> dict[str, Rule]:

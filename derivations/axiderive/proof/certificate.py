@@ -18,10 +18,11 @@ from ..entry import Entry
 from ..notation import F, d
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import adhesive, detachment, graded, loads, materials, tangential, viscoelastic
+from . import adhesive, detachment, frame, graded, loads, materials, tangential, viscoelastic
 from .compact import Compact
 from .complete import Complete
 from .domain import NotProvedError
+from .frame import Frames
 from .statement import Rule
 
 COMPACT: dict[str, Rule] = {
@@ -49,9 +50,10 @@ COMPLETE: dict[str, Rule] = {
 }
 
 
-ABOVE: dict[str, tuple[Callable[[Any, dict[str, Entry]], Any], dict[str, Rule]]] = {
-    adhesive.GROUP: (adhesive.Adhesive, adhesive.RULES),
-    tangential.GROUP: (tangential.Tangential, tangential.RULES),
+Above = tuple[Callable[[Any, dict[str, Entry]], Any], dict[str, Rule], Callable[[Profile, Medium], Frames]]
+ABOVE: dict[str, Above] = {
+    adhesive.GROUP: (adhesive.Adhesive, adhesive.RULES, frame.adhering),
+    tangential.GROUP: (tangential.Tangential, tangential.RULES, frame.slipping),
 }
 
 
@@ -74,11 +76,12 @@ class Prover:
     def __init__(
         self,
         entries: dict[str, Entry],
+        frames: Frames,
         rules: dict[str, Rule],
         build: Callable[[], Any],
         plain: Prover | None = None,
     ) -> None:
-        self.entries, self.rules, self.build, self.plain = entries, rules, build, plain
+        self.entries, self.frames, self.rules, self.build, self.plain = entries, frames, rules, build, plain
         self.proof: Any = None
         self.done: dict[str, Certificate] = {}
 
@@ -97,6 +100,7 @@ class Prover:
             return Certificate(key, False, reason=reason)
         needed, rule = self.rules[suffix]
         try:
+            self.frames[suffix].require(self.entries[suffix])
             steps = tuple(dict.fromkeys(rule(self.built())))
         except NotProvedError as error:
             return Certificate(key, False, reason=str(error))
@@ -116,11 +120,14 @@ class Prover:
 
 def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) -> Prover:
     bounds: tuple[Chain, ...] = ()
+    stated, found = medium, entries
     if medium.k != 0:
-        entries, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
+        found, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
     if profile.contact == "compact":
-        return Prover(entries, COMPACT, lambda: Compact(profile, entries, medium, bounds))
-    return Prover(entries, COMPLETE, lambda: Complete(profile, entries, medium, bounds))
+        frames = frame.compact(profile, stated)
+        return Prover(entries, frames, COMPACT, lambda: Compact(profile, found, medium, bounds))
+    frames = frame.complete(profile, stated)
+    return Prover(entries, frames, COMPLETE, lambda: Complete(profile, found, medium, bounds))
 
 
 @functools.lru_cache(maxsize=4)
@@ -139,9 +146,9 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
     first, *groups = next(iter(entries.values())).key.split(".")[:-1]
     if isinstance(profile, Load):
-        return Prover(entries, loads.RULES, lambda: loads.Loads(profile, entries))
+        return Prover(entries, frame.pressed(profile), loads.RULES, lambda: loads.Loads(profile, entries))
     if first == materials.PROFILE.name:
-        return Prover(entries, materials.RULES, lambda: materials.Materials(entries))
+        return Prover(entries, frame.elastic(), materials.RULES, lambda: materials.Materials(entries))
     if first == "plane":
         message = "entries of a plane contact are certified by proof.plane"
         raise ValueError(message)
@@ -150,13 +157,14 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     if not kind:
         return _normal_prover(profile, entries, medium)
     plain = _derived(profile, medium)
-    if medium.k != 0:
-        entries = graded.shifted(entries)
+    found = graded.shifted(entries) if medium.k != 0 else entries
     if kind == viscoelastic.GROUP:
         rules = viscoelastic.rules(entries, plain.entries)
-        return Prover(entries, rules, lambda: viscoelastic.Viscoelastic(plain.built(), entries), plain)
-    statements, rules = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES)
-    return Prover(entries, rules, lambda: statements(plain.built(), entries), plain)
+        frames = frame.relaxing(profile)
+        return Prover(entries, frames, rules, lambda: viscoelastic.Viscoelastic(plain.built(), found), plain)
+    above = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES, frame.peeling)
+    statements, rules, stated = above
+    return Prover(entries, stated(profile, medium), rules, lambda: statements(plain.built(), found), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

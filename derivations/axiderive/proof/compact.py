@@ -6,6 +6,8 @@ radius, so that its derivative in a and one end value determine it.
 
 from __future__ import annotations
 
+import itertools
+
 import sympy as sp
 
 from ..abel.order import Chain, insert
@@ -14,9 +16,9 @@ from ..entry import Case, Entry, Primitive
 from ..notation import a, r, t, x
 from ..profiles.profile import Profile
 from .domain import Domain, NotProvedError
-from .functions import require_analytic, sign
+from .functions import require_analytic
 from .identity import at, is_zero, logarithmic
-from .statement import require_integral, require_zero, summand
+from .statement import closed, require_integral, require_regions, require_zero, summand
 
 
 class Compact:
@@ -43,12 +45,8 @@ class Compact:
         return self._domains[chain]
 
     def entry(self, suffix: str) -> Entry:
-        entry = self.entries[suffix]
-        if entry.status != "closed":
-            reasons = {"integral": "an integral without a known closed form", "root": "the root of an equation"}
-            message = f"{entry.key} is {reasons[entry.status]}"
-            raise NotProvedError(message)
-        return entry
+        """The closed entry of a quantity."""
+        return closed(self.entries[suffix])
 
     def depth_of(self, chain: Chain) -> sp.Expr:
         """g, or what else is the base, on the regime a chain belongs to."""
@@ -80,14 +78,14 @@ class Compact:
 
     def _by_antiderivatives(self, integrand: str) -> list[str]:
         entry, steps = self.entry(self.base), []
-        self._require_regimes(entry)
+        require_regions(entry, self._regimes())
         for case in entry.cases:
             primitives = entry.primitives.get(case.chain, ())
             domain, expr = self.domain(case.chain), summand(case.expr)
             require_analytic(expr, domain)
             rest = expr - sp.Add(*(self._increment(primitive, case.chain) for primitive in primitives))
-            for lower, upper, slope in self._intervals(case.chain):
-                missing = self._without_antiderivative(primitives, case.chain, (lower, upper), slope)
+            for lower, upper, face in self._intervals(case.chain):
+                missing = self._without_antiderivative(primitives, case.chain, (lower, upper), face)
                 if missing != 0:
                     steps.append(self._by_definition(rest, missing, case.chain))
                     break
@@ -97,33 +95,31 @@ class Compact:
                 steps.append(require_zero(rest, domain, statement))
         return steps
 
-    def _require_regimes(self, entry: Entry) -> None:
-        """A case for every place of a among the breaks; a truncated profile has none below its first break."""
-        breaks = self.profile.breaks
-        found = {tuple(b for b in breaks if b in case.chain and case.below(b, a)) for case in entry.cases}
-        wanted = {breaks[:i] for i in range(1 if self.profile.truncated else 0, len(breaks) + 1)}
-        if found != wanted:
-            message = f"the cases of {entry.key} do not cover every place of a among the breaks once"
-            raise NotProvedError(message)
+    def _regimes(self) -> tuple[Chain, ...]:
+        """Every place of a among the breaks; a truncated profile has none below its first break."""
+        fixed = self.profile.chain or self.profile.breaks
+        if a in fixed:
+            return (fixed,)
+        return tuple(insert(fixed, a, above=self.profile.breaks[0] if self.profile.truncated else None))
 
     def _intervals(self, chain: Chain) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
-        """The pieces of the profile inside the contact, with the slope in x."""
+        """The pieces of the profile inside the contact, in x."""
         inner = [b for b in self.profile.breaks if b in chain and chain.index(b) < chain.index(a)]
         ends = [sp.S.Zero, *inner, a]
-        slopes = (sp.diff(summand(piece.expr), r).subs(r, x) for piece in self.profile.pieces)
-        return list(zip(ends, ends[1:], slopes, strict=False))
+        faces = (summand(piece.expr).subs(r, x) for piece in self.profile.pieces)
+        return list(zip(ends, ends[1:], faces, strict=False))
 
     def _increment(self, primitive: Primitive, chain: Chain) -> sp.Expr:
-        inner = [upper for _, upper, _ in self._intervals(chain)]
-        if primitive.hi not in inner or primitive.lo not in [sp.S.Zero, *inner]:
+        ends = [sp.S.Zero, *(upper for _, upper, _ in self._intervals(chain))]
+        if (primitive.lo, primitive.hi) not in itertools.combinations(ends, 2):
             message = f"the antiderivative from {primitive.lo} to {primitive.hi} does not end at breaks of the profile"
             raise NotProvedError(message)
-        for point in inner:
+        for point in ends[1:]:
             at(primitive.expr, x, point)
         return at(primitive.expr, x, primitive.hi) - at(primitive.expr, x, primitive.lo)
 
     def _without_antiderivative(
-        self, primitives: tuple[Primitive, ...], chain: Chain, interval: tuple[sp.Expr, sp.Expr], slope: sp.Expr
+        self, primitives: tuple[Primitive, ...], chain: Chain, interval: tuple[sp.Expr, sp.Expr], face: sp.Expr
     ) -> sp.Expr:
         """What the antiderivatives leave of the integrand on one interval."""
         lower, upper = interval
@@ -133,7 +129,9 @@ class Compact:
         active = [
             p for p in primitives if order.index(p.lo) <= order.index(lower) and order.index(upper) <= order.index(p.hi)
         ]
-        integrand = self.integrand(slope)
+        # the integral of the slope is that of the face only where the face has no jump
+        require_analytic(face, domain)
+        integrand = self.integrand(sp.diff(face, x))
         for primitive in active:
             require_analytic(primitive.expr, domain)
             statement = f"d/dx ({primitive.expr}) = {primitive.integrand}"
@@ -163,10 +161,7 @@ class Compact:
 
     def _integral(self, suffix, derivative, statement, chains) -> list[str]:  # type: ignore[no-untyped-def]
         entry, steps = self.entry(suffix), []
-        wanted = {chain for regime in self.entry(self.base).cases for chain in chains(regime.chain)}
-        if {case.chain for case in entry.cases} != wanted or len(entry.cases) != len(wanted):
-            message = f"the cases of {entry.key} do not cover the regimes of {self.base} once"
-            raise NotProvedError(message)
+        require_regions(entry, tuple(chain for regime in self._regimes() for chain in chains(regime)))
         for case in entry.cases:
             domain, expr = self.domain(case.chain), summand(case.expr)
             require_analytic(expr, domain)
@@ -199,19 +194,19 @@ class Compact:
     # algebra on what is proved
 
     def stiffness(self) -> list[str]:
-        (case,), steps = self.entry("k").cases, []
+        entry, steps = self.entry("k"), []
+        require_regions(entry, ((a,),))
+        (case,) = entry.cases
         for regime in self.entry("F").cases:
             slopes = sp.diff(summand(regime.expr), a), sp.diff(self.depth_of(regime.chain), a)
             steps.append(require_zero(slopes[0] - case.expr * slopes[1], self.domain(regime.chain), "k g'(a) = dF/da"))
         return steps
 
     def mean_pressure(self) -> list[str]:
-        forces, steps = {case.chain: case.expr for case in self.entry("F").cases}, []
-        cases = self.entry("pm").cases
-        if [case.chain for case in cases] != list(forces):
-            message = "the cases of the mean pressure are not those of the force"
-            raise NotProvedError(message)
-        for case in cases:
+        entry, steps = self.entry("pm"), []
+        require_regions(entry, self._regimes())
+        forces = {case.chain: case.expr for case in self.entry("F").cases}
+        for case in entry.cases:
             gap = sp.pi * a**2 * summand(case.expr) - summand(forces[case.chain])
             steps.append(require_zero(gap, self.domain(case.chain), "pi a^2 p_mean = F"))
         return steps
@@ -220,18 +215,37 @@ class Compact:
         """An inverse or a composed formula: substituting the forward formula gives back a, d or F."""
         entry, steps = self.entry(suffix), []
         results = {case.chain: case.expr for case in self.entry(target).cases} if target else {}
-        for forward in self.entry(inner).cases:
+        # both in ascending order
+        forwards = sorted(self.entry(inner).cases, key=lambda case: case.chain.index(a))
+        for case, forward in zip(entry.cases, forwards, strict=True):
             domain, given = self.domain(forward.chain), forward.expr
-            case = self._case_for(entry, value, given, domain)
+            steps += self._range(case, value, forward)
             wanted = results[forward.chain] if target else a
             statement = f"{suffix}({inner}(a)) = {target + '(a)' if target else 'a'}"
             steps.append(require_zero(case.expr.subs(value, given) - wanted, domain, statement))
         return steps
 
-    def _case_for(self, entry: Entry, value: sp.Symbol, given: sp.Expr, domain: Domain) -> Case:
-        for case in entry.cases:
-            chain = [member.subs(value, given) for member in case.chain]
-            if all(sign(high - low, domain) > 0 for low, high in zip(chain, chain[1:], strict=False)):
-                return case
-        message = f"no case of {entry.key} is shown to hold where {value} = {given}"
-        raise NotProvedError(message)
+    def _range(self, case: Case, value: sp.Symbol, forward: Case) -> list[str]:
+        """The region of the inverse is the range of the forward formula, from one break to the next.
+
+        What has an inverse and is continuous is monotone, so that the values at both ends tell its range.
+        """
+        domain, given, place = self.domain(forward.chain), forward.expr, forward.chain.index(a)
+        region = case.chain or (value,)
+        at_value = region.index(value)
+        if at_value > 1:
+            message = f"{' < '.join(map(str, region))} is no range of {value}"
+            raise NotProvedError(message)
+        lower = forward.chain[place - 1] if place else sp.S.Zero
+        below = region[at_value - 1] if at_value else sp.S.Zero
+        gap = at(given, a, lower, domain) - below
+        statement = f"{value} = {below} at a = {lower}"
+        steps = [require_zero(gap, domain.at(a, lower), statement)]
+        above, beyond = region[at_value + 1 :], forward.chain[place + 1 :]
+        if len(above) != len(beyond[:1]):
+            message = f"the region of the inverse does not end where that of {value}(a) does"
+            raise NotProvedError(message)
+        for high, end in zip(above, beyond, strict=False):
+            gap = at(given, a, end, domain) - high
+            steps.append(require_zero(gap, domain.at(a, end), f"{value} = {high} at a = {end}"))
+        return steps

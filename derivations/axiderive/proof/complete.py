@@ -10,18 +10,21 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..abel.order import Chain
+from ..abel.order import Chain, insert
 from ..contact.medium import HOMOGENEOUS, Medium
 from ..contact.normal import derive
 from ..entry import Case, Entry
-from ..notation import C, F, P, a, d, r, r_zero, x, x_zero
+from ..notation import C, F, P, a, c, d, r, r_zero, x, x_zero
 from ..profiles.profile import Piece, Profile
 from . import plane_threshold
 from .compact import Compact
-from .domain import Domain, NotProvedError
-from .functions import canonical, normal, require_analytic, sign, tower
+from .domain import Domain
+from .functions import canonical, normal, require_analytic
 from .identity import at
-from .statement import require_zero
+from .statement import closed, require_regions, require_zero
+
+REGIONS: dict[str, Chain] = {"F": (a,), "p": (r, a), "w": (a, r), "k": (a,), "dF": (a,)}
+"""Where the formulas of complete contact hold."""
 
 
 class Complete:
@@ -60,28 +63,31 @@ class Complete:
 
     def _fixed(self, suffix: str) -> tuple[sp.Expr, list[str]]:
         """The formula of complete contact for a fixed face, and that the entry gives it with C = h/a^n."""
-        entry = self._closed(suffix)
+        entry = closed(self.entries[suffix])
         (fixed,) = entry.fixed_face
-        if fixed.chain not in ((a,), (r, a), (a, r)):
-            message = f"{' < '.join(map(str, fixed.chain))} is not the region of complete contact"
-            raise NotProvedError(message)
-        steps, domain = self.face(), self.domain(fixed.chain)
+        before, after = self._regions(suffix)
+        require_regions(entry, before + after)
+        steps, domain = self.face(), self.domain(REGIONS[suffix])
         require_analytic(fixed.expr, domain)
-        after = [case for case in entry.cases if not self._before(case)]
-        if not after:
-            message = f"{entry.key} has no case of complete contact"
-            raise NotProvedError(message)
-        for case in after:
+        for case in (case for case in entry.cases if case.chain in after):
             gap = fixed.expr.subs(C, self.coefficient) - case.expr
             steps = [*steps, require_zero(gap, domain, f"{suffix} is the formula of the fixed face")]
-        return fixed.expr, steps + self._partial(suffix, entry)
+        return fixed.expr, steps + self._partial(suffix, [case for case in entry.cases if case.chain in before])
 
-    def _closed(self, suffix: str) -> Entry:
-        entry = self.entries[suffix]
-        if entry.status != "closed":
-            message = f"{entry.key} is the root of an equation"
-            raise NotProvedError(message)
-        return entry
+    def _regions(self, suffix: str) -> tuple[tuple[Chain, ...], tuple[Chain, ...]]:
+        """Before the edge is reached and after: its radius, or its force, is the smaller one; r may be anywhere."""
+        own = REGIONS[suffix]
+        if self.concave or self.profile.pieces[0].expr == 0:
+            return (), (own,)
+        if suffix == "dF":
+            reached = self.compact.entry("F").cases[0].expr
+            return ((F, reached),), ((reached, F),)
+        radius = self.compact.entry("ad").cases[0].expr
+        inner = (r,) if own == (r, a) else ()
+        before, after = (*inner, radius, a), (*inner, a, radius)
+        if own != (a, r):
+            return (before,), (after,)
+        return tuple(insert(before, r, above=radius)), tuple(insert(after, r, above=a))
 
     # the quantities
 
@@ -113,11 +119,10 @@ class Complete:
 
     def stiffness(self) -> list[str]:
         _, steps = self._fixed("k")
-        for case, force in zip(self.entries["k"].cases, self.entries["F"].cases, strict=True):
-            if case.chain != force.chain:
-                message = "the cases of the stiffness are not those of the force"
-                raise NotProvedError(message)
-            steps = [*steps, require_zero(case.expr - sp.diff(force.expr, d), self.domain((a,)), "k = dF/dd")]
+        forces = {case.chain: case.expr for case in self.entries["F"].cases}
+        for case in self.entries["k"].cases:
+            gap = case.expr - sp.diff(forces[case.chain], d)
+            steps = [*steps, require_zero(gap, self.domain((a,)), "k = dF/dd")]
         return steps
 
     def depth_from_force(self) -> list[str]:
@@ -127,31 +132,21 @@ class Complete:
 
     # before the edge is reached
 
-    def _before(self, case: Case) -> bool:
-        """Whether the contact has not reached the edge: its radius, or its force, is the smaller one."""
-        inner = [member for member in case.chain if member not in (r, a)]
-        if not inner:
-            return False
-        return case.chain[0] == F if F in case.chain else case.below(inner[0], a)
-
-    def _partial(self, suffix: str, entry: Entry) -> list[str]:
+    def _partial(self, suffix: str, before: list[Case]) -> list[str]:
         """Cases before the edge is reached are those of the unbounded profile, with its contact radius."""
-        before = [case for case in entry.cases if self._before(case)]
-        if len(entry.cases) == 1 and not before:
+        if not before:
             return []
         radius = self.compact.entry("ad").cases[0].expr
-        reached = self.compact.entry("F").cases[0].expr
+        depth, force = (self.compact.entry(name).cases[0].expr.subs(a, c) for name in ("d", "F"))
         steps = self.compact.composition("ad", d, "d", None) + self._unbounded(suffix)
-        source = self.compact.entry(suffix).cases[0]
-        wanted = source.expr if suffix == "dF" else source.expr.subs(a, radius)
-        switch = {reached if suffix == "dF" else radius}
-        for case in entry.cases:
-            if set(case.chain) - {r, a, F} != switch or not before:
-                message = f"the cases of {entry.key} do not change where d = g(a)"
-                raise NotProvedError(message)
+        wanted = depth if suffix == "dF" else self.compact.entry(suffix).cases[0].expr.subs(a, c)
         statement = f"{suffix} is that of the unbounded profile until d = g(a)"
-        # equal as they stand: r, a and the current radius are not compared here
-        return steps + [require_zero(case.expr - wanted, self.domain(()), statement) for case in before]
+        for case in before:
+            place = (c, a) if suffix == "dF" else tuple(c if member == radius else member for member in case.chain)
+            # with the radius c of the contact in place of the depth, or the force, that belongs to it
+            gap = case.expr.subs({d: depth, F: force}, simultaneous=True) - wanted
+            steps.append(require_zero(gap, self.domain(place), statement))
+        return steps
 
     def _unbounded(self, suffix: str) -> list[str]:
         rules = {
@@ -170,38 +165,27 @@ class Complete:
 
     def minimum_depth(self) -> list[str]:
         """p >= 0 everywhere at d_min, p = 0 at r_0, and p grows with d."""
-        (least,) = self._closed("dmin").cases
+        least = self._alone("dmin")
         if least.expr.has(r_zero):
             return self._minimum_at_root(least.expr)
-        (ring,) = self._closed("rz").cases
-        (pressure,) = self._closed("p").cases
+        ring = self._alone("rz")
+        (pressure,) = closed(self.entries["p"]).cases
         domain, steps = self.domain((r, a)), self.pressure()
-        if sign(sp.diff(pressure.expr, d), domain) <= 0:
-            message = "p is not shown to grow with d"
-            raise NotProvedError(message)
         weighted = (a**2 - r**2) ** ((1 - self.medium.k) / 2) * pressure.expr.subs(d, least.expr)
-        arithmetic = tower(domain, weighted)
-        element = arithmetic.collect(arithmetic.convert(weighted))
-        if len(element) != 1:
-            message = "(a^2 - r^2)^((1-k)/2) p is not a polynomial in r"
-            raise NotProvedError(message)
-        ((_, polynomial),) = element.items()
-        unit, factors = arithmetic.factors(polynomial)
-        if unit < 0 or any(arithmetic.polynomial_sign(f) <= 0 and power % 2 for f, power in factors.items()):
-            message = "p >= 0 at d_min is not shown"
-            raise NotProvedError(message)
-        if not (
-            sign(a - ring.expr, self.domain((a,))) > 0 and (ring.expr == 0 or sign(ring.expr, self.domain((a,))) > 0)
-        ):
-            message = "0 <= r_0 < a is not shown"
-            raise NotProvedError(message)
-        steps += ["dp/dd > 0", "(a^2 - r^2)^((1-k)/2) p >= 0 at d = d_min: positive factors and squares"]
-        return [*steps, require_zero(at(weighted, r, ring.expr), self.domain((a,)), "p = 0 at d = d_min, r = r_0")]
+        # p grows with d: its part with d is the punch
+        steps.append("dp/dd > 0")
+        return steps + plane_threshold.by_squares(weighted, r, ring.expr, domain, self.domain((a,)))
+
+    def _alone(self, suffix: str) -> Case:
+        """The only case of what is asked of complete contact as a whole."""
+        entry = closed(self.entries[suffix])
+        require_regions(entry, ((a,),))
+        return entry.cases[0]
 
     def _minimum_at_root(self, least: sp.Expr) -> list[str]:
         """As for a concave strip, with r for x and d for P: the pressure of r^n has the degree n - 1 in both."""
         named = {r: x, d: P, r_zero: x_zero}
-        (face,), (pressure,) = self.compact.entry("p").cases, self._closed("p").cases
+        (face,), (pressure,) = self.compact.entry("p").cases, closed(self.entries["p"]).cases
         ring = self.entries["rz"]
         place = replace(ring, cases=tuple(replace(case, expr=case.expr.xreplace(named)) for case in ring.cases))
         growth = self.medium.pressure_scale * a * sp.diff(self.compact.depth_of((a,)), a)
@@ -209,12 +193,16 @@ class Complete:
         # below n = 1 - k the pressure in the middle has no bound, and no depth makes the contact complete
         domain = Domain((x, a), (1 - self.medium.k, exponent), *self.compact.bounds)
         shown = plane_threshold.by_root(face.expr.xreplace(named), growth, place, exponent, domain, self.medium.k)
-        shown += plane_threshold.at_root(pressure.expr.xreplace(named), least.xreplace(named), place, domain)
+        found = pressure.expr.xreplace(named), least.xreplace(named)
+        shown += plane_threshold.at_root(*found, place, exponent, domain, self.medium.k)
         return self.pressure() + self.compact.pressure() + [f"with x = r, P = d: {step}" for step in shown]
 
     def minimum_force(self) -> list[str]:
         steps = self.minimum_depth()
-        (least,), (force,) = self._closed("dmin").cases, self._closed("F").cases
-        (case,) = self._closed("Fmin").cases
-        gap = case.expr - force.expr.subs(d, least.expr)
-        return [*steps, *self.force(), require_zero(gap, self.domain((a,)), "F_min = F(d_min)")]
+        least, (force,), case = self._alone("dmin"), closed(self.entries["F"]).cases, self._alone("Fmin")
+        gap, domain = case.expr - force.expr.subs(d, least.expr), self.domain((a,))
+        if gap.has(r_zero):
+            k, exponent = self.medium.k, self._exponent(self.unbounded.pieces[0].expr)
+            gap = plane_threshold.on_the_ring(gap, r_zero, exponent, k)
+            domain = Domain((a,), (1 - k, exponent), (plane_threshold.SHARE, 1), *self.compact.bounds)
+        return [*steps, *self.force(), require_zero(gap, domain, "F_min = F(d_min)")]

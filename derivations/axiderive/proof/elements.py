@@ -172,7 +172,8 @@ class Elements:
     def polynomial_sign(self, polynomial: PolyElement) -> int:
         if polynomial not in self._signs:
             used = {s: f for s, f in self.functions.items() if polynomial.degree(self.ring(s)) > 0}
-            known = all(self._positive(function) for function in used.values())
+            plain = (s for s in self.ring.symbols if s not in self.functions and polynomial.degree(self.ring(s)) > 0)
+            known = all(s.is_positive for s in plain) and all(self._positive(function) for function in used.values())
             small = [self.ring(s) for s, f in used.items() if known and len(polynomial) > 1 and self._below_one(f)]
             stretched = functools.reduce(lambda f, s: stretched_to(f, s, sp.S.One), small, polynomial)
             self._signs[polynomial] = self.domain.sign(stretched) if known else 0

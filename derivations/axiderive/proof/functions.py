@@ -28,8 +28,12 @@ from .domain import Domain, NotProvedError
 from .elements import ONE, Element
 from .tower import Tower
 
-ODD = (sp.asin, sp.atan, sp.atanh, sp.sinh, sp.asinh, LegendreChi2, ArctanIntegral)
-ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, sp.besseli, ArctanIntegral, Dawson, StruveH, StruveL)
+ODD = sp.asin | sp.atan | sp.atanh | sp.sinh | sp.asinh | LegendreChi2 | ArctanIntegral
+PLAIN = (sp.Add, sp.Mul, sp.Pow, sp.Symbol, sp.Rational, sp.NumberSymbol, sp.Sum, sp.Tuple, sp.Indexed, sp.IndexedBase)
+"""What formulas are made of besides functions."""
+POSITIVE = sp.acos | sp.acosh | sp.gamma | C0 | IncompleteBeta
+"""Positive wherever they are real."""
+ENTIRE = (sp.atan, sp.asinh, sp.sinh, sp.exp, ArctanIntegral, Dawson)
 
 
 def tower(domain: Domain, *exprs: sp.Expr) -> Tower:
@@ -53,14 +57,13 @@ def sign(expr: sp.Expr, domain: Domain) -> int:
 
 
 def positive(function: sp.Expr, domain: Domain) -> bool:
-    """Whether a function with its arguments in range is positive on the whole domain."""
+    """Whether a function is shown to be real and positive on the whole domain."""
     if isinstance(function, sp.tan | sp.sin | sp.cos):
         return bool(function.args[0] == theta) or _in_first_arch(function, domain)
-    if isinstance(function, ODD):
-        return sign(function.args[0], domain) > 0
-    if isinstance(function, sp.gamma):
-        return sign(function.args[0], domain) > 0
-    return function == sp.pi or isinstance(function, sp.exp | sp.acos | sp.acosh | C0 | IncompleteBeta)
+    if function == sp.pi or isinstance(function, sp.exp):
+        return True
+    in_range = isinstance(function, ODD | POSITIVE) and all(sign(margin, domain) > 0 for margin in margins(function))
+    return in_range and (isinstance(function, POSITIVE) or sign(function.args[0], domain) > 0)
 
 
 def _in_first_arch(function: sp.Expr, domain: Domain) -> bool:
@@ -153,24 +156,28 @@ def require_analytic(expr: sp.Expr, domain: Domain) -> None:
     if key in domain.memo:
         return
     for node in sp.preorder_traversal(expr):
-        if node.is_Pow and not (node.exp.is_Integer and node.exp > 0) and not node.base.is_Number:
+        if not isinstance(node, PLAIN) and not node.is_Function:
+            message = f"{node} is no formula of real numbers"
+            raise NotProvedError(message)
+        if node.is_Pow and not (node.exp.is_Integer and node.exp > 0) and not node.base.is_positive:
             found = sign(node.base, domain)
             if found == 0 or (found < 0 and not node.exp.is_Integer):
                 message = f"{node.base} is not shown to be positive"
                 raise NotProvedError(message)
         elif node.is_Function and not isinstance(node, sp.Abs):
+            # the tower asks for the sign of every absolute value
             _require_range(node, domain)
     domain.memo[key] = True
 
 
 def _require_range(function: sp.Expr, domain: Domain) -> None:
-    for margin in _margins(function):
+    for margin in margins(function):
         if sign(margin, domain) <= 0:
             message = f"{margin} > 0, needed for {function}, is not shown"
             raise NotProvedError(message)
 
 
-def _margins(function: sp.Expr) -> tuple[sp.Expr, ...]:
+def margins(function: sp.Expr) -> tuple[sp.Expr, ...]:
     """What must be positive for the function to be real and analytic."""
     args = function.args
     if isinstance(function, ENTIRE):
@@ -184,13 +191,15 @@ def _margins(function: sp.Expr) -> tuple[sp.Expr, ...]:
     if isinstance(function, sp.elliptic_f | sp.elliptic_e):
         return (args[-1], 1 - args[-1])
     if isinstance(function, IncompleteBeta):
-        return (args[0], 1 - args[0], args[1])
+        return args[1:] if args[0] == 1 else (args[0], 1 - args[0], args[1])
     if isinstance(function, Hypergeometric):
         return (args[2], 1 - args[3])
-    if isinstance(function, Kummer):
+    if isinstance(function, Kummer | StruveH | StruveL | sp.besseli):
+        # of the last three the argument: their order need not be whole
         return (args[1],)
     if isinstance(function, CapMoment):
-        return (args[2] - args[1], args[3] - args[1])
+        # at the edge b = a it is that of the sphere
+        return (args[2] - args[1],) if args[3] == args[1] else (args[2] - args[1], args[3] - args[1])
     if isinstance(function, sp.elliptic_k):
         return (1 - args[0],)
     if isinstance(function, C0):

@@ -14,7 +14,7 @@ import sympy as sp
 from ..contact.adhesive import CONTROLS
 from ..contact.medium import Medium
 from ..entry import Case, Entry, Primitive
-from ..notation import E_star, F, F_x, G_star, H, H_x, a, a_c, c, d, k, mu
+from ..notation import E_star, F, F_x, G_star, H, H_x, a, a_c, c, d, k, mu, n
 from . import special
 from .compact import Compact
 from .complete import Complete
@@ -101,6 +101,12 @@ def _same_case(wanted: Entry, case: Case, found: sp.Expr, normal: Compact | Comp
     if gap.has(F_x) and gap.has(F):
         gap = gap.subs(F, F + F_x / mu)  # F_x < mu F as long as the contact sticks
     domain = normal.domain(tuple(length.subs(a_c, a) for length in case.chain if length.is_Symbol))
+    if (
+        isinstance(normal, Compact)
+        and n in wanted.parameters
+        and any(wanted.suffix in names for names in CONTROLS.values())
+    ):
+        domain = Domain(*domain.chains(), (sp.S.Half, n))  # a sharper profile has no pull-off
     for current in (length for length in case.chain if length.has(d)):
         # the contact radius c before the edge is reached, a power of d
         factor, power = current.as_independent(d, as_Add=False)

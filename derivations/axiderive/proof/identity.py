@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..abel.masters import IncompleteBeta
+from ..abel.masters import C0, Hypergeometric, IncompleteBeta
 from ..notation import a
 from .domain import Domain, NotProvedError
 from .elements import Element
-from .functions import as_given, canonical, normal, sign, tower
+from .functions import as_given, canonical, margins, normal, require_analytic, sign, tower
 from .tower import Tower
 
 DEPTH = 6
@@ -38,12 +38,24 @@ def is_zero(expr: sp.Expr, domain: Domain, depth: int = DEPTH) -> bool:
     function, coefficient = linear
     inverse = arithmetic.power(coefficient, sp.S.NegativeOne)
     quotient = as_given(arithmetic.expr(arithmetic.collect(arithmetic.mul(element, inverse))), domain)
+    # a derivative that vanishes makes constant only what is analytic between the point and the end
+    if not analytic(quotient, domain):
+        return False
     for variable in sorted(function.free_symbols, key=lambda s: (s not in domain.symbols, s != a, str(s))):
         if not is_zero(sp.diff(quotient, variable), domain, depth - 1):
             return False
         if _zero_at_an_end(quotient, variable, domain, depth - 1):
             return True
     return False
+
+
+def analytic(expr: sp.Expr, domain: Domain) -> bool:
+    """Whether the expression is shown to be real and analytic on the whole domain."""
+    try:
+        require_analytic(expr, domain)
+    except NotProvedError:
+        return False
+    return True
 
 
 def _zero_at_an_end(expr: sp.Expr, variable: sp.Symbol, domain: Domain, depth: int) -> bool:
@@ -91,12 +103,21 @@ def _require_finite(
     result: sp.Expr, node: sp.Expr, symbol: sp.Expr, value: sp.Expr, domain: Domain | None = None
 ) -> None:
     vanishing_base = result.is_Pow and result.base == 0
-    open_beta = isinstance(result, IncompleteBeta) and result.args[0] == 1 and not result.args[2].is_positive
-    if open_beta and domain is not None:
-        open_beta = sign(result.args[2], domain) <= 0
-    if result.has(*INFINITE) or vanishing_base or open_beta:
+    if result.has(*INFINITE) or vanishing_base or _open(result, domain):
         message = f"{node} is not shown to be finite as {symbol} tends to {value}"
         raise NotProvedError(message)
+
+
+def _open(result: sp.Expr, domain: Domain | None) -> bool:
+    """Whether the argument is the end of the range of a function that is not shown to be finite there."""
+    if isinstance(result, IncompleteBeta) and result.args[0] == 1:
+        room = result.args[2]
+    elif isinstance(result, Hypergeometric) and result.args[3] == 1:
+        p, q, c, _ = result.args
+        room = c - p - q
+    else:
+        return isinstance(result, C0 | sp.elliptic_f) and any(sp.expand(margin) == 0 for margin in margins(result))
+    return not room.is_positive and (domain is None or sign(room, domain) <= 0)
 
 
 def logarithmic(expr: sp.Expr, domain: Domain) -> sp.Expr:

@@ -13,9 +13,9 @@ from ..entry import Case, Entry
 from ..notation import E_star, a, p_0, r, sigma, t
 from ..profiles.loads import Load
 from .domain import Domain, NotProvedError
-from .functions import require_analytic
+from .functions import require_analytic, sign
 from .identity import at
-from .statement import Rule, require_integral, require_zero
+from .statement import Rule, require_integral, require_regions, require_zero
 
 SHIFTED = sp.Symbol("sigma_1", positive=True)
 """1 + s, which is positive."""
@@ -29,15 +29,17 @@ class Loads:
 
     def displacement(self) -> list[str]:
         entry = self.entries["w"]
-        if [case.chain for case in entry.cases] != [(r, a), (a, r)]:
-            message = f"the cases of {entry.key} are not those inside and outside the loaded circle"
-            raise NotProvedError(message)
-        return [f"{place}: {self._case(case)}" for place, case in zip(("inside", "outside"), entry.cases, strict=True)]
+        require_regions(entry, ((r, a), (a, r)))
+        places = {(r, a): "inside", (a, r): "outside"}
+        return [f"{places[case.chain]}: {self._case(case)}" for case in entry.cases]
 
     def _case(self, case: Case) -> str:
         s = self.load.exponent.subs(sigma, SHIFTED - 1)
         expr, domain = case.expr.subs(sigma, SHIFTED - 1), Domain(case.chain, (t, 1))
         require_analytic(expr, domain)
+        if sign(s + 1, domain) <= 0:
+            message = f"the pressure of exponent {s} has no resultant"
+            raise NotProvedError(message)
         reach = case.chain[0]
         beta = sp.gamma(sp.S.Half) * sp.gamma(s + 1) / sp.gamma(s + sp.Rational(3, 2))
         w1D = p_0 * a * beta / E_star * (1 - (reach * t) ** 2 / a**2) ** (s + sp.S.Half)

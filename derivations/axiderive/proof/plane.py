@@ -15,13 +15,14 @@ from ..contact.plane import derive
 from ..entry import Case, Entry
 from ..notation import C, E_star, L, P, a, e, r, x
 from ..profiles.profile import Piece, Profile
+from . import frame
 from . import plane_threshold as threshold
 from .certificate import Certificate, Prover
 from .compact import Compact
 from .domain import Domain, NotProvedError
 from .functions import normal, require_analytic, sign
 from .identity import at
-from .statement import Rule, require_zero
+from .statement import Rule, require_regions, require_zero
 from .tilted import Tilted
 
 
@@ -60,9 +61,7 @@ class Plane(Compact):
     def depth(self) -> list[str]:
         """The depth is f at the edge and the descent of the surface from there to L."""
         entry, steps = self.entry("d"), []
-        if {case.chain for case in entry.cases} != {_moved(case) for case in self.entry("s").cases}:
-            message = f"the cases of {entry.key} are not those of the slope"
-            raise NotProvedError(message)
+        require_regions(entry, tuple(chain for regime in self._regimes() for chain in insert(regime, L, above=a)))
         slopes = {_moved(case): case.expr.subs(x, L) for case in self.entry("s").cases}
         for case in entry.cases:
             domain = self.domain(case.chain)
@@ -78,13 +77,13 @@ class Plane(Compact):
         entry, steps = self.entries["aP"], []
         if entry.status == "closed":
             return self.composition("aP", P, "P", None)
-        for case, load in zip(entry.cases, self.entry("P").cases, strict=True):
-            domain = self.domain(load.chain)
-            if case.chain != load.chain or case.expr.rhs != P:
-                message = f"the cases of {entry.key} are not those of the load"
-                raise NotProvedError(message)
-            steps.append(require_zero(case.expr.lhs - load.expr, domain, "the equation is P(a) = P"))
-            if sign(sp.diff(load.expr, a), domain) <= 0:
+        require_regions(entry, self._regimes())
+        loads = {load.chain: load.expr for load in self.entry("P").cases}
+        for case in entry.cases:
+            domain, load = self.domain(case.chain), loads[case.chain]
+            steps.append(require_zero(case.expr.lhs - load, domain, "the equation is P(a) = P"))
+            steps.append(require_zero(case.expr.rhs - P, domain, "the equation is P(a) = P"))
+            if sign(sp.diff(load, a), domain) <= 0:
                 message = "dP/da > 0 is not shown"
                 raise NotProvedError(message)
         return [*steps, "dP/da > 0: the equation has one root"]
@@ -123,12 +122,8 @@ class PlaneComplete:
         self.domain = self.face.domain
 
     def _superposition(self, suffix: str, chain: tuple[sp.Symbol, ...], strip: sp.Expr) -> list[str]:
-        (case,) = self.entries[suffix].cases
-        if case.chain != chain:
-            message = f"{' < '.join(map(str, case.chain))} is not the region of complete contact"
-            raise NotProvedError(message)
-        domain = self.domain(chain)
-        require_analytic(case.expr, domain)
+        require_regions(self.entries[suffix], (chain,))
+        (case,), domain = self.entries[suffix].cases, self.domain(chain)
         if self.flat:
             return [require_zero(case.expr - P * strip, domain, f"{suffix} = {suffix} of the strip")]
         # the face is -C x^n: its load and fields are those of C x^n with the other sign
@@ -152,16 +147,18 @@ class PlaneComplete:
 
     def minimum_load(self) -> list[str]:
         """The largest of the loads at which p vanishes at some x."""
+        require_regions(self.entries["Pmin"], ((a,),))
         (case,), (least,) = self.entries["p"].cases, self.entries["Pmin"].cases
         steps, domain = self.pressure(), self.domain((x, a))
         if self.entries["xz"].status == "root":
             (face,) = self.face.entry("p").cases
             strip = a * sp.diff(self.face.depth_of((a,)), a) / sp.pi
             steps += threshold.by_root(face.expr, strip, self.entries["xz"], self.exponent, domain)
-            return steps + threshold.at_root(case.expr, least.expr, self.entries["xz"], domain)
+            return steps + threshold.at_root(case.expr, least.expr, self.entries["xz"], self.exponent, domain)
+        require_regions(self.entries["xz"], ((a,),))
         (place,) = self.entries["xz"].cases
         weighted = sp.sqrt(a**2 - x**2) * case.expr.subs(P, least.expr)
-        return steps + threshold.by_squares(weighted, place.expr, domain, self.domain((a,)))
+        return steps + threshold.by_squares(weighted, x, place.expr, domain, self.domain((a,)))
 
 
 COMPACT: dict[str, Rule] = {
@@ -186,11 +183,12 @@ ECCENTRIC: dict[str, Rule] = {
 
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
+    frames = frame.strip(profile, entries)
     if e in profile.parameters:
-        return Prover(entries, ECCENTRIC, lambda: Tilted(profile, entries))
+        return Prover(entries, frames, ECCENTRIC, lambda: Tilted(entries))
     if profile.contact == "complete":
-        return Prover(entries, COMPLETE, lambda: PlaneComplete(profile, entries))
-    return Prover(entries, COMPACT, lambda: Plane(profile, entries))
+        return Prover(entries, frames, COMPLETE, lambda: PlaneComplete(profile, entries))
+    return Prover(entries, frames, COMPACT, lambda: Plane(profile, entries))
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

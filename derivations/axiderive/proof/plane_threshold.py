@@ -10,26 +10,30 @@ from ..notation import P, a, x, x_zero
 from .domain import Domain, NotProvedError
 from .functions import canonical, sign, tower
 from .identity import at
-from .statement import require_zero
+from .statement import require_regions, require_zero
+
+SHARE = sp.Symbol("share", positive=True)
 
 
-def by_squares(weighted: sp.Expr, place: sp.Expr, domain: Domain, edge: Domain) -> list[str]:
-    """sqrt(a^2 - x^2) p at the least load is a polynomial of positive factors and squares, zero at the place."""
+def by_squares(weighted: sp.Expr, variable: sp.Symbol, place: sp.Expr, domain: Domain, edge: Domain) -> list[str]:
+    """The weighted pressure at the least load is a polynomial of positive factors and squares, zero at the place."""
     arithmetic = tower(domain, weighted)
     element = arithmetic.collect(arithmetic.convert(weighted))
     if len(element) != 1:
-        message = "sqrt(a^2 - x^2) p is not a polynomial in x"
+        message = f"the weighted pressure is not a polynomial in {variable}"
         raise NotProvedError(message)
-    ((_, polynomial),) = element.items()
+    ((below, polynomial),) = element.items()
     unit, factors = arithmetic.factors(polynomial)
-    if unit < 0 or any(arithmetic.polynomial_sign(f) <= 0 and power % 2 for f, power in factors.items()):
-        message = "p >= 0 at P_min is not shown"
+    odd = [factor for factor, power in (*factors.items(), *below) if power % 2]
+    if unit < 0 or any(arithmetic.polynomial_sign(factor) <= 0 for factor in odd):
+        message = "p >= 0 at the least load is not shown"
         raise NotProvedError(message)
-    if not (sign(a - place, edge) > 0 and (place == 0 or sign(place, edge) > 0)):
-        message = "0 <= x_0 < a is not shown"
+    if sign(a - place, edge) <= 0 or (place != 0 and sign(place, edge) <= 0):
+        message = f"0 <= {place} < a is not shown"
         raise NotProvedError(message)
-    steps = ["sqrt(a^2 - x^2) p >= 0 at P = P_min: positive factors and squares"]
-    return [*steps, require_zero(at(weighted, x, place), edge, "p = 0 at P = P_min, x = x_0")]
+    steps = ["weighted p >= 0 at the least load: positive factors and squares"]
+    statement = f"p = 0 at the least load, {variable} = {place}"
+    return [*steps, require_zero(at(weighted, variable, place), edge, statement)]
 
 
 def by_root(
@@ -57,14 +61,21 @@ def by_root(
         if sign(positive, domain) <= 0:
             message = f"{positive} > 0 is not shown"
             raise NotProvedError(message)
-    centre, ring = place.cases
-    return [*steps, *_centre(centre.expr, face, strip, n, domain, k), _ring(ring.expr, N, domain)]
+    return [*steps, *_centre(place, face, strip, n, domain, k), _ring(place, N, n, domain, k)]
 
 
-def _centre(place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr) -> list[str]:
+def _case(place: Entry, n: sp.Expr, k: sp.Expr, ring: bool) -> sp.Expr:
+    """The centre up to n = 2, or the equation of the ring beyond."""
+    regions = (1 - k, n, sp.Integer(2)), (sp.Integer(2), n)
+    require_regions(place, regions)
+    (found,) = (case.expr for case in place.cases if case.chain == regions[ring])
+    return found
+
+
+def _centre(place: Entry, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr) -> list[str]:
     """For 1 < m, n <= 2 both terms of (m - 1) N are negative where D > 0, by one step of the Beta function."""
-    if place != 0:
-        message = f"{place} is not the centre"
+    if _case(place, n, k, ring=False) != 0:
+        message = f"{place.key} is not the centre"
         raise NotProvedError(message)
     m = n + k
     tail = x ** (m - 1) * IncompleteBeta(1 - x**2 / a**2, (1 + k) / 2, (3 - m) / 2) / (2 * a**n)
@@ -75,25 +86,45 @@ def _centre(place: sp.Expr, face: sp.Expr, strip: sp.Expr, n: sp.Expr, domain: D
     ]
 
 
-def _ring(equation: sp.Expr, N: sp.Expr, domain: Domain) -> str:
-    master, top, bottom = _solved(equation, domain)
+def _ring(place: Entry, N: sp.Expr, n: sp.Expr, domain: Domain, k: sp.Expr) -> str:
+    master, top, bottom = _solved(place, n, k, domain)
     level = sp.Dummy("level", positive=True)
     linear = canonical(N, domain).subs(master, level)
+    _require_no_zero(sp.diff(linear, level), n, k, domain)
     rest = sp.diff(linear, level) * top + linear.subs(level, 0) * bottom
     return require_zero(rest, domain, "N = 0 is the equation of x_0")
 
 
-def _solved(equation: sp.Expr, domain: Domain) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def _require_no_zero(expr: sp.Expr, n: sp.Expr, k: sp.Expr, domain: Domain) -> None:
+    """Refuse what may vanish at the ring: an equation divided by it would have another root, or none."""
+    if sign(on_the_ring(expr, x, n, k), Domain(*domain.chains(), (SHARE, 1))) == 0:
+        message = f"{expr} is not shown to have no zero at the ring"
+        raise NotProvedError(message)
+
+
+def _solved(place: Entry, n: sp.Expr, k: sp.Expr, domain: Domain) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """The equation master = top/bottom of x_0, in x."""
+    equation = _case(place, n, k, ring=True)
     master = canonical(equation.lhs.subs(x_zero, x), domain)
     return master, *sp.fraction(equation.rhs.subs(x_zero, x))
 
 
-def at_root(pressure: sp.Expr, least: sp.Expr, place: Entry, domain: Domain) -> list[str]:
+def on_the_ring(expr: sp.Expr, place: sp.Symbol, n: sp.Expr, k: sp.Expr) -> sp.Expr:
+    """The expression at the ring, where D > 0: x_0^2 is a share below 1 of (m - 1) a^2/n.
+
+    N = 0 there, so that D p_f = s S, in which p_f, s and S are positive.
+    """
+    return expr.subs(place, a * sp.sqrt((n + k - 1) * SHARE / n))
+
+
+def at_root(
+    pressure: sp.Expr, least: sp.Expr, place: Entry, n: sp.Expr, domain: Domain, k: sp.Expr = sp.S.Zero
+) -> list[str]:
     """The pressure, linear in the load and in the function of the equation, vanishes at x_0 under the least load."""
-    _, ring = place.cases
-    master, top, bottom = _solved(ring.expr, domain)
+    master, top, bottom = _solved(place, n, k, domain)
     load, below = sp.fraction(least.subs(x_zero, x))
+    for denominator in (bottom, below):
+        _require_no_zero(denominator, n, k, domain)
     level = sp.Dummy("level", positive=True)
     linear = canonical(pressure, domain).subs(master, level)
     parts = sp.diff(linear, level), sp.diff(linear, P), linear.subs({level: 0, P: 0})

@@ -7,20 +7,39 @@ from typing import Any
 
 import sympy as sp
 
+from ..abel.order import Chain
 from ..entry import Case, Entry
 from ..notation import N, coefficients, j
 from . import special
 from .domain import Domain, NotProvedError
-from .functions import sign
+from .functions import require_analytic, sign
 from .identity import is_zero, logarithmic
 
 Rule = tuple[tuple[str, ...], Callable[[Any], list[str]]]
 """What a quantity rests on, and what has to be shown for it."""
 
 
+def closed(entry: Entry) -> Entry:
+    """The entry, if its formulas are closed."""
+    if entry.status != "closed":
+        reasons = {"integral": "an integral without a known closed form", "root": "the root of an equation"}
+        message = f"{entry.key} is {reasons[entry.status]}"
+        raise NotProvedError(message)
+    return entry
+
+
+def require_regions(entry: Entry, wanted: tuple[Chain, ...]) -> None:
+    """Refuse an entry whose cases are not those of these regions, each once."""
+    found = [case.chain for case in entry.cases]
+    if len(found) != len(wanted) or set(found) != set(wanted):
+        message = f"the cases of {entry.key} do not cover its regions once"
+        raise NotProvedError(message)
+
+
 def require_zero(expr: sp.Expr, domain: Domain, statement: str) -> str:
     """The statement as a step of the certificate, if the expression vanishes on the domain."""
-    for part in by_power(expr):
+    for part in by_power(expr, domain):
+        require_analytic(part, domain)
         if not is_zero(part, domain) and not (part.has(sp.log) and is_zero(logarithmic(part, domain), domain)):
             message = f"{statement} does not hold"
             raise NotProvedError(message)
@@ -42,7 +61,8 @@ def require_integral(expr: sp.Expr, wanted: sp.Expr, variable: sp.Symbol, domain
     linear = sp.expand(expr.xreplace(stand_ins))
     terms = [sp.diff(linear, stand_in) * pieces[function] for function, stand_in in stand_ins.items()]
     rest = linear - sp.Add(*(sp.diff(linear, stand_in) * stand_in for stand_in in stand_ins.values()))
-    if not is_zero(rest, domain) or any(sp.diff(linear, s).has(*stand_ins.values()) for s in stand_ins.values()):
+    # a sum of multiples of the integrals, or any other function of them that its slopes make up
+    if not is_zero(rest, domain):
         message = f"{expr} is not a combination of functions whose integrals are stated"
         raise NotProvedError(message)
     return require_zero(sp.Add(*terms) - wanted, domain, f"integrand of {expr} over 0 < {variable} < 1 = {wanted}")
@@ -62,17 +82,21 @@ def summand(expr: sp.Expr) -> sp.Expr:
     return factor * term
 
 
-def by_power(expr: sp.Expr) -> tuple[sp.Expr, ...]:
-    """What has to vanish for an expression linear in sums over powers to vanish: the rest, and the term of A[j]."""
+def by_power(expr: sp.Expr, domain: Domain) -> tuple[sp.Expr, ...]:
+    """What has to vanish for an expression in sums to vanish: it without sums, and its slope along their terms.
+
+    If the slope along the terms of every A[j] vanishes for all values of the sums, then the expression is the same at
+    every combination of the terms as without sums.
+    """
     sums = sorted(expr.atoms(sp.Sum), key=sp.default_sort_key)
+    if not sums:
+        return (expr,)
     stand_ins = {total: sp.Dummy("sum") for total in sums}
     linear = expr.xreplace(stand_ins)
+    require_analytic(linear, domain)
     factors = {total: sp.diff(linear, stand_in) for total, stand_in in stand_ins.items()}
-    if any(factor.has(*stand_ins.values()) for factor in factors.values()):
-        message = f"{expr} is not linear in its sums"
-        raise NotProvedError(message)
     rest = linear.xreplace(dict.fromkeys(stand_ins.values(), sp.S.Zero))
-    return (rest, sp.Add(*(factor * summand(total) for total, factor in factors.items()))) if sums else (rest,)
+    return rest, sp.Add(*(factor * summand(total) for total, factor in factors.items()))
 
 
 def paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:

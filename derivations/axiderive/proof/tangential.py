@@ -9,10 +9,8 @@ from ..contact.tangential import GROUP as GROUP
 from ..entry import Case, Entry
 from ..notation import F_x, G_star, H_x, a, c, mu, r
 from .compact import Compact
-from .domain import NotProvedError
-from .functions import require_analytic
 from .identity import at
-from .statement import Rule, require_zero
+from .statement import Rule, closed, paired, require_regions, require_zero
 
 
 class Tangential:
@@ -43,10 +41,8 @@ class Tangential:
         return steps
 
     def _require_places(self, entry: Entry, source: Entry) -> None:
-        wanted = [chain for case in source.cases for chain in insert(case.chain, c, above=self.floor, below=a)]
-        if sorted(map(str, wanted)) != sorted(str(case.chain) for case in entry.cases):
-            message = f"the cases of {entry.key} do not cover every place of c below a once"
-            raise NotProvedError(message)
+        wanted = (chain for case in source.cases for chain in insert(case.chain, c, above=self.floor, below=a))
+        require_regions(entry, tuple(wanted))
 
     @staticmethod
     def _pair(chain: Chain, source: Entry) -> tuple[Case, Case]:
@@ -54,9 +50,6 @@ class Tangential:
         outer = tuple(length for length in chain if length != c)
         inner = tuple(a if length == c else length for length in chain if length != a)
         cases = {case.chain: case for case in source.cases}
-        if outer not in cases or inner not in cases:
-            message = f"no case of {source.key} for {' < '.join(map(str, chain))}"
-            raise NotProvedError(message)
         return cases[outer], cases[inner]
 
     def traction(self) -> list[str]:
@@ -81,10 +74,7 @@ class Tangential:
     def full_slip(self) -> list[str]:
         """The displacement with c at its smallest, where g(c) = 0."""
         entry, source, steps = self.entries["us"], self.normal.entry("d"), []
-        if [case.chain for case in entry.cases] != [case.chain for case in source.cases]:
-            message = f"the cases of {entry.key} are not those of {source.key}"
-            raise NotProvedError(message)
-        for case, own in zip(entry.cases, source.cases, strict=True):
+        for case, own in paired(entry, source):
             domain = self.normal.domain(own.chain)
             gap = case.expr - self.ratio * own.expr
             steps.append(require_zero(gap, domain, f"u at full slip = {self.ratio} g(a)"))
@@ -95,19 +85,13 @@ class Tangential:
 
     def stick_radius(self) -> list[str]:
         """c(F_x) from F_x = mu (F(a) - F(c))."""
-        entry = self.entries["c"]
-        if entry.status != "closed":
-            message = f"{entry.key} is the root of an equation"
-            raise NotProvedError(message)
-        (case,), (force,) = entry.cases, self.normal.entry("F").cases
+        entry = closed(self.entries["c"])
         chain = (c, a) if self.floor is None else (self.floor, c, a)
+        require_regions(entry, (chain,))
+        (case,), (force,) = entry.cases, self.normal.entry("F").cases
         domain = self.normal.domain(chain)
-        if case.chain != chain:
-            message = f"{entry.key} holds for another order than {' < '.join(map(str, chain))}"
-            raise NotProvedError(message)
         outer, inner = force.expr, force.expr.subs(a, c)
         back = case.expr.subs(F_x, mu * (outer - inner))
-        require_analytic(inner, domain)
         return [require_zero(back - c, domain, "c(F(a), F_x = mu (F(a) - F(c))) = c")]
 
 

@@ -174,9 +174,10 @@ class _Composition:
         ]
         free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
         domains = {p: _interval(interface.record(p, self.profile)) for p in free}
-        return module_text(
-            head(request, self.profile, self.answer, self.contact), modules, wanted, constants, domains, above, order
-        )
+        fields = {name for one in wanted for name in one.fields}
+        units = {name: interface.record(name, self.profile).unit for name in {*fields, *free}}
+        title = head(request, self.profile, self.answer, self.contact)
+        return module_text(title, modules, wanted, constants, domains, units, above, order)
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
         """One function of the interface; the text of a new one below it is added to `texts`."""

@@ -21,8 +21,8 @@ from ..letters import name_of
 from ..profiles.profile import Profile
 
 LAWS = {law.name: law for law in viscoelastic.LAWS}
-LETTERS = {"tau": "relaxation"}
-"""Parameters of the material that share their letter with another symbol of the notation."""
+LETTERS = {"tau": "relaxation", "t": "time"}
+"""Parameters of the material, and the time, that share their letter with another symbol of the notation."""
 THRESHOLDS = ("rz", "dmin", "Fmin", "xz", "Pmin")
 """Results about the least load of complete contact, which a concave face has."""
 CONCAVE = "concave"

@@ -151,4 +151,10 @@ SHARED: dict[Key, str] = {
     ("_elementwise", "Array"): "", ("_elementwise", "Result"): "", ("_branches", "Load"): "",
 }  # fmt: skip
 """Names of what is written anew for a scene, in fewer lines; empty for what is read by the type checker only."""
-WRITTEN = frozenset(name for name in SHARED.values() if name) | {"_elementwise", "_require", "_DOMAINS"}
+WRITTEN = frozenset(name for name in SHARED.values() if name) | {
+    "_bare",
+    "_elementwise",
+    "_require",
+    "_DOMAINS",
+    "_UNITS",
+}

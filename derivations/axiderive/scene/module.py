@@ -15,24 +15,36 @@ from .linking import OWN, SHARED, Linker, Wanted
 from .rewriting import documented
 from .specialising import specialised
 
+BARE = '''def _bare(name, value):
+    """The value as an array; a quantity would lose its unit there, and a masked array its mask."""
+    if isinstance(value, (list, tuple)):
+        value = [_bare(name, member) for member in value]
+    elif any(getattr(value, sign, None) is not None for sign in ("units", "unit", "magnitude", "filled")):
+        raise TypeError(f"{name} = {value!r} is no bare number; give {name}.to({_UNITS[name]!r}).magnitude or filled()")
+    return np.asarray(value, dtype=float)'''
 CORE = '''def _elementwise(function{option}):
     """Numbers or arrays in, a float or an array out{nan}."""
 
     @wraps(function)
     def evaluate(*fields{parameters}):
-        fields = np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in fields))
-        with np.errstate(all="ignore"):
+        fields = [*np.broadcast_arrays(*map(_bare, function.__code__.co_varnames, fields))]
+{axis}        with np.errstate(all="ignore"):
             result = function(*(x.ravel() for x in fields){parameters}) + np.zeros(fields[0].size)
         result = np.where(np.min(fields, axis=0) >= {least}, result.reshape(fields[0].shape), np.nan)
-        return result if result.ndim else float(result)
+{far}        return result if result.ndim else float(result)
 
     return evaluate'''
+AXIS = """        infinite = vanishing & ({place} == np.inf)
+        fields[0] = np.where(infinite, 0.0, fields[0])  # there is a value on the axis, not at infinity
+"""
+FAR = """        result = np.where(infinite & ~np.isnan(result), 0.0, result)
+"""
 EVEN = """def _even(function):
     \"\"\"The same on both sides of the middle.\"\"\"
 
     @wraps(function)
     def evaluate(x, *fields, **parameters):
-        return function(np.abs(x), *fields, **parameters)
+        return function(np.abs(_bare("x", x)), *fields, **parameters)
 
     return evaluate"""
 ODD = """def _odd(function):
@@ -40,14 +52,16 @@ ODD = """def _odd(function):
 
     @wraps(function)
     def evaluate(x, *fields, **parameters):
+        x = _bare("x", x)
         return np.copysign(1.0, x) * function(np.abs(x), *fields, **parameters) + 0.0
 
     return evaluate"""
 REQUIRE = """def _require(**parameters):
     for name, value in parameters.items():
         low, high = _DOMAINS[name]
-        if not low < value < high:
+        if not low < _bare(name, value) < high:
             raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")"""
+POSITIONS = ("r", "x")
 INTEGRAL = '''def _integral(integrand, stop, count):
     """Integral of `integrand` from 0 to `stop`."""
     rule = _NODES[count]
@@ -69,6 +83,7 @@ def module_text(
     wanted: Sequence[Wanted],
     constants: Sequence[Constant],
     domains: Mapping[str, tuple[str, str]],
+    units: Mapping[str, str],
     above: Sequence[Assembled] = (),
     order: tuple[str, ...] = (),
 ) -> str:
@@ -86,6 +101,8 @@ def module_text(
         The frozen parameters; those that nothing needs are left out.
     domains : mapping
         Open interval of each parameter that is left free.
+    units : mapping
+        Units of all fields and parameters.
     above : sequence of Assembled
         The functions of the interface that are written for the scene.
     order : sequence of str
@@ -99,14 +116,15 @@ def module_text(
     checks = _Checks(frozen, order)
     public, merged = [], set()
     for one in wanted:
-        signed = "@partial(_elementwise, least=-np.inf)" if one.signed else "@_elementwise"
+        options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
+        decorator = f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise"
         if linker.merged(one):
             merged.add(one.key)
             text = linker.text(one.key, one.doc)
         else:
             text = _wrapper(linker, one, checks)
         mirrored = f"@_{one.parity}\n" if one.parity else ""
-        public.append(f"{mirrored}{signed}\n{text}")
+        public.append(f"{mirrored}{decorator}\n{text}")
     public += [_assembled(linker, one, checks) for one in above]
     hidden = {*merged, *linker.inlined, *(one.key for one in above)}
     private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
@@ -121,23 +139,34 @@ def module_text(
         rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
         values.append("_DOMAINS = {\n" + rows + "}")
         body = f"{REQUIRE}\n\n\n{body}"
+    given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
+    if given:
+        values.append(f"_UNITS = {{{', '.join(f'{name!r}: {units[name]!r}' for name in given)}}}".replace("'", '"'))
     used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
     for parity, text in (("odd", ODD), ("even", EVEN)):
         if any(one.parity == parity for one in wanted):
             body = f"{text}\n\n\n{body}"
     body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
+    body = f"{BARE}\n\n\n{body}" if given else body
     shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
 
 
+def _vanishes(one: Wanted) -> bool:
+    """Whether it is a field of a position that is zero infinitely far away; the shape of the indenter is not."""
+    return one.fields[0] in POSITIONS and one.name != "profile"
+
+
 def _core(wanted: Sequence[Wanted]) -> str:
-    signed = any(one.signed for one in wanted)
+    signed, far = any(one.signed for one in wanted), any(_vanishes(one) for one in wanted)
     return CORE.format(
-        option=", least=0.0" if signed else "",
+        option=(", least=0.0" if signed else "") + (", vanishing=False" if far else ""),
         nan="" if signed else "; NaN where a field is negative",
         least="least" if signed else "0.0",
         parameters=", **parameters" if any(one.keywords for one in wanted) else "",
+        axis=AXIS.format(place="np.abs(fields[0])" if signed else "fields[0]") if far else "",
+        far=FAR if far else "",
     )
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 import sys
+import unicodedata
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
@@ -29,8 +31,8 @@ OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "
 SYMBOLS = {"d": "depth", "g": "depth", "F": "force", "p": "pressure", "w": "displacement", "f": "profile",
            "a": "radius_from_force", "u": "displacement", "F_N": "force", "P": "load"}  # fmt: skip
 """Letters by which a quantity may be asked for."""
-HIDDEN = sys.stdlib_module_names | {"numpy"}
-"""Names of modules that the written one, or its test, may import."""
+HIDDEN = sys.stdlib_module_names | {"axiderive", "axicontact", "numpy"}
+"""Names of modules that the written one, its test or a program beside them may import."""
 FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
 
@@ -111,16 +113,21 @@ def available(physics: str, contact: str) -> list[str]:
 
 def output(text: SceneText, scene: Scene) -> None:
     table = text.table("output", ("folder", "module", "formats"))
-    stem = re.sub(r"\W+", "_", scene.name).strip("_") or "scene"
-    stem = stem if stem[0].isalpha() else f"scene_{stem}"
+    stem = _stem(scene.name)
     scene.module = table.get("module", f"{stem[:60]}.py")
+    own = str(scene.module).removesuffix(".py")
+    place = ("output", "module") if "module" in table else ("name", "")
     if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
         text.problem(
             "output", "module", f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
         )
-    elif scene.module.removesuffix(".py") in HIDDEN:
-        place = ("output", "module") if "module" in table else ("name", "")
-        text.problem(*place, f"module {scene.module!r} would hide the one of Python or NumPy; choose another name")
+    elif keyword.iskeyword(own):
+        text.problem(
+            *place, f"module {scene.module!r} cannot be imported, {own} is a word of Python; choose another name"
+        )
+    elif own.lower() in HIDDEN:
+        # in lower case: on some file systems Numpy.py is numpy.py
+        text.problem(*place, f"module {scene.module!r} would hide the {own.lower()} of others; choose another name")
     scene.folder = table.get("folder", stem[:60])
     if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
         text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")
@@ -134,3 +141,10 @@ def output(text: SceneText, scene: Scene) -> None:
     for name in scene.formats:
         if name not in FORMATS:
             text.problem("output", "formats", f"unknown format {str(name)[:40]!r}{near(str(name).lower(), FORMATS)}")
+
+
+def _stem(name: str) -> str:
+    """The name of a scene as that of a module: letters lose their accents, a name without any is `scene`."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+    stem = re.sub(r"\W+", "_", plain).strip("_") or "scene"
+    return stem if stem[0].isalpha() else f"scene_{stem}"

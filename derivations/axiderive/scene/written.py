@@ -25,7 +25,8 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
         "",
         "import math",
         "",
-        f"import {stem}",
+        # the name of the module may be one that the test needs itself, as len or wanted
+        f"import {stem} as module",
         "",
         f"TOLERANCE = {float(f'{rule:.1e}')!r}",
         *(["VALUES = [", *rows, "]"] if rows else []),
@@ -39,7 +40,7 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
             "",
             "def test_values():",
             f"    for name, fields, {'keywords, ' if keyed else ''}wanted in VALUES:",
-            f"        got = getattr({stem}, name)(*fields{', **keywords' if keyed else ''})",
+            f"        got = getattr(module, name)(*fields{', **keywords' if keyed else ''})",
             "        assert math.isclose(got, wanted, rel_tol=TOLERANCE), (name, fields, got, wanted)",
         ]
     if run.detached:
@@ -53,7 +54,7 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
             "",
             "def test_pull_off():",
             "    for control, wanted in PULL_OFF.items():",
-            f"        state = {stem}.pull_off(control{passed})",
+            f"        state = module.pull_off(control{passed})",
             "        for got, value in zip(state, wanted):",
             f"            assert math.isclose(got, value, rel_tol=TOLERANCE{least}), (control, state, wanted)",
         ]

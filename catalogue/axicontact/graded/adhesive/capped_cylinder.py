@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from typing import Any
 
+__all__: list[str] = []
+
 _REASON = (
     "Cylinder with a parabolic cap is the adhesive paraboloid until the contact reaches the edge; from that "
     "depth on the edge holds, the force grows with the stiffness of the flat punch, and on unloading the edge "
@@ -25,3 +27,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(name)
     message = f"{name} is not defined: {_REASON}"
     raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -23,6 +23,21 @@ from ..normal import sphere_tipped_cone as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "depth",
+    "displacement",
+    "force",
+    "pressure",
+    "pull_off",
+    "radius_from_depth",
+    "radius_from_force",
+    "retraction",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def retraction(a: ArrayLike, *, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
     """Retraction of the indenter from the state without adhesion, at constant contact radius.

@@ -20,6 +20,12 @@ from ...normal import capped_cylinder as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["depth_from_force", "displacement", "force", "pressure", "profile", "stiffness"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     """Profile f(r) of the indenter.

@@ -19,6 +19,22 @@ from ...normal import concave_paraboloid as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "depth_from_force",
+    "displacement",
+    "force",
+    "minimum_depth",
+    "minimum_force",
+    "pressure",
+    "profile",
+    "stiffness",
+    "zero_radius",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Profile f(r) of the indenter.

@@ -13,14 +13,32 @@ from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_fall import sphere_displacement
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ..._graded_inverse import radius_below
+from ..._graded_inverse import contact_below
 from ..._graded_pressure import sphere_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
 from ...normal import ellipsoid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
@@ -610,17 +628,29 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, k: Array) -> Array:
     return h * sphere_displacement(r, a, b, k) / b
 
 
+def _contact_from_depth(d: Array, h: Array, b: Array, k: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(b**2 - a**2)."""
+    return contact_below(_depth_at, _rate_at, d, b, (h, b, k), 2.0, k)
+
+
 def _radius_from_depth(d: Array, h: Array, b: Array, k: Array) -> Array:
-    return radius_below(_depth_at, _rate_at, d, b, (h, b, k), 2.0, k)
+    return _contact_from_depth(d, h, b, k)[0]
+
+
+def _contact_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(b**2 - a**2)."""
+    return contact_below(_force_at, _force_rate_at, F, b, (h, b, H, k), 3.0 + k, k)
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_below(_force_at, _force_rate_at, F, b, (h, b, H, k), 3.0 + k, k)
+    return _contact_from_force(F, h, b, H, k)[0]
 
 
 def _force_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, h, b, k), h, b, H, k)
+    a, root = _contact_from_depth(d, h, b, k)
+    return _force_at(a, root, h, b, H, k) + punch_force(d - _depth_at(a, root, h, b, k), a, H, k)
 
 
 def _depth_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, h, b, H, k), h, b, k)
+    a, root = _contact_from_force(F, h, b, H, k)
+    return _depth_at(a, root, h, b, k) + punch_depth(F - _force_at(a, root, h, b, H, k), a, H, k)

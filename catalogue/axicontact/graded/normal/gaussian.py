@@ -15,12 +15,30 @@ from ..._graded_fall import gaussian_displacement
 from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
 from ..._graded_inverse import gaussian_reach, radius_up_to
 from ..._graded_pressure import gaussian_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._unknowns import on_the_bump
 from ...normal import gaussian as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
@@ -608,8 +626,10 @@ def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Arra
 
 
 def _force_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, h, s, k), h, s, H, k)
+    a = _radius_from_depth(d, h, s, k)
+    return _force(a, h, s, H, k) + punch_force(d - _depth(a, h, s, k), a, H, k)
 
 
 def _depth_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, h, s, H, k), h, s, k)
+    a = _radius_from_force(F, h, s, H, k)
+    return _depth(a, h, s, k) + punch_depth(F - _force(a, h, s, H, k), a, H, k)

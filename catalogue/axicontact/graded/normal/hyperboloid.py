@@ -15,11 +15,29 @@ from ..._graded_fall import hyperboloid_displacement
 from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import hyperboloid_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ...normal import hyperboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
@@ -606,8 +624,10 @@ def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> 
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, theta, b, k), theta, b, H, k)
+    a = _radius_from_depth(d, theta, b, k)
+    return _force(a, theta, b, H, k) + punch_force(d - _depth(a, theta, b, k), a, H, k)
 
 
 def _depth_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, theta, b, H, k), theta, b, k)
+    a = _radius_from_force(F, theta, b, H, k)
+    return _depth(a, theta, b, k) + punch_depth(F - _force(a, theta, b, H, k), a, H, k)

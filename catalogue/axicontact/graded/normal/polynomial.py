@@ -16,11 +16,29 @@ from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import power_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ...normal import polynomial as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
@@ -594,8 +612,10 @@ def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array) -> Ar
 
 
 def _force_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, A, k), A, H, k)
+    a = _radius_from_depth(d, A, k)
+    return _force(a, A, H, k) + punch_force(d - _depth(a, A, k), a, H, k)
 
 
 def _depth_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, A, H, k), A, k)
+    a = _radius_from_force(F, A, H, k)
+    return _depth(a, A, k) + punch_depth(F - _force(a, A, H, k), a, H, k)

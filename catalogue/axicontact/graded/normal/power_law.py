@@ -20,6 +20,24 @@ from ...normal import power_law as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Profile f(r) of the indenter.

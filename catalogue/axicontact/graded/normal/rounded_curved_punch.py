@@ -17,12 +17,30 @@ from ..._graded_displacement import power_displacement
 from ..._graded_fall import rounding_displacement
 from ..._graded_growth import power_depth, power_force, power_rate
 from ..._graded_pressure import power_pressure, rounding_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
 from ...normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
@@ -659,8 +677,10 @@ def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Ar
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R1, R2, b, k), R1, R2, b, H, k)
+    a = _radius_from_depth(d, R1, R2, b, k)
+    return _force(a, R1, R2, b, H, k) + punch_force(d - _depth(a, R1, R2, b, k), a, H, k)
 
 
 def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R1, R2, b, H, k), R1, R2, b, k)
+    a = _radius_from_force(F, R1, R2, b, H, k)
+    return _depth(a, R1, R2, b, k) + punch_depth(F - _force(a, R1, R2, b, H, k), a, H, k)

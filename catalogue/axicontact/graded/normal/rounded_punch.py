@@ -13,14 +13,32 @@ from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
 from ..._graded_fall import rounding_displacement
-from ..._graded_inverse import radius_beyond
+from ..._graded_inverse import contact_beyond
 from ..._graded_pressure import rounding_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
 from ...normal import rounded_punch as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
@@ -626,17 +644,29 @@ def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
     return rounding_displacement(r, a, b, k) / R
 
 
+def _contact_from_depth(d: Array, R: Array, b: Array, k: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+    return contact_beyond(_depth_at, _rate_at, d, b, (R, b, k), (3.0 + k, 2.0))
+
+
 def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
-    return radius_beyond(_depth_at, _rate_at, d, b, (R, b, k), (3.0 + k, 2.0))
+    return _contact_from_depth(d, R, b, k)[0]
+
+
+def _contact_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+    return contact_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (3.0 + k, 3.0 + k))
 
 
 def _radius_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
-    return radius_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (3.0 + k, 3.0 + k))
+    return _contact_from_force(F, R, b, H, k)[0]
 
 
 def _force_from_depth(d: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R, b, k), R, b, H, k)
+    a, root = _contact_from_depth(d, R, b, k)
+    return _force_at(a, root, R, b, H, k) + punch_force(d - _depth_at(a, root, R, b, k), a, H, k)
 
 
 def _depth_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R, b, H, k), R, b, k)
+    a, root = _contact_from_force(F, R, b, H, k)
+    return _depth_at(a, root, R, b, k) + punch_depth(F - _force_at(a, root, R, b, H, k), a, H, k)

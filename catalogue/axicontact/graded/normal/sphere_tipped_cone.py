@@ -16,11 +16,29 @@ from ..._graded_across import radius_across
 from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
 from ..._graded_fall import tipped_displacement
 from ..._graded_pressure import tipped_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ...normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
@@ -656,8 +674,10 @@ def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array) -> 
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R, theta, k), R, theta, H, k)
+    a = _radius_from_depth(d, R, theta, k)
+    return _force(a, R, theta, H, k) + punch_force(d - _depth(a, R, theta, k), a, H, k)
 
 
 def _depth_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R, theta, H, k), R, theta, k)
+    a = _radius_from_force(F, R, theta, H, k)
+    return _depth(a, R, theta, k) + punch_depth(F - _force(a, R, theta, H, k), a, H, k)

@@ -16,12 +16,30 @@ from ..._graded_fall import waves_displacement
 from ..._graded_growth import power_depth, power_force, power_rate
 from ..._graded_inverse import radius_to
 from ..._graded_pressure import power_pressure, waves_pressure
-from ..._graded_punch import punch_stiffness
+from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._graded_waves import steepest_waves, waves_depth, waves_force, waves_rate
 from ...normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "displacement",
+    "force",
+    "force_from_depth",
+    "mean_pressure",
+    "pressure",
+    "profile",
+    "radius_from_depth",
+    "radius_from_force",
+    "stiffness",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) -> Result:
@@ -652,11 +670,13 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array
 
 
 def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R, h, wavelength, k), R, h, wavelength, H, k)
+    a = _radius_from_depth(d, R, h, wavelength, k)
+    return _force(a, R, h, wavelength, H, k) + punch_force(d - _depth(a, R, h, wavelength, k), a, H, k)
 
 
 def _depth_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R, h, wavelength, H, k), R, h, wavelength, k)
+    a = _radius_from_force(F, R, h, wavelength, H, k)
+    return _depth(a, R, h, wavelength, k) + punch_depth(F - _force(a, R, h, wavelength, H, k), a, H, k)
 
 
 def _check(R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, *, k: ArrayLike, **material: ArrayLike) -> None:

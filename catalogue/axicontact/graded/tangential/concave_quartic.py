@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
+__all__: list[str] = []
+
 _REASON = (
     "Concave quartic is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F, with F "
     "from axicontact.graded.normal.concave_quartic.force"
@@ -19,3 +21,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(name)
     message = f"{name} is not defined: {_REASON}"
     raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__

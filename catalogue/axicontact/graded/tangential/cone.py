@@ -18,6 +18,12 @@ from ..normal import cone as normal
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+__all__ = ["full_slip_displacement", "stick_radius", "tangential_displacement", "tangential_force", "traction"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 def tangential_force(
     a: ArrayLike, c: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, mu: ArrayLike

@@ -110,7 +110,15 @@ class Writer:
             used.add("a")
         return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
 
-    def rule(self, name: str, fields: Sequence[str], needs: Sequence[str], lines: Sequence[str], doc: str = "") -> None:
+    def rule(
+        self,
+        name: str,
+        fields: Sequence[str],
+        needs: Sequence[str],
+        lines: Sequence[str],
+        doc: str = "",
+        returns: str = "Array",
+    ) -> None:
         """A private function; lengths that are no parameters are defined first."""
         body = "\n".join(lines)
         own = [
@@ -118,7 +126,7 @@ class Writer:
             for symbol, expr in self.profile.abbreviations
             if re.search(rf"\b{symbol}\b", body)
         ]
-        source = private(name, fields, needs, [*own, *lines], doc)
+        source = private(name, fields, needs, [*own, *lines], doc, returns)
         if self.summed:
             head, body = source.replace(" A: Array", " A: tuple[float, ...]").split("\n", 1)
             source = "\n".join([*fit(head, 0), body])

@@ -145,12 +145,38 @@ class _Normal:
     def inverses(self) -> None:
         needs = {"depth": self.geometry, "force": self.material}
         for quantity, field in (("depth", "d"), ("force", "F")):
-            lines = self.inverse(quantity, field, needs[quantity])
-            self.writer.rule(f"_radius_from_{quantity}", [field], needs[quantity], lines)
+            lines, name = self.inverse(quantity, field, needs[quantity]), f"_radius_from_{quantity}"
+            if self.end:
+                contact = f"_contact_from_{quantity}"
+                doc = f"Contact radius a and its root {self.end}."
+                self.writer.rule(contact, [field], needs[quantity], lines, doc, "tuple[Array, Array]")
+                lines = [f"return {contact}({', '.join([field, *needs[quantity]])})[0]"]
+            self.writer.rule(name, [field], needs[quantity], lines)
         for outer, inner, field in (("force", "depth", "d"), ("depth", "force", "F")):
-            radius = f"_radius_from_{inner}({', '.join([field, *needs[inner]])})"
-            lines = [f"return _{outer}({', '.join([radius, *needs[outer]])})"]
+            lines = self.through(outer, inner, field, needs)
             self.writer.rule(f"_{outer}_from_{inner}", [field], self.material, lines)
+
+    @property
+    def end(self) -> str:
+        """The root without which a radius says too little: next to the end of a sphere, or to a flat face."""
+        if self.family.has("sphere"):
+            return f"sqrt({self.profile.chain[-1]}**2 - a**2)"
+        return f"sqrt(a**2 - {self.profile.breaks[0]}**2)" if self.profile.truncated else ""
+
+    def through(self, outer: str, inner: str, field: str, needs: Mapping[str, list[str]]) -> list[str]:
+        """F(a(d)) or d(a(F)); the radius is rounded, and dF/dd makes good what it lost."""
+        radius = f"_radius_from_{inner}({', '.join([field, *needs[inner]])})"
+        if self.family.power is not None:
+            return [f"return _{outer}({', '.join([radius, *needs[outer]])})"]
+        if self.end:
+            names, at, found = ["a", "root"], "_at", radius.replace("_radius", "_contact", 1)
+        else:
+            names, at, found = ["a"], "", radius
+        missed = f"{field} - _{inner}{at}({', '.join([*names, *needs[inner]])})"
+        return [
+            f"{', '.join(names)} = {found}",
+            f"return _{outer}{at}({', '.join([*names, *needs[outer]])}) + punch_{outer}({missed}, a, H, k)",
+        ]
 
     def inverse(self, quantity: str, field: str, needs: list[str]) -> list[str]:
         own, passed = self.family, f"({', '.join(needs)})"
@@ -182,9 +208,9 @@ class _Normal:
             (term,) = own.terms
             first, last = LIMITS[term.shape]
             more = f", ({first}, {f'{last + 1.0} + k' if force else last})"
-            return "radius_beyond" + call.format(at="_at", length=self.profile.breaks[0], more=more)
+            return "contact_beyond" + call.format(at="_at", length=self.profile.breaks[0], more=more)
         if own.has("sphere"):
-            return "radius_below" + call.format(at="_at", length=self.profile.chain[-1], more=f", {tip}, k")
+            return "contact_below" + call.format(at="_at", length=self.profile.chain[-1], more=f", {tip}, k")
         bends = any(LIMITS.get(term.shape, ("",))[0] == "1.0 + k" for term in own.terms)
         more = f", {tip}" + (f", least={LIMITS['rim'][0]}" if bends else "") + (", end=R" if own.has("tipped") else "")
         return "radius_across" + call.format(at="_at", length=self.profile.breaks[0], more=more)

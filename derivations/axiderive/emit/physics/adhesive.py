@@ -12,7 +12,7 @@ from ...letters import name_of
 from ...notation import E_star, a, a_c, dgamma, n, r
 from ...profiles.profile import Profile
 from ..public import literal
-from ..vocabulary import HELPERS
+from ..vocabulary import OFFERED
 from . import text
 from .branches import branch_functions
 from .examples import Example
@@ -25,7 +25,7 @@ IMPORTS = (
     " radii_of_waves, radii_to",
     ".._domain: numbers, require, require_coefficients, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
-    f".._functions: {', '.join(HELPERS)}",
+    *OFFERED,
     ".._stable: growth, stable_radius",
     ".._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )

@@ -12,7 +12,7 @@ from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
 from .. import example
 from ..code import python
-from ..vocabulary import HELPERS
+from ..vocabulary import OFFERED
 from . import text
 from .examples import Example
 from .text import Function, NormalModule, evaluate, private
@@ -21,7 +21,7 @@ IMPORTS = (
     ".._adhesion: PullOff, hess_retraction, require_control",
     ".._domain: require",
     ".._elementwise: Array, Result, elementwise",
-    f".._functions: {', '.join(HELPERS)}",
+    *OFFERED,
 )
 EDGE = [a, E_star, dgamma]
 HESS = "hess_retraction(a, E_star, dgamma)"

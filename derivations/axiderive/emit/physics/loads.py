@@ -27,7 +27,8 @@ IMPORTS = (
     ".._circle: power, uniform",
     ".._domain: require",
     ".._elementwise: Array, Result, elementwise",
-    ".._functions: arctan_gap, beside",
+    ".._functions: beside",
+    ".._special: arctan_gap",
     ".._kernels: OUTSIDE_2",
 )
 SUMMARY = {"w": "Displacement of the surface into the half-space."}

@@ -22,6 +22,8 @@ from __future__ import annotations
 
 from typing import Any
 
+__all__: list[str] = []
+
 _REASON = (
 {literal}
 )
@@ -32,6 +34,10 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(name)
     message = f"{{name}} is not defined: {{_REASON}}"
     raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__
 '''
 PACKAGE = '''"""{title}."""
 
@@ -53,7 +59,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return __all__
 '''
 
 

@@ -15,6 +15,7 @@ from ...letters import LETTERS, name_of
 from ...notation import coefficients
 from ...profiles.profile import Profile
 from .. import docstring
+from ..imports import interface
 from ..layout import fit, from_import
 from ..private import parameter_name
 from ..public import unused
@@ -164,7 +165,8 @@ def module(title: str, text: str, imports: Sequence[str], public: Sequence[Funct
     head = f'"""{title}.\n\n{chr(10).join(textwrap.wrap(text, 110))}\n"""\n\nfrom __future__ import annotations\n\n'
     body = "\n\n".join([*(function.text() for function in public), *private])
     lines = _needed(imports, body)
-    tail = "\n\nif TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n\n\n"
+    names = "\n".join(interface([function.name for function in public]))
+    tail = f"\n\nif TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n\n{names}\n\n\n"
     return head + "\n".join(lines) + tail + body
 
 
@@ -185,10 +187,12 @@ def _needed(imports: Sequence[str], body: str) -> list[str]:
     return lines
 
 
-def private(name: str, fields: Sequence[str], needs: Sequence[str], lines: Sequence[str], doc: str = "") -> str:
+def private(
+    name: str, fields: Sequence[str], needs: Sequence[str], lines: Sequence[str], doc: str = "", returns: str = "Array"
+) -> str:
     """The text of a private function."""
     typed = [f"{own}: {'str' if own == 'control' else 'Array'}" for own in (*fields, *needs)]
-    head = fit(f"def {name}({', '.join(typed)}) -> Array:", 0)
+    head = fit(f"def {name}({', '.join(typed)}) -> {returns}:", 0)
     shown = [f'    """{doc}"""'] if doc else []
     return "\n".join([*head, *shown, *(f"    {line}" for own in lines for line in fit(own))]) + "\n"
 

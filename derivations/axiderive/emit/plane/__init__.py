@@ -14,7 +14,7 @@ from ..physics.refusals import package_source
 from ..private import Private, PrivateFunctions
 from ..public import PACKAGE, check, unused
 from ..splits import split
-from ..vocabulary import HELPERS
+from ..vocabulary import OFFERED
 from . import document, eccentric, shown
 from .compact import Compact
 from .complete import Complete
@@ -24,7 +24,7 @@ SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,))
 IMPORTS = (
     ".._domain: require, require_order, require_reach",
     ".._elementwise: Array, Result, elementwise",
-    f".._functions: {', '.join(HELPERS)}",
+    *OFFERED,
     ".._inverse: inverse",
     ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
     ".._powers: power_pressure, power_strips",

@@ -2,7 +2,7 @@
 
 As a function of r an integral has one singular radius c; in ln abs(r**2 - c**2) it is
 analytic in a strip of half-width pi, apart from a root that vanishes at the edge.
-On a panel of length ln 2 polynomials through 12 points are as good as the rule.
+On a panel of length ln 2 polynomials through 14 points are as good as the rule; through 12 they miss it by 3 units.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 from ._elementwise import Array
 
-LEAST, POINTS, DEPTH = 1024, 12, 20
+LEAST, POINTS, DEPTH = 1024, 14, 20
 """Radii for which panels pay; points of a panel; panels on either side.
 
 DEPTH panels next to the singular radius it is represented too coarsely by r.

@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._elementwise import Array
-from ._symbols import SYMBOLS
+from ._intervals import INSIDE
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-INSIDE = {name: (domain.low, domain.high) for name, domain in SYMBOLS.items()}
 
 
 def require(**parameters: ArrayLike) -> None:
@@ -26,15 +24,16 @@ def require(**parameters: ArrayLike) -> None:
         If a value is not a real number or an array of real numbers.
     """
     for name, value in parameters.items():
-        if type(value) is float:
-            low, high = INSIDE[name]
-            if low < value < high:
-                continue
+        low, high = INSIDE[name]
+        if type(value) is float and low < value < high:
+            continue
+        from ._symbols import SYMBOLS
+
         domain = SYMBOLS[name]
         letter = domain.letter or name
         array = numbers(letter, value)
-        above = (domain.low <= array) if domain.closed == "low" else (domain.low < array)
-        below = (array <= domain.high) if domain.closed == "high" else (array < domain.high)
+        above = (low <= array) if domain.closed == "low" else (low < array)
+        below = (array <= high) if domain.closed == "high" else (array < high)
         inside = np.isfinite(array) & above & below
         if not inside.all():
             wrong = float(array[~inside].flat[0])
@@ -78,9 +77,21 @@ def require_coefficients(values: ArrayLike) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
-def numbers(name: str, value: ArrayLike) -> Array:
+def numbers(name: str, value: ArrayLike, kinds: str = "iuf") -> Array:
+    """The value of an argument as an array of doubles.
+
+    Raises
+    ------
+    TypeError
+        If it is not a real number or an array of real numbers, or carries a unit or a mask.
+    """
+    if type(value) is not np.ndarray:
+        # np.asarray takes the number of a quantity and drops its unit
+        from ._bare import require_bare
+
+        require_bare(name, value)
     array = np.asarray(value)
-    if array.dtype.kind not in "iuf":
+    if array.dtype.kind not in kinds:
         message = f"{name} must be a real number or an array of real numbers, not {value!r}"
         raise TypeError(message)
     return array.astype(np.float64, copy=False)

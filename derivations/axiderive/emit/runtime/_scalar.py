@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dis import get_instructions
+from operator import not_
 from types import CodeType, FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
@@ -29,11 +30,13 @@ def _sqrt(x: float) -> float:
 
 
 MATH = SimpleNamespace(
-    pi=math.pi, inf=math.inf, nan=math.nan, float64=float,
+    pi=math.pi, e=math.e, inf=math.inf, nan=math.nan, float64=float,
     sqrt=_sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=math.log, log1p=math.log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
     sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh,
     abs=abs, minimum=min, maximum=max, isfinite=math.isfinite, any=bool, all=bool, count_nonzero=bool,
+    # bodies write it out: ~True is -2, and an error from Python 3.16 on
+    logical_not=not_,
     where=lambda condition, x, y: x if condition else y,
     asarray=lambda x, dtype=None: x, full_like=lambda x, value: value,
     ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0,

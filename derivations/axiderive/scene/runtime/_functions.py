@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from ._elementwise import Array
-from ._kernels import DAWSON
 
 
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
@@ -20,8 +19,3 @@ def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], f
     square = (a / (r + np.sqrt((r - a) * (r + a)))) ** 2
     rest = np.polyval(kernel[0][::-1], square) / np.polyval(kernel[1][::-1], square)
     return a / r * (kernel[2] + square * rest)
-
-
-def dawson(x: Array) -> Array:
-    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 25/16."""
-    return x / np.polyval(DAWSON, x * x)

@@ -9,7 +9,7 @@ the force over 2 H/(1 + k), `root` the distance sqrt(t**2 - b**2) or sqrt(R**2 -
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -77,16 +77,27 @@ def _rising(x: Array, e: Array) -> Array:
     # Gamma(x + e) takes up the rounding of x + e many times over, 54 units of the last place at x = 39;
     # the quotients (x + i + e)/(x + i) take up the same one within a binade, 12 units
     steps = np.ceil(np.maximum(FAR - x, 0.0))
-    near = np.zeros_like(x + e)
-    if near.ndim == 0:
-        near = np.log1p(e / (x + np.arange(float(steps)))).sum()
+    if np.ndim(x + e) == 0:
+        terms: Iterable[Array] = np.log1p(e / (x + np.arange(float(steps))))[::-1].tolist()
     else:
-        for i in reversed(range(int(np.max(steps, initial=0.0)))):
-            near = near + np.where(i < steps, np.log1p(e / (x + i)), 0.0)
+        shifts = reversed(range(int(np.max(steps, initial=0.0))))
+        terms = (np.where(i < steps, np.log1p(e / (x + i)), 0.0) for i in shifts)
+    near = _to_the_last_digit(terms)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
     first, second, third = _series(e)
-    return w**e * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) * np.exp(-near)
+    # of numbers alone the operator has another rounding than of arrays
+    return np.power(w, e) * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) * np.exp(-near)
+
+
+def _to_the_last_digit(terms: Iterable[Array]) -> Array:
+    """Their sum (Kahan), of which an exponential takes up every unit."""
+    total, lost = 0.0, 0.0
+    for term in terms:
+        part = term - lost
+        before, total = total, total + part
+        lost = (total - before) - part
+    return total
 
 
 def _series(e: Array) -> tuple[Array, Array, Array]:
@@ -100,15 +111,16 @@ def _series(e: Array) -> tuple[Array, Array, Array]:
 def sphere_depth(a: Array, root: Array, k: Array) -> Array:
     """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
     v = np.arcsinh(a / root)
-    value = a * (root / a * v) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
-    return np.where(a > 0.0, value, 0.0)
+    value = a * _steepness(a, root, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * _last(k)))
 
 
 def sphere_rate(t: Array, root: Array, k: Array) -> Array:
     v = np.arcsinh(t / root)
+    far = np.hypot(t, root) / root
 
     def integrand(x: Array) -> Array:
-        return sinh_over(x) ** k * (1.0 + (np.cosh(v) / np.cosh(x)) ** 2)
+        return sinh_over(x) ** k * (1.0 + (far / np.cosh(x)) ** 2)
 
     # 2e4 units at the end of the sphere from one panel over all of v
     first = np.minimum(v, _LONGEST)
@@ -116,16 +128,29 @@ def sphere_rate(t: Array, root: Array, k: Array) -> Array:
     if (v > first).any():
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
         total = total + (root / t) ** k * rest
-    return total
+    return np.where(root > 0.0, total, np.inf)
 
 
 def sphere_force(a: Array, root: Array, k: Array) -> Array:
     v = np.arcsinh(a / root)
+    whole = np.sinh(v)
 
     def integrand(x: Array) -> Array:
-        return sinh_over(x) ** k * (np.sinh(v - x) * np.sinh(v + x))
+        over = sinh_over(x)
+        return over**k * (1.0 - (over * (x / whole)) ** 2)
 
-    return root * raised(root * v, k) * weighted(integrand, v, k)
+    value = a * raised(a, k) * _steepness(a, root, v, k) ** k * v * weighted(integrand, v, k)
+    return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * raised(a, k) * 2.0 / (2.0 + k) * _last(k)))
+
+
+def _steepness(a: Array, root: Array, v: Array, k: Array) -> Array:
+    """v root/a, from the v at whose end the integral is largest for k > 0: a unit of v is 16 of its sinh at a = R."""
+    return np.where(k > 0.0, v / np.sinh(v), root / a * v)
+
+
+def _last(k: Array) -> Array:
+    """Depth over radius where the sphere is vertical."""
+    return np.where(k > 0.0, 1.0 / k, np.inf)
 
 
 def hyperboloid_depth(a: Array, b: Array, k: Array) -> Array:

@@ -8,12 +8,14 @@ of rationals, so that the weights of the rule hold for any power and for arrays 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 
 import numpy as np
 
 from ._elementwise import BLOCK, Array
+from ._integrals import in_parts, summed
 from ._nodes import gauss_legendre
 
 Smooth = Callable[[Array], Array]
@@ -40,12 +42,9 @@ def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
     nodes, _ = gauss_legendre(count)
     column = (-1, *(1,) * np.ndim(stop))
     weights = weights.reshape(count, *(1,) * (np.ndim(stop) + 1 - weights.ndim), *weights.shape[1:])
-    total = np.zeros(np.broadcast_shapes(np.shape(stop), weights.shape[1:]))
-    step = max(1, BLOCK // max(1, total.size))
-    for first in range(0, count, step):
-        part = slice(first, first + step)
-        total = total + np.sum(weights[part] * smooth(nodes[part].reshape(column) * stop), axis=0)
-    return total
+    size = math.prod(np.broadcast_shapes(np.shape(stop), weights.shape[1:]))
+    parts = in_parts(count, BLOCK // max(1, size))
+    return summed(weights[part] * smooth(nodes[part].reshape(column) * stop) for part in parts)
 
 
 def product_weights(power: Array, count: int) -> Array:

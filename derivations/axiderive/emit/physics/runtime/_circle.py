@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._functions import gamma_ratio
 from ._integrals import integral_in_strip
+from ._special import gamma_ratio
 
 STEPS, SHORTEST = 7, 1e-9
 """Of the means: with six of them the neighbours of the edge lose 44 units; their root is 1.5e-8 of the radius."""

@@ -1,0 +1,45 @@
+"""Domains of the keyword parameters in numbers."""
+
+from __future__ import annotations
+
+from math import inf
+
+INSIDE = {
+    "a": (0.0, inf),
+    "d": (0.0, inf),
+    "F": (0.0, inf),
+    "E_star": (0.0, inf),
+    "k": (-1.0, 1.0),
+    "H": (0.0, inf),
+    "dgamma": (0.0, inf),
+    "mu": (0.0, inf),
+    "G_star": (0.0, inf),
+    "theta": (0.0, 1.5707963267948966),
+    "R": (0.0, inf),
+    "R1": (0.0, inf),
+    "R2": (0.0, inf),
+    "b": (0.0, inf),
+    "n": (0.0, inf),
+    "A": (0.0, inf),
+    "h": (0.0, inf),
+    "s": (0.0, inf),
+    "wavelength": (0.0, inf),
+    "H_x": (0.0, inf),
+    "v": (0.0, inf),
+    "E": (0.0, inf),
+    "E_inf": (0.0, inf),
+    "E_1": (0.0, inf),
+    "eta": (0.0, inf),
+    "relaxation": (0.0, inf),
+    "alpha": (0.0, 1.0),
+    "t_0": (0.0, inf),
+    "young_1": (0.0, inf),
+    "young_2": (0.0, inf),
+    "E_0": (0.0, inf),
+    "c_0": (0.0, inf),
+    "nu": (-1.0, 0.5),
+    "nu_1": (-1.0, 0.5),
+    "nu_2": (-1.0, 0.5),
+    "p_0": (0.0, inf),
+    "sigma": (-1.0, inf),
+}

@@ -1,0 +1,360 @@
+"""What an entry says beside its formulas, stated a second time: key, quantity, definition, parameters, symbols.
+
+A formula is proved to be what its quantity is defined as; under another definition, or with a symbol that no
+argument carries, a true formula is a false entry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from ..contact import adhesive, detachment, loads, materials, normal, tangential, viscoelastic
+from ..contact.medium import Medium
+from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..entry import COMPACT, COMPLETE, Entry, Quantity, Status
+from ..notation import (
+    E_0,
+    E_star,
+    F,
+    G_star,
+    H,
+    H_x,
+    L,
+    N,
+    P,
+    a,
+    c,
+    c_0,
+    coefficients,
+    d,
+    dgamma,
+    e,
+    h_N,
+    j,
+    k,
+    mu,
+    nu,
+    nu_1,
+    nu_2,
+    r,
+    r_zero,
+    retraction,
+    t,
+    tilt,
+    time,
+    v,
+    w,
+    width,
+    x,
+    x_zero,
+    young_1,
+    young_2,
+)
+from ..profiles.loads import Load
+from ..profiles.materials import PROFILE as ELASTIC
+from ..profiles.profile import Profile
+from .domain import NotProvedError
+
+Symbols = tuple[sp.Symbol, ...]
+Frames = dict[str, "Frame"]
+f_, g_, p_, w1D_, F_, E_, P_ = map(sp.Function, ("f", "g", "p", "w1D", "F", "E", "P"))
+ROUTES = {"Fd": ("F", "ad"), "dF": ("d", "aF")}
+"""A load or depth that is read as one formula after another, and which."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What the entry of one quantity has to say."""
+
+    key: str
+    profile: Profile
+    quantity: Quantity
+    definition: sp.Expr
+    parameters: Symbols
+    unknown: Symbols = ()
+    """What the formula is given besides its arguments: the root of an equation that another entry states."""
+    partial: Entry | None = None
+
+    def require(self, entry: Entry) -> None:
+        """Refuse an entry that says something else.
+
+        Raises
+        ------
+        NotProvedError
+            If one of its fields is another, or a formula holds a symbol that is neither argument nor parameter.
+        """
+        if (entry.key, entry.profile, entry.quantity) != (self.key, self.profile, self.quantity):
+            message = f"{entry.key} is not {self.quantity.function} of {self.key}"
+            raise NotProvedError(message)
+        if entry.status != _status(entry):
+            message = f"the formulas of {entry.key} are not {entry.status}"
+            raise NotProvedError(message)
+        if entry.definition != self.definition:
+            message = f"{entry.key} is defined as {entry.definition}, not as {self.definition}"
+            raise NotProvedError(message)
+        if entry.composed not in (None, ROUTES.get(entry.suffix)):
+            message = f"{entry.key} is no composition of {entry.composed}"
+            raise NotProvedError(message)
+        if entry.partial != self.partial:
+            message = f"{entry.key} is not the contact of the unbounded profile before the edge is reached"
+            raise NotProvedError(message)
+        if entry.parameters != self.parameters:
+            message = f"the parameters of {entry.key} are not {', '.join(map(str, self.parameters))}"
+            raise NotProvedError(message)
+        self._require_symbols(entry)
+
+    def _require_symbols(self, entry: Entry) -> None:
+        known = {*self.quantity.arguments, *self.parameters, *self.unknown}
+        known.update(symbol for symbol, _ in self.profile.abbreviations)
+        if any(piece.expr.has(sp.Sum) for piece in self.profile.pieces):
+            known |= coefficients[j].free_symbols - {j} | {N}
+        for case in entry.cases:
+            # the region names the radius of an equation, and the depth before the edge is reached
+            own = known.union(*(member.free_symbols for member in case.chain))
+            if entry.status == "closed":
+                own -= {self.quantity.symbol} - known
+            if case.expr.has(sp.Float):
+                message = f"{entry.key} holds a rounded number"
+                raise NotProvedError(message)
+            strange = case.expr.free_symbols - own
+            if strange:
+                message = f"{', '.join(sorted(map(str, strange)))} is neither argument nor parameter of {entry.key}"
+                raise NotProvedError(message)
+
+
+def _status(entry: Entry) -> Status:
+    """What the formulas are: equations, integrals or closed."""
+    if any(isinstance(case.expr, sp.Equality) for case in entry.cases):
+        return "root"
+    return "integral" if any(case.expr.has(sp.Integral) for case in entry.cases) else "closed"
+
+
+def _material(medium: Medium, modulus: bool = True) -> Symbols:
+    return ((medium.modulus,) if modulus else ()) + ((medium.k,) if medium.k != 0 else ())
+
+
+def _grown(medium: Medium) -> dict[str, sp.Expr]:
+    """(11.61), (11.51), (11.53), (11.56), at k = 0 (11.29), (11.20), (11.23), (11.26); g(t) is of earlier contacts."""
+    m, exponent = medium.modulus, medium.k
+    growth = sp.Derivative(g_(t), t)
+    outside = sp.Integral(growth * sp.asin(t / r), (t, 0, a)) / sp.pi
+    if exponent != 0:
+        kernel = t**exponent * (g_(a) - g_(t)) * (r**2 - t**2) ** (-(1 + exponent) / 2)
+        outside = sp.cos(sp.pi * exponent / 2) / sp.pi * sp.Integral(kernel, (t, 0, a))
+    weight = (a**2 - r**2) ** ((exponent - 1) / 2)
+    return {
+        "d": a ** (1 - exponent) * sp.Integral(sp.Derivative(f_(r), r) * weight, (r, 0, a)),
+        "F": 2 * m * sp.Integral(t**exponent * (g_(a) - g_(t)), (t, 0, a)),
+        "p": m / sp.pi * sp.Integral(growth * (t**2 - r**2) ** ((exponent - 1) / 2), (t, r, a)),
+        "w": 2 * outside,
+    }
+
+
+def compact(profile: Profile, medium: Medium) -> Frames:
+    """Normal contact whose radius grows with the load."""
+    own = _grown(medium)
+    definitions = {
+        **own,
+        "k": sp.Derivative(F, d),
+        "pm": F / (sp.pi * a**2),
+        "ad": sp.Eq(g_(a), d),
+        "aF": sp.Eq(own["F"], F),
+        "Fd": own["F"],
+        "dF": g_(a),
+    }
+    return {
+        suffix: Frame(
+            medium.key(profile.name, medium.group, suffix), profile, COMPACT[suffix], definition,
+            profile.parameters + _material(medium, suffix not in ("d", "w", "ad")),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip
+
+
+def complete(profile: Profile, medium: Medium) -> Frames:
+    """Normal contact between fixed edges, with w1D(t) = d - g(t)."""
+    m, exponent = medium.modulus, medium.k
+    force = 2 * m * sp.Integral(t**exponent * w1D_(t), (t, 0, a))
+    rest = sp.Integral(sp.Derivative(w1D_(t), t) * (t**2 - r**2) ** ((exponent - 1) / 2), (t, r, a))
+    sunk = sp.Integral(t**exponent * w1D_(t) * (r**2 - t**2) ** (-(1 + exponent) / 2), (t, 0, a))
+    weighted = (a**2 - r**2) ** ((1 - exponent) / 2) * p_(r)
+    definitions = {
+        "F": force,
+        "p": m / sp.pi * (w1D_(a) * (a**2 - r**2) ** ((exponent - 1) / 2) - rest),
+        "w": 2 * sp.cos(sp.pi * exponent / 2) / sp.pi * sunk,
+        "k": sp.Derivative(F, d),
+        "dF": sp.Eq(force, F),
+        "rz": sp.Eq(sp.Derivative(weighted, r), 0),
+        "dmin": sp.Eq(p_(r_zero), 0),
+        "Fmin": force,
+    }
+    (piece,) = profile.pieces
+    before: Mapping[str, Entry] = {}
+    if piece.expr != 0 and not piece.expr.has(a):
+        geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
+        before = normal.derive(replace(profile, contact="compact", parameters=geometry), medium)
+    return {
+        suffix: Frame(
+            medium.key(profile.name, medium.group, suffix), profile, COMPLETE[suffix], definition,
+            profile.parameters + _material(medium, suffix in ("F", "p", "k", "dF", "Fmin")),
+            (r_zero,) if suffix in ("rz", "dmin", "Fmin") else (), before.get(suffix),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip
+
+
+def _retraction(medium: Medium) -> sp.Expr:
+    return sp.Eq(2 * sp.pi * a * dgamma, medium.modulus * a**medium.k * retraction**2)
+
+
+def adhering(profile: Profile, medium: Medium) -> Frames:
+    """The contact without adhesion less a flat punch moved by the retraction."""
+    m, exponent = medium.modulus, medium.k
+    outside = 2 * sp.asin(a / r) / sp.pi
+    if exponent != 0:
+        outside = medium.punch_displacement().expr()
+    punch = {
+        "d": sp.S.One,
+        "F": 2 * m * a ** (1 + exponent) / (1 + exponent),
+        "p": m / sp.pi * (a**2 - r**2) ** ((exponent - 1) / 2),
+        "w": outside,
+    }
+    left = {suffix: definition - punch[suffix] * retraction for suffix, definition in _grown(medium).items()}
+    definitions = {"Dl": _retraction(medium), **left, "ad": sp.Eq(d, left["d"]), "aF": sp.Eq(F, left["F"])}
+    for number, suffixes in ((3 + exponent, ("ac", "Fc", "dc")), (1 - exponent, ("am", "Fm", "dm"))):
+        # Griffith's balance with the retraction whose punch leaves the load, or the depth, stationary
+        level = number * sp.sqrt(sp.pi * dgamma / (2 * m)) * a ** (-(1 + exponent) / 2)
+        definitions |= dict.fromkeys(suffixes, sp.Eq(sp.Derivative(g_(a), a), level))
+    return {
+        suffix: Frame(
+            medium.key(profile.name, medium.group, adhesive.GROUP, suffix), profile, adhesive.QUANTITIES[suffix],
+            definition, (() if suffix == "Dl" else profile.parameters) + _material(medium) + (dgamma,),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip
+
+
+def peeling(profile: Profile, medium: Medium) -> Frames:
+    """Adhesive contact between fixed edges."""
+    definitions = {
+        "Dl": _retraction(medium),
+        "Fc": sp.Eq(F_(w1D_(a)), F),
+        "dc": sp.Eq(w1D_(a), -retraction),
+    }
+    return {
+        suffix: Frame(
+            medium.key(profile.name, medium.group, adhesive.GROUP, suffix), profile, detachment.QUANTITIES[suffix],
+            definition, ((a,) if suffix == "Dl" else profile.parameters) + _material(medium) + (dgamma,),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip
+
+
+def slipping(profile: Profile, medium: Medium) -> Frames:
+    """Partial slip: mu times the difference of two normal contacts, (11.78)-(11.80)."""
+    along = G_star if medium.k == 0 else H_x
+    ratio = mu * medium.modulus / along
+    floor = profile.breaks[0] if profile.truncated else sp.S.Zero
+    force = mu * (F_(a) - F_(c))
+    definitions = {
+        "F": force,
+        "tau": mu * (p_(r, a) - p_(r, c)),
+        "u": ratio * (g_(a) - g_(c)),
+        "c": sp.Eq(force, tangential.QUANTITIES["F"].symbol),
+        "us": ratio * (g_(a) - g_(floor)),
+    }
+    exponent = (medium.k,) if medium.k != 0 else ()
+    return {
+        suffix: Frame(
+            medium.key(profile.name, medium.group, tangential.GROUP, suffix), profile, tangential.QUANTITIES[suffix],
+            definition,
+            (*profile.parameters, medium.modulus, *((along,) if suffix in ("u", "us") else ()), *exponent, mu),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip
+
+
+def relaxing(profile: Profile) -> Frames:
+    """Growing contact on a viscoelastic half-space: the elastic force, per modulus, under the relaxation."""
+    s = sp.Symbol("s", positive=True)
+    definition = sp.Integral(E_(time - s) * sp.Derivative(F_(s), s) / E_star, (s, 0, time))
+    found = {}
+    for law in viscoelastic.LAWS:
+        for kind, own, unknown in (("ramp", (v,), ()), ("step", (), (F,)), ("load", (), ())):
+            suffix = f"{kind}_{law.suffix}"
+            key = f"{profile.name}.{viscoelastic.GROUP}.{suffix}"
+            parameters = (*profile.parameters, *own, *law.parameters)
+            quantity = viscoelastic.QUANTITIES[suffix]
+            found[suffix] = Frame(key, profile, quantity, definition, parameters, unknown)
+    return found
+
+
+def strip(profile: Profile, entries: Mapping[str, Entry]) -> Frames:
+    """Plane contact; the modulus is a parameter of what holds it."""
+    growth, s = sp.Derivative(P_(t), t), sp.Symbol("s", real=True)
+    load = E_star * sp.Integral(x * sp.Derivative(f_(x), x) / sp.sqrt(a**2 - x**2), (x, 0, a))
+    grown = {
+        "p": sp.Integral(growth / sp.sqrt(t**2 - x**2), (t, x, a)) / sp.pi,
+        "s": -2 / (sp.pi * E_star) * sp.Integral(growth / sp.sqrt(x**2 - t**2), (t, 0, a)),
+        "d": 2 / (sp.pi * E_star) * sp.Integral(growth * sp.acosh(L / t), (t, 0, a)),
+    }
+    flat = {
+        "p": 1 / (sp.pi * sp.sqrt(a**2 - x**2)),
+        "s": -2 / (sp.pi * E_star * sp.sqrt(x**2 - a**2)),
+        "d": 2 / (sp.pi * E_star) * sp.acosh(L / a),
+    }
+    if e in profile.parameters:
+        quantities = PLANE_ECCENTRIC
+        definitions = {
+            "p": sp.Eq(sp.Integral(x * p_(x), (x, -a, a)), P * e),
+            "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(p_(s) / (s - x), (s, -a, a)), tilt),
+            "cw": sp.Eq(p_(a - width), 0),
+        }
+    elif profile.contact == "complete":
+        quantities = PLANE_COMPLETE
+        definitions = {suffix: (P - P_(a)) * flat[suffix] + own for suffix, own in grown.items()}
+        definitions["xz"] = sp.Eq(sp.Derivative(sp.sqrt(a**2 - x**2) * p_(x), x), 0)
+        definitions["Pmin"] = sp.Eq(p_(x_zero), 0)
+    else:
+        quantities = PLANE
+        definitions = {"P": load, **grown, "aP": sp.Eq(load, P)}
+    found = {}
+    for suffix, definition in definitions.items():
+        holds = suffix in entries and any(case.expr.has(E_star) for case in entries[suffix].cases)
+        found[suffix] = Frame(
+            f"plane.{profile.name}.{suffix}", profile, quantities[suffix], definition,
+            profile.parameters + ((E_star,) if holds else ()), (x_zero,) if suffix in ("xz", "Pmin") else (),
+        )  # fmt: skip
+    return found
+
+
+def pressed(load: Load) -> Frames:
+    """The displacement under a prescribed pressure, (11.105)."""
+    xi = sp.Symbol("xi", positive=True)
+    definition = 2 / sp.pi * sp.Integral(w1D_(xi) / sp.sqrt(r**2 - xi**2), (xi, 0, sp.Min(r, a)))
+    parameters = (*load.parameters, E_star)
+    return {"w": Frame(f"loads.{load.name}.w", load, loads.QUANTITIES["w"], definition, parameters)}
+
+
+def elastic() -> Frames:
+    """Elastic constants of the contact."""
+    scale = (1 - nu**2) * c_0**k / E_0
+    pressed = [(1 - own**2) / young for young, own in ((young_1, nu_1), (young_2, nu_2))]
+    sheared = [(2 - own) * (1 + own) / (2 * young) for young, own in ((young_1, nu_1), (young_2, nu_2))]
+    definitions = {
+        "E_star": sp.Eq(1 / E_star, sp.Add(*pressed)),
+        "G_star": sp.Eq(1 / G_star, sp.Add(*sheared)),
+        "H": sp.Eq(H, h_N / scale),
+        "h_N": sp.Eq(w, scale * sp.cos(sp.pi * k / 2) * F / (h_N * sp.pi * r ** (1 + k))),
+    }
+    parameters = {"H": (E_0, c_0, k, nu), "h_N": (k, nu)}
+    return {
+        suffix: Frame(
+            f"{ELASTIC.name}.{suffix}", ELASTIC, materials.QUANTITIES[suffix], definition,
+            parameters.get(suffix, materials.BODIES),
+        )
+        for suffix, definition in definitions.items()
+    }  # fmt: skip

@@ -1,0 +1,593 @@
+"""The algebra of the second prover: formulas as elements of a differential field over an ordered domain.
+
+An element is a quotient of two polynomials of FLINT in symbols, powers of positive polynomials and functions.
+It is zero if its numerator is, modulo y**q = P, or if its derivative is and its value at one end of the domain.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from functools import reduce
+from typing import Any
+
+from flint import fmpq, fmpq_mpoly_ctx
+
+from .reading import Tree, UnknownError, symbols, tree
+
+ROOM, PAIRS = 56, 4
+"""Generators of a field; the last ones, in pairs, stand for where bounded ones are between their bounds."""
+RING = fmpq_mpoly_ctx.get(tuple(f"g{i}" for i in range(ROOM)), "lex")
+GENS, ONE = RING.gens(), RING.constant(1)
+HALF = Fraction(1, 2)
+DEPTH = 5
+BOUNDS: dict[str, tuple[Fraction | int, Fraction | int]] = {
+    "k": (-1, 1),
+    "alpha": (0, 1),
+    "tangent": (0, 1),
+    "share": (0, 1),
+    **dict.fromkeys(("nu", "nu_1", "nu_2"), (-1, HALF)),
+}
+ANY_SIGN = {*BOUNDS, "sigma", "nu", "nu_1", "nu_2", "e", "log(t)"}
+"""Symbols that are not simply positive; log(t) is that of the distance to an end of the domain."""
+SLOPES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "asin": (("(1 - x**2)**(-1/2)",), ("1 - x**2",)),
+    "atan": (("1/(1 + x**2)",), ()),
+    "log": (("1/x",), ("x",)),
+    "sin": (("cos(x)",), ()),
+    "cos": (("-sin(x)",), ()),
+    "tan": (("",), ("cos(x)",)),
+    "gamma": (("",), ("x",)),
+    "Dawson": (("1 - 2*x*Dawson(x)",), ()),
+    "LegendreChi2": (("atanh(x)/x",), ("1 - x**2",)),
+    "ArctanIntegral": (("atan(x)/x",), ()),
+    "StruveH": (("", "StruveH(x - 1, y) - x/y*StruveH(x, y)"), ("y",)),
+    "IncompleteBeta": (("x**(y - 1)*(1 - x)**(z - 1)", "", ""), ("x", "1 - x")),
+    "elliptic_f": (("(1 - x**2)**(-1/2)*(1 - y*x**2)**(-1/2)", ""), ("1 - x**2", "1 - y*x**2")),
+    "elliptic_e": (("(1 - x**2)**(-1/2)*(1 - y*x**2)**(1/2)", ""), ("1 - x**2", "1 - y*x**2")),
+    "C0": (("", "", "acos(x/z)*(z**2 - y**2)**(-1/2)"), ("z - x", "z - y")),
+    "CapMoment": (
+        ("", "y*(z**2 - y**2)**(-1/2)*(u**2 - y**2)**((x - 1)/2)", "",
+         "-u*((z**2 - y**2)**(1/2)*(u**2 - y**2)**((x - 1)/2) - z*u**(x - 1) + x*CapMoment(x, y, z, u))"
+         "/(z**2 - u**2)"),
+        ("z - y", "u - y"),
+    ),
+    "Kummer": (("", "", "(y - 1 + (z - y + 1)*Kummer(1, y, z))/z"), ()),
+}  # fmt: skip
+"""Of every function the derivatives in its arguments x, y, z, u, and what must be positive for it to be analytic.
+
+Elliptic integrals take the sine of their angle; of 1F1 only that with a parameter 1 is left.
+"""
+POSITIVE = {"asin", "atan", "gamma", "IncompleteBeta", "elliptic_f", "elliptic_e", "Dawson", "C0", "tan", "exp"}
+"""Functions that are positive where their last argument is and their margins are."""
+ODD = {"asin", "atan", "LegendreChi2", "ArctanIntegral", "Dawson"}
+LINEAR = ODD | {"elliptic_f", "elliptic_e"}
+"""Functions f(x, ...) = x + O(x^2)."""
+
+
+class FinerError(Exception):
+    """A power with a finer exponent is needed: the statement has to begin again."""
+
+
+def used(poly: Any) -> set[int]:
+    return {i for i, degree in enumerate(poly.degrees()) if degree > 0}
+
+
+def as_fraction(value: Any) -> Fraction:
+    return Fraction(int(value.p), int(value.q))
+
+
+class Element:
+    """A quotient of two polynomials in the generators of a field."""
+
+    __slots__ = ("den", "field", "num")
+
+    def __init__(self, field: Field, num: Any, den: Any = ONE) -> None:
+        num, den = field.reduced(num), field.reduced(den)
+        if den == 0:
+            message = "a division by zero"
+            raise UnknownError(message)
+        common = num.gcd(den)
+        lead = (den / common).leading_coefficient()
+        self.field, self.num, self.den = field, num / common / lead, den / common / lead
+
+    def _other(self, other: Any) -> Element:
+        return other if isinstance(other, Element) else self.field.number(other)
+
+    def __add__(self, other: Any) -> Element:
+        other = self._other(other)
+        if self.den == other.den:
+            return Element(self.field, self.num + other.num, self.den)
+        return Element(self.field, self.num * other.den + other.num * self.den, self.den * other.den)
+
+    def __mul__(self, other: Any) -> Element:
+        other = self._other(other)
+        return Element(self.field, self.num * other.num, self.den * other.den)
+
+    def __sub__(self, other: Any) -> Element:
+        return self + self._other(other) * -1
+
+    def __truediv__(self, other: Any) -> Element:
+        other = self._other(other)
+        return Element(self.field, self.num * other.den, self.den * other.num)
+
+    def __pow__(self, times: int) -> Element:
+        num, den = (self.num, self.den) if times >= 0 else (self.den, self.num)
+        return Element(self.field, num ** abs(times), den ** abs(times))
+
+    @property
+    def number(self) -> Fraction | None:
+        """The value, if the element is a number."""
+        if not (self.num.is_constant() and self.den.is_constant()):
+            return None
+        return as_fraction(self.num.leading_coefficient()) if self.num != 0 else Fraction(0)
+
+    @property
+    def name(self) -> str:
+        return f"({self.field.name(self.num)})/({self.field.name(self.den)})"
+
+
+class Field:
+    """Formulas over one domain; `order` lists pairs (low, high) of a formula and the symbol above it."""
+
+    def __init__(self, order: Iterable[tuple[Tree, str]], finer: dict[str, int], end: float) -> None:
+        self.order, self.finer, self.end = tuple(order), finer, end
+        self.free = ROOM - 2 * PAIRS
+        self.kind: dict[int, tuple[Any, ...]] = {}
+        self.keys: dict[str, int] = {}
+        self.relations: dict[int, tuple[int, Any]] = {}
+        self.positive: set[int] = set(range(self.free, ROOM))
+        self.safe: set[int] = set()
+        self.signs: dict[str, int | None] = {}
+        self.slopes: dict[tuple[int, str], Element] = {}
+
+    def number(self, value: Any) -> Element:
+        return Element(self, RING.constant(fmpq(Fraction(value).numerator, Fraction(value).denominator)))
+
+    def reduced(self, poly: Any) -> Any:
+        for index in sorted(self.relations):
+            degree, relation = self.relations[index]
+            if poly.degrees()[index] >= degree:
+                poly = poly % relation
+        return poly
+
+    def name(self, poly: Any) -> str:
+        """The polynomial in the keys of its generators, which stay the same when a statement begins again."""
+        names = {index: key for key, index in self.keys.items()}
+        return "+".join(f"{c}" + "".join(f"*[{names[i]}]^{m}" for i, m in enumerate(e) if m) for e, c in poly.terms())
+
+    def generator(self, key: str, kind: tuple[Any, ...], *, positive: bool, safe: bool) -> Element:
+        if key not in self.keys:
+            self.free -= 1
+            if self.free < 0 or time.process_time() > self.end:
+                message = "no proof within the room and the time given"
+                raise UnknownError(message)
+            self.keys[key], self.kind[self.free], self.signs = self.free, kind, {}
+            self.positive |= {self.free} if positive else set()
+            self.safe |= {self.free} if safe else set()
+        return Element(self, GENS[self.keys[key]])
+
+    def symbol(self, name: str) -> Element:
+        return self.generator(name, ("symbol", name), positive=name not in ANY_SIGN, safe=True)
+
+    def read(self, formula: Tree, values: Mapping[str, Element] | None = None) -> Element:
+        """The element of a tree, with elements for some of its symbols."""
+        values = values or {}
+        match formula:
+            case str():
+                return values[formula] if formula in values else self.symbol(formula)
+            case int() | Fraction():
+                return self.number(formula)
+            case ("Pow", base, exponent):
+                return self.power(self.read(base, values), self.read(exponent, values))
+            case ("exp", inner):
+                return self.exp(self.read(inner, values))
+            case ("Sum", term, ("Tuple", "j", 1, "N")):
+                return self.read(term, values)
+            case ("elliptic_e" | "elliptic_f" as head, ("asin", sine), parameter):
+                return self.function(head, self.read(sine, values), self.read(parameter, values))
+            case ("Add" | "Mul" as head, *parts):
+                elements = (self.read(part, values) for part in parts)
+                return reduce(Element.__add__ if head == "Add" else Element.__mul__, elements)
+            case (str(head), *arguments):
+                return self.function(head, *(self.read(argument, values) for argument in arguments))
+        message = f"{formula} is no formula"
+        raise UnknownError(message)
+
+    # powers and logarithms, factor by factor
+
+    def factors(self, x: Element) -> list[tuple[Any, int]]:
+        """Positive irreducible polynomials, primes among them, and their multiplicities in a positive element."""
+        out, sign = [], 1
+        for poly, direction in ((x.num, 1), (x.den, -1)):
+            unit, found = poly.factor()
+            sign *= -1 if unit < 0 else 1
+            whole = as_fraction(unit)
+            for number, way in ((abs(whole.numerator), direction), (whole.denominator, -direction)):
+                out += [(RING.constant(prime), way * times) for prime, times in primes(number)]
+            for factor, times in found:
+                own = self.poly_sign(factor)
+                if not own:
+                    message = "the sign under a root or a logarithm is not shown"
+                    raise UnknownError(message)
+                sign *= own**times
+                out.append((factor * own, direction * times))
+        if sign < 0 or x.num == 0:
+            message = "a root or a logarithm of a number that is not positive"
+            raise UnknownError(message)
+        return out
+
+    def _root(self, base: Any) -> tuple[Any, Element] | None:
+        """What a polynomial is a power of, if it is a generator that stands for one."""
+        (index,) = used(base) if len(used(base)) == 1 else (-1,)
+        return self.kind[index][1:] if index >= 0 and base == GENS[index] and self.kind[index][0] == "power" else None
+
+    def power(self, base: Element, exponent: Element) -> Element:
+        number = exponent.number
+        if number is not None and number.denominator == 1:
+            if number < 0 and not self.poly_sign(base.num):
+                message = "a denominator may vanish"
+                raise UnknownError(message)
+            return base**number.numerator
+        if base.num == 0 and self.sign(exponent) == 1:
+            return base
+        parts = [self._power(factor, exponent * times) for factor, times in self.factors(base)]
+        return reduce(Element.__mul__, parts, self.number(1))
+
+    def _power(self, base: Any, exponent: Element) -> Element:
+        """A positive irreducible polynomial to a power: its own generator for each term of the exponent."""
+        root = self._root(base)
+        if root:
+            return self._power(root[0], root[1] * exponent)
+        out = self.number(1)
+        for factor, unit in self.terms(exponent):
+            plain = unit.number is not None
+            if plain and factor.denominator == 1:
+                out = out * Element(self, base) ** factor.numerator
+                continue
+            key = f"{self.name(base)}**{unit.name}"
+            fine = self.finer.setdefault(key, factor.denominator)
+            if fine % factor.denominator:
+                self.finer[key] = math.lcm(fine, factor.denominator)
+                raise FinerError
+            found = self.generator(key, ("power", base, unit * Fraction(1, fine)), positive=True, safe=True)
+            if plain:
+                self.relations[self.keys[key]] = fine, found.num**fine - base
+            out = out * found ** int(factor * fine)
+        return out
+
+    def terms(self, exponent: Element) -> Iterator[tuple[Fraction, Element]]:
+        """Numbers times units: monomials, over the denominator where they are the rest of the division by it."""
+        if any(self.kind[i][0] != "symbol" for i in used(exponent.num) | used(exponent.den)):
+            message = "an exponent that is not rational"
+            raise UnknownError(message)
+        quotient, rest = divmod(exponent.num, exponent.den)
+        for poly, den in ((quotient, ONE), (rest, exponent.den)):
+            for powers, coefficient in poly.terms():
+                yield as_fraction(coefficient), Element(self, RING.from_dict({powers: 1}), den)
+
+    def log(self, x: Element) -> Element:
+        out = self.number(0)
+        for factor, times in self.factors(x):
+            root = self._root(factor)
+            if factor == self.symbol("exp").num:
+                own = self.number(1)
+            elif root:
+                own = self.log(Element(self, root[0])) * root[1]
+            else:
+                own = self.opaque("log", Element(self, factor))
+            out = out + own * times
+        return out
+
+    def exp(self, x: Element) -> Element:
+        out = self.number(1)
+        for index in used(x.num):
+            if self.kind[index][0] == "log":
+                factor = Element(self, x.num.derivative(index), x.den)
+                out = out * self.power(self.kind[index][1][0], factor)
+                x = x - factor * Element(self, GENS[index])
+        return out * self.power(self.symbol("exp"), x)
+
+    # functions
+
+    def function(self, head: str, *args: Element) -> Element:
+        """A function through the member of its family that stands for it."""
+        x, last, half_pi = args[0], args[-1], self.symbol("pi") * HALF
+        env = dict(zip("xyzu", args, strict=False))
+        match head:
+            case "acos" if self.sign(self.number(1) - x * x) in (0, 1):
+                return half_pi - self.function("asin", x)
+            case "log":
+                return self.log(x)
+            case "atanh":
+                top, bottom = Element(self, x.num), Element(self, x.den)
+                return self.log(bottom + top) - self.log(bottom * bottom - top * top) * HALF
+            case "acosh" | "asinh":
+                return self.log(x + self.power(x * x - (1 if head == "acosh" else -1), self.number(HALF)))
+            case "sqrt":
+                return self.power(x, self.number(HALF))
+            case "IncompleteBeta" if x.number == 1 and self.sign(args[1]) == 1 and self.sign(last) == 1:
+                return self.by("gamma(y)*gamma(z)/gamma(y + z)", env)
+            case "IncompleteBeta" if args[1].number == last.number == HALF:
+                return self.by("2*asin(x**(1/2))", env)
+            case "IncompleteBeta" if args[1].number == HALF and last.number == 0:
+                return self.by("2*atanh(x**(1/2))", env)
+            case "IncompleteBeta" if last.number == 1:
+                return self.by("x**y/y", env)
+            case "cos" if x.num == 0:
+                return self.number(1)
+            case "asin" if x.number in (1, -1):
+                return half_pi * x
+            case "cos" | "sin" | "tan" if x.name == self.symbol("theta").name:
+                return self.opaque(head, x, positive=True)
+            case "cos" if x.name == (half_pi * self.symbol("k")).name:
+                return self.opaque(head, x, positive=True)
+            case "tan":
+                message = "a tangent of another angle than theta"
+                raise UnknownError(message)
+            case "gamma" if x.number == 1:
+                return self.number(1)
+            case "gamma" if x.number == HALF:
+                return self.power(self.symbol("pi"), x)
+            case "gamma" if self.sign(x - 1) == 1:
+                return self.by("(x - 1)*gamma(x - 1)", env)
+            case "gamma" if self.sign(x) != 1 and self.excess(x):
+                return self.by("(x - 1)*gamma(x - 1)" if self.excess(x) > 0 else "gamma(x + 1)/x", env)
+            case "IncompleteBeta" if x.num != 0 and self.excess(last, floor=True):
+                up = self.excess(last, floor=True) > 0
+                return self.by(
+                    "((z - 1)*IncompleteBeta(x, y, z - 1) + x**y*(1 - x)**(z - 1))/(y + z - 1)" if up else
+                    "((y + z)*IncompleteBeta(x, y, z + 1) - x**y*(1 - x)**z)/z", env)  # fmt: skip
+            case "IncompleteBeta" if x.num != 0 and self.excess(args[1]):
+                up = self.excess(args[1]) > 0
+                return self.by(
+                    "((y - 1)*IncompleteBeta(x, y - 1, z) - x**(y - 1)*(1 - x)**z)/(y + z - 1)" if up else
+                    "((y + z)*IncompleteBeta(x, y + 1, z) + x**y*(1 - x)**z)/y", env)  # fmt: skip
+            case "Kummer" | "Hypergeometric" if last.num == 0:
+                return self.number(1)
+            case "Kummer" if x.number == 2:
+                return self.by("y - 1 + (z - y + 2)*Kummer(1, y, z)", env)
+            case "Kummer" if self.excess(args[1]):
+                up = self.excess(args[1]) > 0
+                return self.by("(y - 1)*(Kummer(1, y - 1, z) - 1)/z" if up else "1 + z/y*Kummer(1, y + 1, z)", env)
+            case "Hypergeometric" if args[1].number == 2:
+                return self.by("(2 - z - (z - x - 1)*u/(1 - u))*Hypergeometric(x, 1, z, u) + (z - 1)/(1 - u)", env)
+            case "Hypergeometric" if args[1].number == 1 and self.sign(last) == 1:
+                return self.by("(z - 1)*u**(1 - z)*(1 - u)**(z - x - 1)*IncompleteBeta(u, z - 1, x - z + 1)", env)
+            case "Hypergeometric" if args[1].number == 1 and self.sign(last) == -1:
+                return self.by("(z - 1)*y**(1 - z)*(1 - y)**x*IncompleteBeta(y, z - 1, 1 - x)",
+                               env | {"y": last / (last - 1)})  # fmt: skip
+            case "StruveH" if self.excess(x) not in (-1, 0):
+                way = "-" if self.excess(x) > 0 else "+"
+                source = f"(y/2)**(x {way} 1)/(pi**(1/2)*gamma(x {way} 1 + 3/2))"
+                return self.by(f"2*(x {way} 1)/y*StruveH(x {way} 1, y) - StruveH(x {way} 2, y) + {source}", env)
+            case "C0" if (last - x).num == 0 or (last - args[1]).num == 0:
+                return self.number(0)
+            case "CapMoment" if args[1].num == 0:
+                return args[1]
+            case "sinh":
+                return self.by("(x - 1/x)/2", {"x": self.exp(x)})
+            case "CapMoment" if (last - args[1]).num == 0:
+                return self.by("(z**2 - y**2)**(x/2)*IncompleteBeta(y**2/z**2, (1 + x)/2, -x/2)/2", env)
+            case "asin" | "atan" | "elliptic_f" | "elliptic_e" | "ArctanIntegral" | "LegendreChi2" | "Dawson" if (
+                x.num == 0
+            ):
+                return x
+            case "IncompleteBeta" if x.num == 0 and self.sign(args[1]) == 1:
+                return x
+            case "StruveH" if last.num == 0 and self.sign(x + 1) == 1:
+                return last
+        if head in ODD and (x.num.leading_coefficient() < 0):
+            return self.opaque(head, x * -1) * -1
+        return self.opaque(head, *args)
+
+    def by(self, formula: str, values: Mapping[str, Element]) -> Element:
+        return self.read(tree(formula), values)
+
+    def excess(self, x: Element, *, floor: bool = False) -> int:
+        """How many units the constant part of a parameter lies above the interval (0, 1], or [0, 1)."""
+        constant = sum(c for c, unit in self.terms(x) if unit.number is not None)
+        return math.floor(constant) if floor else math.ceil(constant) - 1
+
+    def opaque(self, head: str, *args: Element, positive: bool = False) -> Element:
+        """A function as a generator of its own, one for equal arguments."""
+        if head not in SLOPES or len(args) != len(SLOPES[head][0]):
+            message = f"{head} of {len(args)} arguments is not known"
+            raise UnknownError(message)
+        for index, kind in self.kind.items():
+            if kind[0] == head and all((a - b).num == 0 for a, b in zip(kind[1], args, strict=True)):
+                return self._continuous(head, index in self.safe, Element(self, GENS[index]))
+        values = dict(zip("xyzu", args, strict=False))
+        safe = positive or all(self.sign(self.by(margin, values)) == 1 for margin in SLOPES[head][1])
+        safe = safe and all(map(self.analytic, args))
+        positive = positive or (safe and head in POSITIVE and self.sign(args[0]) == 1)
+        key = f"{head}{[arg.name for arg in args]}"
+        return self._continuous(head, safe, self.generator(key, (head, args), positive=positive, safe=safe))
+
+    def _continuous(self, head: str, safe: bool, found: Element) -> Element:
+        if not safe:
+            message = f"{head} is not shown to be analytic"
+            raise UnknownError(message)
+        return found
+
+    def analytic(self, x: Element) -> bool:
+        """Whether the element is shown to be real-analytic on the whole domain."""
+        return used(x.num) | used(x.den) <= self.safe and bool(self.poly_sign(x.den))
+
+    # signs
+
+    def sign(self, x: Element) -> int | None:
+        top, bottom = self.poly_sign(x.num), self.poly_sign(x.den)
+        return None if top is None or not bottom else top * bottom
+
+    def poly_sign(self, poly: Any, depth: int = DEPTH) -> int | None:
+        """-1, 0 or 1 where that is shown to be the sign on the whole domain."""
+        if poly.is_constant():
+            return 0 if poly == 0 else 1 if poly.leading_coefficient() > 0 else -1
+        key = str(poly)
+        if key not in self.signs:
+            unit, factors = poly.factor()
+            total: int | None = 1 if unit > 0 else -1
+            for factor, times in factors:
+                own = self._factor_sign(factor, depth)
+                total = None if own is None or total is None else total * own**times
+            self.signs[key] = total
+        return self.signs[key]
+
+    def _factor_sign(self, poly: Any, depth: int) -> int | None:
+        shifted = self.shifted(poly)
+        if used(shifted) <= self.positive and len({c > 0 for c in shifted.coeffs()}) == 1:
+            return 1 if shifted.leading_coefficient() > 0 else -1
+        for index in sorted(self.relations) if depth else ():
+            if poly.degrees()[index] != 1:
+                continue
+            # A + B y with y**q = P has the sign of the larger of |A|**q and |B|**q P
+            slope = poly.derivative(index)
+            rest, degree = poly - slope * GENS[index], self.relations[index][0]
+            one, two = self.poly_sign(rest, depth - 1), self.poly_sign(slope, depth - 1)
+            if one is None or two is None:
+                continue
+            if one * two >= 0:
+                return one or two
+            gap = self.reduced((slope * two * GENS[index]) ** degree - (rest * one) ** degree)
+            larger = self.poly_sign(gap, depth - 1)
+            if larger is not None:
+                return larger * two
+        return None
+
+    def shifted(self, poly: Any) -> Any:
+        """With each symbol replaced by what is below it plus a positive one, from above to below."""
+        below: dict[str, Tree] = {}
+        for low, high in self.order:
+            below.setdefault(high, low)
+
+        def height(name: str) -> int:
+            return 1 + max(map(height, symbols(below[name])), default=0) if name in below else 0
+
+        for name in sorted(below, key=height, reverse=True):
+            index = self.keys.get(name, -1)
+            if index >= 0 and poly.degrees()[index]:
+                low = self.read(below[name])
+                if not low.den.is_constant():
+                    continue
+                poly = poly.compose(*(g + low.num if i == index else g for i, g in enumerate(GENS)), ctx=RING)
+        for index in used(poly):
+            head, *rest = self.kind.get(index, ("",))
+            if head == "power" and rest[0] == self.symbol("exp").num and self.sign(rest[1]) == 1:
+                # above 1
+                poly = poly.compose(*(g + 1 if i == index else g for i, g in enumerate(GENS)), ctx=RING)
+        pair = ROOM
+        for index in sorted(used(poly)):
+            head, *rest = self.kind.get(index, ("",))
+            own = BOUNDS.get(str(rest[0]), (0, 0)) if head == "symbol" else (0, 0)
+            low, high = self.number(own[0]).num, self.number(own[1]).num
+            if head == "asin" and index in self.positive:
+                high = self.symbol("pi").num / 2
+            if high != 0 and pair > ROOM - 2 * PAIRS:
+                pair -= 2
+                poly = between(poly, index, low, high, GENS[pair], GENS[pair + 1])
+        return poly
+
+    # derivatives, limits, zero
+
+    def slope(self, x: Element, name: str) -> Element:
+        """The derivative in a symbol."""
+        top, bottom = (self._poly_slope(poly, name) for poly in (x.num, x.den))
+        den = Element(self, x.den)
+        return top / den - Element(self, x.num) * bottom / (den * den)
+
+    def _poly_slope(self, poly: Any, name: str) -> Element:
+        out = self.number(0)
+        for index in used(poly):
+            if (index, name) not in self.slopes:
+                self.slopes[index, name] = self._generator_slope(index, name)
+            if self.slopes[index, name].num != 0:
+                out = out + self.slopes[index, name] * Element(self, poly.derivative(index))
+        return out
+
+    def _generator_slope(self, index: int, name: str) -> Element:
+        head, *rest = self.kind[index]
+        own = Element(self, GENS[index])
+        if head == "symbol":
+            return self.number(1 if rest[0] == name else 0)
+        if head == "power":
+            base, exponent = Element(self, rest[0]), rest[1]
+            growth = self.slope(base, name) * exponent / base
+            change = self.slope(exponent, name)
+            return own * (growth + change * self.log(base)) if change.num != 0 else own * growth
+        out, values = self.number(0), dict(zip("xyzu", rest[0], strict=False))
+        for formula, argument in zip(SLOPES[head][0], rest[0], strict=True):
+            inner = self.slope(argument, name)
+            if inner.num != 0:
+                if not formula:
+                    message = f"the derivative of {head} in a parameter is not known"
+                    raise UnknownError(message)
+                out = out + self.by(formula, values) * inner
+        return out
+
+    def face(self, name: str) -> tuple[Tree, Field]:
+        """The lower end of a symbol and the field on that face of the domain."""
+        low = next((low for low, high in self.order if high == name), 0)
+        order = [(low if below == name else below, high) for below, high in self.order if high != name]
+        return low, Field([pair for pair in order if pair[0] != 0], self.finer, self.end)
+
+    def limit(self, x: Element, name: str, low: Tree, face: Field) -> Element:
+        """The limit of an element as a symbol falls to the lower end of its range."""
+        # late: limits are of elements of a field
+        from .limits import Limit
+
+        return Limit(self, name, low, face, 1).value(x)
+
+    def zero(self, x: Element, depth: int = 3) -> bool:
+        """Whether the element is shown to vanish on the whole domain."""
+        if x.num == 0:
+            return True
+        if not depth or not self.analytic(x):
+            return False
+        functions = [i for i in sorted(used(x.num)) if self.kind[i][0] not in ("symbol", "power")]
+        for index in functions:
+            factor = Element(self, x.num.derivative(index))
+            if x.num.degrees()[index] != 1 or not self.sign(factor):
+                continue
+            ratio = Element(self, x.num) / factor
+            for name in self.varied(index):
+                try:
+                    low, face = self.face(name)
+                    if self.zero(self.slope(ratio, name), depth - 1) and face.zero(
+                        self.limit(ratio, name, low, face), depth - 1
+                    ):
+                        return True
+                except UnknownError:
+                    continue
+        return False
+
+    def varied(self, index: int) -> list[str]:
+        """The symbols a generator depends on."""
+        head, *rest = self.kind[index]
+        if head == "symbol":
+            return [] if rest[0] in ANY_SIGN | {"pi", "exp"} else [rest[0]]
+        parts = [rest[1], Element(self, rest[0])] if head == "power" else rest[0]
+        inner = {i for part in parts for i in used(part.num) | used(part.den)}
+        return sorted({name for i in inner for name in self.varied(i)})
+
+
+def between(poly: Any, index: int, low: Any, high: Any, u: Any, v: Any) -> Any:
+    """A positive multiple of the polynomial with (low u + high v)/(u + v) for a bounded generator, u, v > 0."""
+    degree, out = poly.degrees()[index], RING.constant(0)
+    for powers, coefficient in poly.terms():
+        rest = RING.from_dict({tuple(0 if i == index else m for i, m in enumerate(powers)): coefficient})
+        out += rest * (low * u + high * v) ** int(powers[index]) * (u + v) ** int(degree - powers[index])
+    return out
+
+
+def primes(number: int) -> list[tuple[int, int]]:
+    out, prime = [], 2
+    while number > 1:
+        times = 0
+        while number % prime == 0:
+            number, times = number // prime, times + 1
+        out += [(prime, times)] if times else []
+        prime = prime + 1 if prime * prime <= number else number
+    return out

@@ -1,0 +1,71 @@
+"""Stored text, and the formulas of the tables, as trees."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+Tree = Any
+"""The name of a symbol, a number, or a tuple of a head and its arguments."""
+INFIX: dict[type, str] = {ast.Add: "Add", ast.Mult: "Mul", ast.Pow: "Pow"}
+ASSUMED = {"j": {"integer", "positive"}, "N": {"integer", "positive"},
+           **dict.fromkeys(("e", "nu", "nu_1", "nu_2"), {"real"})}  # fmt: skip
+"""What the text of a symbol says of it; of all others, that they are positive."""
+
+
+class UnknownError(Exception):
+    """Nothing is shown."""
+
+
+@cache
+def tree(text: str) -> Tree:
+    """Stored text, or a formula in Python's notation."""
+    return _tree(ast.parse(text, mode="eval").body)
+
+
+def _tree(node: Any) -> Tree:
+    match node:
+        case ast.Constant(value=value):
+            return value
+        case ast.Name(id=name):
+            return name
+        case ast.UnaryOp(operand=inner):
+            return ("Mul", -1, _tree(inner))
+        case ast.BinOp(left=left, op=ast.Sub(), right=right):
+            return ("Add", _tree(left), ("Mul", -1, _tree(right)))
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            return ("Mul", _tree(left), ("Pow", _tree(right), -1))
+        case ast.BinOp(left=left, op=op, right=right):
+            return (INFIX[type(op)], _tree(left), _tree(right))
+        case ast.Call(func=ast.Name(id="Integer"), args=[inner]):
+            return int(ast.unparse(inner))
+        case ast.Call(func=ast.Name(id="Symbol"), args=[ast.Constant(value=str(name))], keywords=flags) if {
+            flag.arg for flag in flags if ast.unparse(flag.value) == "True"
+        } == ASSUMED.get(name, {"positive"}):
+            return name
+        case ast.Call(func=ast.Name(id="Rational"), args=numbers):
+            return Fraction("/".join(ast.unparse(number).strip("'") for number in numbers))
+        case ast.Call(func=ast.Name(id="Indexed"), args=[base, inner]) if (
+            ast.unparse(base) == "IndexedBase(Symbol('A'))" and _tree(inner) == "j"
+        ):
+            return "A_j"
+        case ast.Call(func=ast.Name(id=head), args=arguments):
+            return (head, *map(_tree, arguments))
+    message = f"{ast.unparse(node)[:40]} is no formula"
+    raise UnknownError(message)
+
+
+def put(formula: Tree, values: Mapping[str, Tree]) -> Tree:
+    """The tree with other trees for some symbols."""
+    if isinstance(formula, tuple):
+        return (formula[0], *(put(part, values) for part in formula[1:]))
+    return values.get(formula, formula) if isinstance(formula, str) else formula
+
+
+def symbols(formula: Tree) -> set[str]:
+    if isinstance(formula, tuple):
+        return set().union(*map(symbols, formula[1:]))
+    return {formula} - {"pi"} if isinstance(formula, str) else set()

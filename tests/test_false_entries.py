@@ -1,0 +1,58 @@
+"""No false entry is certified, and the false entries are false and many."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from false_entries import PROBLEMS, FalseEntry, candidates, derived, difference, false_entries, of
+
+from axiderive.contact import systems
+from axiderive.proof import certificate, plane
+
+QUICK = (
+    "paraboloid", "flat_punch", "capped_cylinder", "concave_paraboloid", "paraboloid.fgm", "flat_punch.fgm.adh",
+    "cone.adh", "paraboloid.tan", "plane.parabola", "plane.eccentric_punch", "loads.punch", "materials",
+)  # fmt: skip
+"""One of every physics; the others run with -m slow."""
+ALL = [pytest.param(key, marks=() if key in QUICK else pytest.mark.slow) for key in PROBLEMS]
+
+
+def certified(found: FalseEntry) -> bool:
+    problem = systems.problem(found.problem)
+    prover = plane if problem.system.name == "plane" else certificate
+    return prover.certify(problem.profile, dict(found.entries), found.suffix).proved
+
+
+@pytest.mark.parametrize("problem", ALL)
+def test_every_entry_is_false_and_none_is_certified(problem: str) -> None:
+    """False at a point where the true one is real, or in what is printed beside the formula."""
+    corpus = of(problem)
+    assert corpus
+    for found in corpus:
+        assert found.false != found.true
+        assert found.entries.keys() == derived(problem).keys()
+        assert found.told, found.text()
+    for found in corpus[::10]:
+        assert difference(found) == found.told, found.text()
+    accepted = [f"{found.text()}\n  {found.told}" for found in corpus if certified(found)]
+    assert not accepted, "\n".join(accepted)
+
+
+def test_a_true_entry_does_not_differ_from_itself() -> None:
+    for suffix in derived("paraboloid"):
+        assert not difference(FalseEntry("none", "paraboloid", suffix, derived("paraboloid")))
+
+
+def test_the_corpus_is_the_same_in_every_run() -> None:
+    first = [(found.family, found.suffix, found.text()) for found in candidates("paraboloid.tan")]
+    assert first == [(found.family, found.suffix, found.text()) for found in candidates("paraboloid.tan")]
+
+
+@pytest.mark.slow
+def test_there_are_enough_false_entries_of_every_kind() -> None:
+    families = Counter(found.family for found in false_entries())
+    physics = Counter(found.physics for found in false_entries())
+    assert sum(families.values()) >= 800
+    assert min(families.values()) >= 10, families
+    assert min(physics.values()) >= 10, physics
