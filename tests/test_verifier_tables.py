@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import time
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -11,7 +13,8 @@ import pytest
 
 from axiderive.abel import masters
 from axiderive.verifier.field import SLOPES, Element, Field
-from axiderive.verifier.reading import tree
+from axiderive.verifier.problem import DEFINITIONS
+from axiderive.verifier.reading import definition, tree
 
 VALUES = {
     "a": "1.7",
@@ -106,3 +109,25 @@ def test_value_and_derivatives(formula: str) -> None:
 
 def test_every_function_of_the_table_is_compared() -> None:
     assert {head for head in SLOPES if not any(f"{head}(" in formula for formula in FORMULAS)} <= {"tan"}
+
+
+def test_definitions_are_told_apart() -> None:
+    texts = {text for known in DEFINITIONS.values() for text in known["definitions"]}
+    assert len({definition(text) for text in texts}) == len(texts) > 70
+    assert all(definition(altered) != definition(text) for text in texts for altered in _altered(text))
+
+
+def _altered(text: str) -> Iterator[str]:
+    """The equation with one number, one letter or one sign changed at a time."""
+    for found in re.finditer(r"\d+|\b[a-zA-Z]\w*\b|[+]| - |[*](?![*])", text):
+        put = {"+": "-", " - ": " + ", "*": "+"}.get(found[0], f"{found[0]}7" if found[0] != "0" else "7")
+        yield text[: found.start()] + put + text[found.end() :]
+
+
+def test_a_definition_is_read_in_both_notations() -> None:
+    stored = (
+        "Equality(Symbol('d', positive=True), Mul(Rational(-1, 2), Pow(Symbol('k', real=True), Rational(-1, 2)), "
+        "Derivative(Function('f')(Symbol('r', positive=True)), Tuple(Symbol('r', positive=True), Integer(1)))))"
+    )
+    assert definition(stored) == definition("Eq(d, -Derivative(f(r), r)/(2*sqrt(k)))")
+    assert definition(stored) != definition("Eq(d, Derivative(f(r), r)/(2*sqrt(k)))")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import itertools
 import json
 import time
@@ -11,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from .field import Element, Field, FinerError
-from .reading import ASSUMED, Tree, UnknownError, put, symbols, tree
+from .reading import ASSUMED, Tree, UnknownError, definition, put, symbols, tree
 
 SECONDS = 60.0
 Chain = tuple[Tree, ...]
@@ -36,7 +35,7 @@ UNKNOWNS = {"aP": " a", "step": " F a"}
 """What an equation holds besides."""
 COMPOSED = {"Fd": ["F", "ad"], "dF": ["d", "aF"]}
 DEFINITIONS: dict[str, dict[str, list[str]]] = json.loads((Path(__file__).parent / "definitions.json").read_text())
-"""Digests of the defining equations that stand beside a quantity, and its constants of the material in their order."""
+"""The defining equations that may stand beside a quantity, and its constants of the material in their order."""
 MEDIA: dict[str, dict[str, Tree]] = {
     "": {"M": "E_star", "k": 0, "T": "G_star"},
     "fgm": {"M": "H", "k": "k", "T": "H_x"},
@@ -50,10 +49,6 @@ PUNCH = {
 """A flat punch of radius a moved by 1."""
 MONOMIAL = "gamma((1 + k)/2)*gamma(n/2 + 1)/gamma((1 + k + n)/2)*a**n"
 """Depth of the profile r**n."""
-
-
-def digest(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def summed(formula: Tree) -> Tree:
@@ -179,14 +174,14 @@ class Problem:
         listed, own = ([one["="] for one in found] for found in (entry["parameters"], self.profile["parameters"]))
         parameters = {"A_j" if text.startswith("IndexedBase") else tree(text) for text in listed}
         graded = " graded" if self.medium["k"] else ""
-        known = DEFINITIONS.get(f"{kind} {suffix}{graded}", {"texts": [], "material": []})
+        known = DEFINITIONS.get(f"{kind} {suffix}{graded}", {"definitions": [], "material": []})
         short = {tree(one["="]) for one, _ in self.profile["abbreviations"]}
         texts = [case.expr for case in self.entries[suffix]]
         faults = {
             "its key": entry["key"] != f"{self.key}.{suffix}" or entry["profile"] != {"@profile": self.profile["name"]},
             "its quantity": name not in (f"{kind}.{suffix}", f"compact.{suffix}", f"plane complete.{suffix}"),
             "its status": entry["status"] != status,
-            "its definition": digest(entry["definition"]["="]) not in known["texts"],
+            "its definition": definition(entry["definition"]["="]) not in map(definition, known["definitions"]),
             "its composition": entry["composed"] not in (None, COMPOSED.get(suffix)),
             "its parameters": listed not in self.parameters(suffix, kind, own, known["material"]),
             "its symbols": not set().union(*map(symbols, texts)) <= parameters | short | {*letters, "j", "N"},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
@@ -32,6 +33,8 @@ def _tree(node: Any) -> Tree:
             return value
         case ast.Name(id=name):
             return name
+        case ast.Tuple(elts=members):
+            return ("Tuple", *map(_tree, members))
         case ast.UnaryOp(operand=inner):
             return ("Mul", -1, _tree(inner))
         case ast.BinOp(left=left, op=ast.Sub(), right=right):
@@ -69,3 +72,45 @@ def symbols(formula: Tree) -> set[str]:
     if isinstance(formula, tuple):
         return set().union(*map(symbols, formula[1:]))
     return {formula} - {"pi"} if isinstance(formula, str) else set()
+
+
+@cache
+def definition(text: str) -> Tree:
+    """A defining equation in one form, stored or in Python's notation, without what is said of its symbols."""
+    return _ordered(tree(re.sub(r"(?:Symbol|Function)\('(\w+)'(?:, \w+=True)?\)", r"\1", text)))
+
+
+def _ordered(formula: Tree) -> Tree:
+    """Sums and products in one row and order, numbers gathered, roots and quotients as powers."""
+    if not isinstance(formula, tuple):
+        return formula
+    head, *parts = formula[0], *map(_ordered, formula[1:])
+    match head, parts:
+        case "Equality", _:
+            return ("Eq", *parts)
+        case "sqrt", [inner]:
+            return _ordered(("Pow", inner, Fraction(1, 2)))
+        case "Derivative", [inner, str(name)]:
+            return (head, inner, ("Tuple", name, 1))
+        case "Pow", [int() | Fraction() as base, int(power)]:
+            return Fraction(base) ** power
+        case "Pow", [("Pow", base, inner), int(power)]:
+            return _ordered(("Pow", base, ("Mul", inner, power)))
+        case "Pow", [("Mul", *factors), int(power)]:
+            return _ordered(("Mul", *(("Pow", factor, power) for factor in factors)))
+        case (("Add" | "Mul"), _):
+            return _gathered(head, parts)
+    return (head, *parts)
+
+
+def _gathered(head: str, parts: list[Tree]) -> Tree:
+    number, others = Fraction(head == "Mul"), []
+    for part in parts:
+        for one in part[1:] if isinstance(part, tuple) and part[0] == head else [part]:
+            if not isinstance(one, int | Fraction):
+                others.append(one)
+            else:
+                number = number * one if head == "Mul" else number + one
+    if number != (head == "Mul"):
+        others.append(number)
+    return (head, *sorted(others, key=repr)) if len(others) != 1 else others[0]
