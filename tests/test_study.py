@@ -261,6 +261,7 @@ def test_study_alone_lists_its_topics(capsys):
         "speed",
         "maps",
         "extremes",
+        "forms",
     ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -32,8 +32,6 @@ class Catalogue:
     files: dict[str, bytes]
     outcomes: tuple[Outcome, ...]
     failures: tuple[Failure, ...]
-    remarks: tuple[str, ...] = ()
-    """Functions that measurement would write otherwise than the frozen choice."""
 
 
 def build(
@@ -93,17 +91,7 @@ def build(
     published = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
     files = emission.emitted(published, package, book, cache, settings, jobs)
-    return Catalogue(files, outcomes, tuple(failures), tuple(_other_choices(published)))
-
-
-def _other_choices(published: Published) -> Iterator[str]:
-    from .stable.drift import better
-
-    for problem, outcome in published:
-        for suffix, row in outcome.evidence.get("evaluation", {}).items():
-            sentence = better(row.get("selection", {}))
-            if sentence:
-                yield f"{problem.key}.{suffix}: {sentence}"
+    return Catalogue(files, outcomes, tuple(failures))
 
 
 def _chapter(cache: Cache, jobs: int) -> Record:
@@ -157,11 +145,12 @@ def _measured(
     published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
 ) -> Published:
     """The same with the errors of the emitted functions among the evidence."""
+    from .stable.closure import closure
     from .stable.drift import settled
     from .stable.records import SYSTEMS
 
     tasks = [
-        (problem.key, outcome.entries, _around(package, problem), str(cache.folder), cache.fresh)
+        (problem.key, outcome.entries, closure(package, problem.module), str(cache.folder), cache.fresh)
         for problem, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
         if problem.system.name in SYSTEMS
     ]
@@ -172,13 +161,3 @@ def _measured(
         else (problem, outcome)
         for problem, outcome in published
     ]
-
-
-def _around(package: Mapping[str, str], problem: Problem) -> dict[str, str]:
-    """What a problem rests on; where its functions have variants with all that these may import."""
-    from .stable.closure import closure
-    from .stable.records import OWN
-
-    if problem.system.name not in OWN:
-        return closure(package, problem.module)
-    return closure(package, problem.module, *(path for path in package if path.startswith("axicontact/_")))

@@ -11,14 +11,12 @@ from typing import Any
 
 from .contact import systems
 from .contact.systems import Problem
-from .emit.variants import written
 from .entry import Entry
 from .index import Index, NoCatalogueError, load
 from .show import table
 from .stable import records
 from .stable.closure import closure
 from .stable.drift import drift
-from .stable.written import modules
 from .verification import details, verify
 from .work import Settings, read_entries
 
@@ -73,10 +71,7 @@ def _drift(
     sources = {path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*.py")}
     if problem.module not in sources:
         return [{"key": problem.key, "message": f"there is no {package / problem.module}; run axicontact build"}]
-    own = written(entries, suffixes)
-    others = modules(own)
-    texts = closure(sources | others, problem.module, *others)
-    found = records.record(problem.key, texts, entries, suffixes, variants=own)
+    found = records.record(problem.key, closure(sources, problem.module), entries, suffixes)
     return [
         {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
         for suffix, line in drift(evidence.get("evaluation", {}), found)

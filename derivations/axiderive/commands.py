@@ -56,8 +56,6 @@ def build(arguments: argparse.Namespace) -> int:
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
     progress.say(summary(catalogue))
-    for remark in catalogue.remarks:
-        progress.say(remark)
     if not any(path.startswith("evidence/") for path in catalogue.files):
         print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
         return FAILED

@@ -105,7 +105,6 @@ def _entry_text(entry: Row, *, brief: bool) -> str:
         "domain": "; ".join(entry["domain"]),
         "sources": ", ".join(entry["sources"]),
         "evidence": entry["evidence"].replace("; ", "\n            "),
-        "computed": "\n            ".join(entry.get("forms", ())),
         "note": entry["note"],
     }
     rows += [f"  {name:9} {text}" for name, text in details.items() if text]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,6 @@ from .cache import Cache, digest, source_digest
 if TYPE_CHECKING:
     from .contact.systems import Problem
     from .entry import Entry
-    from .stable.written import Variants
 
 FORMAT = 2
 DERIVING = (
@@ -122,42 +121,20 @@ def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
 def evaluation(
     key: str, entries: dict[str, Any], sources: dict[str, str], folder: str, fresh: bool
 ) -> tuple[str, dict[str, Any]]:
-    """Measure the emitted functions of one problem, and their variants, unless that has been done for the same texts.
+    """Measure the emitted functions of one problem unless that has been done for the same texts.
 
-    `sources` are those of the package, from which the problem takes what it rests on.
+    `sources` are those of the package that the module of the problem rests on.
     """
     from .contact import systems
-    from .stable.closure import closure
     from .stable.records import record
-    from .stable.written import modules
 
     problem, cache = systems.problem(key), Cache(Path(folder), fresh)
-    variants = _variants(problem, entries, cache)
-    others = modules(variants)
-    texts = closure(sources | others, problem.module, *others)
-    kept = evaluation_key(problem, entries, texts)
+    kept = evaluation_key(problem, entries, sources)
     found = cache.get(kept)
     if found is None:
-        found = record(key, texts, read_entries(problem, entries), variants=variants)
+        found = record(key, sources, read_entries(problem, entries))
         cache.put(kept, found)
     return key, dict(found)
-
-
-def _variants(problem: Problem, entries: dict[str, Any], cache: Cache) -> Variants:
-    """The functions of a problem in the variants of their forms; writing them takes as long as measuring."""
-    from .emit.variants import written
-    from .stable.records import OWN
-    from .stable.written import Written
-
-    if problem.system.name not in OWN:
-        return {}
-    key = digest([FORMAT, "variants", installed("sympy"), source_digest(*WRITING), problem.key, entries])
-    found = cache.get(key)
-    if found is None:
-        own = written(read_entries(problem, entries))
-        found = {suffix: [asdict(one) for one in several] for suffix, several in own.items()}
-        cache.put(key, found)
-    return {suffix: tuple(Written(**one) for one in several) for suffix, several in found.items()}
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:

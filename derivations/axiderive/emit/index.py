@@ -15,7 +15,6 @@ from ..records import profile_record
 from .matrix import matrix
 from .ranges import regions
 from .rows import row
-from .selected import all_forms
 
 if TYPE_CHECKING:
     from ..contact.systems import Problem, System
@@ -103,11 +102,8 @@ def _rows(
     modules: Mapping[str, str],
 ) -> list[dict[str, Any]]:
     signatures = _signatures(modules[problem.module])
-    found, measured = evidence[problem.key]["entries"], evidence[problem.key].get("evaluation", {})
-    return [
-        _entry(problem, entry, found.get(suffix, {}), signatures) | {"forms": all_forms(measured, suffix)}
-        for suffix, entry in derived[problem.key].items()
-    ]
+    found = evidence[problem.key]["entries"]
+    return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
 
 
 def _dotted(path: str) -> str:

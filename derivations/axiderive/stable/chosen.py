@@ -1,8 +1,6 @@
-"""What `selection` found better than all rules, frozen: no difference between two machines changes a module.
+"""The forms that `axicontact study forms` found better than all rules, frozen.
 
-The evidence says the same, but it is written by the build that this table steers: a build that read its own last
-output would not be a function of the sources, one in an empty folder would write other modules, and an installed
-engine, which writes modules for scenes, has no evidence beside it.  Where the two differ the build says so.
+No difference between two machines changes a module, and an engine that writes modules for scenes measures nothing.
 """
 
 from __future__ import annotations

@@ -17,7 +17,6 @@ MANY = 1e3
 NOTHING = 2.0**52
 """Units at which a printed formula has lost all digits; what it gives there is noise, as is the last one it keeps."""
 STATED = ("form", "nodes", "sample")
-CHOICE = "selection"
 
 
 def settled(kept: Mapping[str, Record], found: Mapping[str, Record]) -> dict[str, Record]:
@@ -44,39 +43,9 @@ def _row(kept: Record, found: Record) -> list[str]:
     stated = [(name, kept.get(name), found.get(name)) for name in STATED]
     lines = [f"{name} was {before}, is {now}" for name, before, now in stated if before != now]
     for domain, new in found.items():
-        if domain not in (*STATED, CHOICE):
+        if domain not in STATED:
             lines += [f"{domain}: {line}" for line in _errors(kept.get(domain, {}), new)]
-    return lines + _choice(kept.get(CHOICE), found.get(CHOICE))
-
-
-def _choice(kept: Record | None, found: Record | None) -> list[str]:
-    """Another form, cost or runner-up; two runners-up that err alike change places between machines."""
-    if found is None or kept is None:
-        return [] if found is None else ["the choice of its form is not recorded; run axicontact build"]
-    lines = [f"its form was {kept['chosen']}, is {found['chosen']}"] if kept["chosen"] != found["chosen"] else []
-    if found.get("better") != kept.get("better"):
-        lines.append(better(found) or f"{kept['better']} is better no more")
-    before, now = kept.get("runner_up", {}), found.get("runner_up", {})
-    if before.get("form") == now.get("form") and _described(before) != _described(now):
-        lines.append(f"the form beside it was {_described(before)}, is {_described(now)}")
-    for domain in (name for name, value in now.items() if isinstance(value, dict)):
-        lines += [f"{domain} of the form beside it: {line}" for line in _errors(before.get(domain, {}), now[domain])]
     return lines
-
-
-def _described(form: Record) -> Record:
-    return {name: form.get(name) for name in ("form", "formula", "cost")}
-
-
-def better(choice: Record) -> str:
-    """What measurement would choose instead of what the module has; nothing where that is the same."""
-    if "better" not in choice:
-        return ""
-    chosen, other = choice["chosen"], choice["runner_up"]
-    return (
-        f"`{other['form']}` (cost {other['cost']}) would be chosen, not `{chosen['form']}` (cost {chosen['cost']}); "
-        "name it in CHOSEN of stable/chosen.py"
-    )
 
 
 def _errors(old: Record, new: Record) -> list[str]:

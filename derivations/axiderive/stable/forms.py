@@ -4,7 +4,7 @@ Radicals sqrt(x**2 - y**2) become named roots of exact differences, angles
 become atan2 of roots, and where terms cancel three rules are tried: conjugates
 (X - Y = (X**2 - Y**2)/(X + Y)), the gap functions x - atan(x) and atanh(x) - x,
 and ln(X/Y) = log1p((X - Y)/Y).  The form says whether that was enough; which
-of the rules an entry is worth is measured (`selection`).
+of the rules an entry is worth is measured (`axicontact study forms`).
 """
 
 from __future__ import annotations

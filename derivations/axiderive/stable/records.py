@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
-from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -17,8 +16,6 @@ from .measure import Sample, count_for, samples, ulps, value
 from .naive import naive
 from .reference import CURVES, UnknownError, condition
 from .samples import DOMAINS
-from .slopes import RATE, rate
-from .written import Variants, call, modules, selection
 
 COUNT, SEED = 30, 17
 OWN = ("normal", "plane", "loads")
@@ -39,13 +36,10 @@ def record(
     entries: Mapping[str, Entry],
     suffixes: Collection[str] | None = None,
     *,
-    variants: Variants = MappingProxyType({}),
     count: int = COUNT,
     seed: int = SEED,
 ) -> dict[str, Record]:
     """Errors of the functions of a problem, by suffix: of all in normal contact, elsewhere of the closed formulas.
-
-    Where the rate of growth has `variants` it has a row too.
 
     Parameters
     ----------
@@ -57,8 +51,6 @@ def record(
         What the functions shall evaluate, by suffix.
     suffixes : collection of str, optional
         The functions to measure; all of them where none are named.
-    variants : mapping, optional
-        The functions in the variants of their forms, to be measured beside them; `sources` hold what they import.
     count, seed : int
         Points in either domain, a tenth where the exact value is an integral; where they start.
 
@@ -68,7 +60,6 @@ def record(
         `form` and `nodes` as `emitted.form` tells where a module holds its own bodies (normal contact), for
         `bench` and `extreme` the worst error in units of the last place, the share above five and the number of
         lost values, and where the printed formula can be evaluated by NumPy the same of it under `naive`.
-        Of a function with `variants` what is said of their `selection`.
         Where errors exceed five units, `over_condition` is the largest of them over 1 + the sum of
         |d ln value/d ln argument|, which rounding one argument would cost anyway.
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
@@ -77,25 +68,14 @@ def record(
     system = found.system.name
     wanted = [suffix for suffix in entries if suffixes is None or suffix in suffixes]
     wanted = [suffix for suffix in wanted if system == "normal" or _direct(entries[suffix], system)]
-    growing = rate(entries) if len(variants.get(RATE.suffix, ())) > 1 else None
-    if growing is not None:
-        entries, wanted = {**entries, RATE.suffix: growing}, [*wanted, RATE.suffix]
     rows: dict[str, Record] = {}
-    with loaded({**sources, **modules(variants)}, found.module) as module:
-        package = module.__name__.partition(".")[0]
+    with loaded(sources, found.module) as module:
         for suffix in wanted:
-            entry, own = entries[suffix], variants.get(suffix, ())
-            if suffix == RATE.suffix:
-                evaluate, row = call(package, entry, own, 0), {}
-            else:
-                evaluate = partial(value, getattr(module, entry.quantity.function))
-                row = _form(sources[found.module], entry) if system in OWN else {}
+            entry = entries[suffix]
+            row = _form(sources[found.module], entry) if system in OWN else {}
             row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
-            points, errors = _measured(entries, suffix, evaluate, row["sample"])
-            row |= _errors(entries, suffix, points, errors)
-            if own:
-                row["selection"] = selection(package, entries, suffix, own, points, errors, _summary)
-            rows[suffix] = row
+            evaluate = partial(value, getattr(module, entry.quantity.function))
+            rows[suffix] = row | _errors(entries, suffix, *_measured(entries, suffix, evaluate, row["sample"]))
     return rows
 
 
@@ -136,15 +116,16 @@ def _errors(
     entries: Mapping[str, Entry], suffix: str, points: Mapping[str, list[Sample]], errors: Mapping[str, list[float]]
 ) -> Record:
     row: Record = {}
-    printed = naive(entries[suffix]) if suffix != RATE.suffix else None
+    printed = naive(entries[suffix])
     for domain, some in points.items():
-        row[domain] = _summary(errors[domain]) | _conditioned(entries, suffix, some, errors[domain])
+        row[domain] = summary(errors[domain]) | _conditioned(entries, suffix, some, errors[domain])
         if printed is not None:
-            row[domain]["naive"] = _summary([ulps(printed(point.values), point.exact) for point in some])
+            row[domain]["naive"] = summary([ulps(printed(point.values), point.exact) for point in some])
     return row
 
 
-def _summary(errors: list[float]) -> Record:
+def summary(errors: list[float]) -> Record:
+    """Errors as they are recorded: the worst, the share above five units, the number of lost values."""
     finite = [error for error in errors if math.isfinite(error)]
     lost = len(errors) - len(finite)
     if not errors:

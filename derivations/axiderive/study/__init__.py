@@ -1,4 +1,4 @@
-"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes`."""
+"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes | forms`."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ TOPICS = {
     "speed": "what a call costs: the emitted functions beside `math`, lambdify and a mere copy",
     "maps": "stability maps: worst error over the dimensionless ratios, emitted beside naive",
     "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
+    "forms": "the race of evaluation forms: whether another form than the frozen one keeps its digits and costs less",
 }
 
 
@@ -33,9 +34,10 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         ("speed", _speed),
         ("maps", _maps),
         ("extremes", _extremes),
+        ("forms", _forms),
     ):
         parsers[name].set_defaults(run=run)
-    for name in ("error", "speed", "maps"):
+    for name in ("error", "speed", "maps", "forms"):
         parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these problems only")
     parsers["maps"].add_argument("--seed", type=int, default=SEED, help="seed of the points (%(default)s)")
     for name in ("error", "speed", "maps", "extremes"):
@@ -113,6 +115,13 @@ def _extremes(arguments: argparse.Namespace) -> int:
     from . import extremes
 
     return _finish(arguments, extremes.measure(quick=arguments.quick), extremes.text)
+
+
+def _forms(arguments: argparse.Namespace) -> int:
+    from . import forms
+
+    print(forms.text(forms.measure(_names(arguments, forms.names()))))
+    return 0
 
 
 def _ready(arguments: argparse.Namespace) -> None:

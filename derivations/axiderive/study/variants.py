@@ -6,24 +6,37 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 
 from ..contact.systems import problem
+from ..emit import plane, python
+from ..emit.physics import loads
+from ..emit.plane.compact import Compact as Strips
+from ..emit.private import Private, PrivateFunctions
+from ..emit.rates import add_rate
+from ..emit.regimes import Regimes
+from ..emit.splits import join, split
 from ..entry import Entry
 from ..stable.chosen import chosen
-from ..stable.cost import cost
 from ..stable.slopes import RATE, rate
 from ..stable.variants import FULL, SPLITS, VARIANTS
-from ..stable.written import Written
-from . import plane, python
-from .physics import loads
-from .plane.compact import Compact as Strips
-from .private import Private, PrivateFunctions
-from .rates import add_rate
-from .regimes import Regimes
-from .splits import join, split
+from .cost import cost
 
 PARTS = ("", "_at", "_beyond", "_below", "_above")
 """What the names of the functions of one quantity end on."""
 RATES = ("slope", "slope_beyond", "growth", "growth_beyond")
 """Those of the rate of growth, which `rate` joins."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """One function in one variant."""
+
+    variant: str
+    source: str
+    """A module that holds it, its other functions in the chosen variants."""
+    function: str
+    formula: str
+    cost: int
+    system: str = "normal"
+    """Whose package the module belongs to."""
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterator
 
-from .emitted import ITERATIONS, is_rule
+from ..stable.emitted import ITERATIONS, is_rule
 
 WEIGHTS = {
     "sqrt": 3, "cbrt": 4, "where": 3, "abs": 1, "minimum": 1, "maximum": 1, "ones_like": 1, "zeros_like": 1,

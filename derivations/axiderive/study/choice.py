@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from .measure import Sample, ulps
+from ..stable.measure import Sample, ulps
 
 TOLERANCE, MARGIN = 5.0, 1.0
 """Units of the last place: what a function may err, and how far that moves between processors."""
