@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import signal
@@ -20,7 +21,8 @@ from axiderive import cache as cache_module
 from axiderive import pool
 from axiderive.cache import Cache, digest
 from axiderive.contact.systems import problem, problems
-from axiderive.notation import a, b, r
+from axiderive.notation import R, a, b, r, theta
+from axiderive.profiles.profile import Piece, Sketch
 from axiderive.records import entry_record, profile_record, read_entry
 from axiderive.srepr import ReadingError, from_text, to_text
 from axiderive.work import Settings, derivation_key, verification_key
@@ -132,6 +134,20 @@ def test_keys_follow_everything_a_result_depends_on(monkeypatch):
     monkeypatch.setattr("axiderive.work.version", lambda package: "1.99")
     assert derivation_key(cone) != before
     assert profile_record(cone.profile) != profile_record(sphere.profile)
+
+
+def test_words_of_a_profile_derive_nothing_anew(monkeypatch):
+    """Its title, note and picture are printed; its pieces and rules are what is derived from."""
+    cone = problem("cone")
+    plain, before = cone.profile, derivation_key(cone)
+
+    def key_of(**changed):
+        monkeypatch.setattr("axiderive.profiles.cone.PROFILE", dataclasses.replace(plain, **changed))
+        return derivation_key(cone)
+
+    assert key_of(title="Kegel", note="sharp", validity="small", sketch=Sketch(((theta, 0.3),), a=2.0)) == before
+    assert key_of(pieces=(Piece(None, 2 * r * sp.tan(theta)),)) != before
+    assert key_of(chain=(a, R)) != before
 
 
 def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):

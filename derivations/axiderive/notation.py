@@ -147,10 +147,10 @@ theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclinat
 R = _define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")
 R1 = _define("R1", "R_1", LENGTH, "m", "R1 > 0", "radius of curvature of the inner part")
 R2 = _define("R2", "R_2", LENGTH, "m", "R2 > 0", "radius of curvature of the outer part")
-b = _define("b", "b", LENGTH, "m", "b > 0", "radius of the break between two parts of the profile")
+b = _define("b", "b", LENGTH, "m", "b > 0", "radius at which the profile breaks, or its length across")
 n = _define("n", "n", NUMBER, "1", "n > 0", "exponent of the profile")
 A = _define("A", "A", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "A > 0", "coefficient of a power-law profile")
-h = _define("h", "h", LENGTH, "m", "h > 0", "height of the profile")
+h = _define("h", "h", LENGTH, "m", "h > 0", "height or depth of the profile")
 s = _define("s", "s", LENGTH, "m", "s > 0", "length scale of the profile")
 wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wavelength of the waviness")
 
@@ -213,7 +213,7 @@ sigma = _define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed p
 
 # auxiliary: integration variables, never arguments of a function
 t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
-x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
+x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact")
 u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
 psi = _define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
 C = _define(

@@ -5,7 +5,12 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Mapping
+<<<<<<< HEAD
 from dataclasses import dataclass
+=======
+from dataclasses import asdict, dataclass
+from functools import cache as remember
+>>>>>>> w-c
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +20,7 @@ from .cache import Cache, digest, source_digest
 if TYPE_CHECKING:
     from .contact.systems import Problem
     from .entry import Entry
+    from .profiles.profile import Profile
 
 FORMAT = 2
 DERIVING = (
@@ -25,8 +31,12 @@ DERIVING = (
     "axiderive.srepr",
     "axiderive.records",
 )
-VERIFYING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.verification", "axiderive.verifier")
+VERIFYING = (
+    *DERIVING, "axiderive.profiles.profile", "axiderive.proof", "axiderive.verification", "axiderive.verifier",
+)  # fmt: skip
 WRITING = (*DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
+TEXTS = ("title", "subtitle", "validity", "sources", "sketch", "synonyms", "note", "meanings", "reason")
+"""Fields of a profile and its rules that are printed and drawn: no formula and no proof depends on them."""
 MEASURING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.stable")
 
 
@@ -68,16 +78,45 @@ def project_root() -> Path:
 
 
 def derivation_key(problem: Problem) -> str:
+    shape = _shape(problem.profile)
+    return digest([FORMAT, "derivation", installed("sympy"), source_digest(*DERIVING), problem.key, shape])
+
+
+def _shape(profile: Profile) -> Any:
+    """The record of a profile without its texts."""
     from .records import profile_record
 
-    record = profile_record(problem.profile)
-    return digest([FORMAT, "derivation", installed("sympy"), source_digest(*DERIVING), problem.key, record])
+    def bare(value: Any) -> Any:
+        if isinstance(value, list):
+            return [bare(item) for item in value]
+        if isinstance(value, dict):
+            return {name: bare(item) for name, item in value.items() if name not in TEXTS}
+        return value
+
+    return bare(profile_record(profile))
+
+
+@remember
+def _shapes() -> str:
+    """Digest of all profiles: a limit is verified with the profile that it leads to."""
+    from .contact.systems import POOLS
+
+    return digest([[pool.prefix, name, _shape(pool.load(name))] for pool in POOLS for name in pool.names])
 
 
 def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
     versions = [installed(name) for name in ("sympy", "mpmath", "python-flint")]
     return digest(
-        [FORMAT, "verification", versions, source_digest(*VERIFYING), settings.record(), problem.key, entries]
+        [
+            FORMAT,
+            "verification",
+            versions,
+            source_digest(*VERIFYING),
+            _shapes(),
+            settings.record(),
+            problem.key,
+            entries,
+        ]
     )
 
 

@@ -115,7 +115,9 @@ def model(
         "summaries": summaries,
         "contents": _contents(chapters, left_out),
         "suffixes": front.suffixes(),
-        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}),
+        "notation": notation_table.by_subject(
+            {s for m in summaries for s in m["symbols"]}, {m["name"]: m["number"] for m in summaries}
+        ),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),

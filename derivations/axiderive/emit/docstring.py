@@ -47,7 +47,7 @@ def docstring(
     for symbol in symbols:
         name, record = parameter_name(symbol), nt.describe(symbol)
         kind = "sequence of float" if isinstance(symbol, sp.IndexedBase) else "array_like"
-        text = f"{_capital(record.meaning)} [{record.unit}], {record.domain}."
+        text = f"{_capital(profile.meaning(symbol))} [{record.unit}], {record.domain}."
         if isinstance(symbol, sp.IndexedBase):
             text = f"{_capital(profile.note)}."
         lines += [f"{name} : {kind}", *_wrapped(text, 4)]

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 
+import sympy as sp
+
 from .. import notation as nt
+from ..contact.systems import POOLS
 from .prose import domain, prose
 
 Row = dict[str, str]
@@ -22,6 +26,8 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
     ":excess": (
         "C", "m, N", "in rows on iterations: factor of the square of t in an excess, that of its first term is c"
     ),
+    ":modulus": ("k", "1", "modulus of the elliptic integrals"),
+    ":place": ("x", "m", "coordinate of the one-dimensional foundation, and lower limit of an integral over it"),
     ":index": ("j", "1", "index of a sum"),
     ":adhesive_depth": (r"d_{\mathrm{adh}},\;w_{\mathrm{adh}}", "m", "depth and displacement with adhesion"),
     ":adhesive_force": (r"F_{\mathrm{adh}}", "N", "normal force with adhesion at a given contact radius"),
@@ -45,7 +51,7 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
 """LaTeX, unit and meaning of what has a name in print, and no record or one of several."""
 SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Contact", (
-        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", "r_zero", ":least_depth", ":least_force",
+        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero", ":least_depth", ":least_force",
         ":start", ":unknown", ":excess", ":waves",
     )),
     ("Profile", (
@@ -53,6 +59,7 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     )),
     ("Half-space", (
         "E_star", "G_star", "young_1", "young_2", "nu_1", "nu_2", "k", "H", "H_x", "E_0", "c_0", "nu", "beta", "h_N",
+        ":modulus",
     )),
     ("Adhesion", (
         "dgamma", "retraction", ":adhesive_depth", ":adhesive_force", ":adhesive_pressure",
@@ -71,10 +78,36 @@ INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
 
-def by_subject(used: AbstractSet[str]) -> list[tuple[str, list[Row]]]:
-    """The rows of the table by subject, for a book whose formulas use the symbols of these names."""
+def by_subject(used: AbstractSet[str], numbers: Mapping[str, str]) -> list[tuple[str, list[Row]]]:
+    """The rows of the table by subject, for a book whose formulas use the symbols of these names.
+
+    `numbers` are those of its entries by profile: a letter that means different things in them has a row for each.
+    """
     known = used | {"N", *IN_PRINT}
-    return [(title, [_row(name) for name in names if name in known]) for title, names in SUBJECTS]
+    meanings = _by_meaning(numbers)
+    return [
+        (title, [row for name in names if name in known for row in meanings.get(name) or [_row(name)]])
+        for title, names in SUBJECTS
+    ]
+
+
+def _by_meaning(numbers: Mapping[str, str]) -> dict[str, list[Row]]:
+    """Of the symbols that profiles have words of their own for: a row for every meaning, with its entries."""
+    found: dict[sp.Symbol, dict[str, list[str]]] = {}
+    for pool in POOLS:
+        for profile_id in (own for own in map(pool.id, pool.names) if own in numbers):
+            for symbol, meaning in pool.load(profile_id.rpartition(".")[2]).meanings:
+                entry = rf"\hyperref[sec:{profile_id}]{{{numbers[profile_id]}}}"
+                found.setdefault(symbol, {}).setdefault(meaning, []).append(entry)
+    return {symbol.name: _rows_by_meaning(symbol.name, meanings) for symbol, meanings in found.items()}
+
+
+def _rows_by_meaning(name: str, meanings: Mapping[str, list[str]]) -> list[Row]:
+    plain = _row(name)
+    return [
+        plain | {"name": f"{name}-{i}" if i else name, "meaning": f"{prose(meaning)} ({', '.join(entries)})"}
+        for i, (meaning, entries) in enumerate(meanings.items())
+    ]
 
 
 def recorded(used: AbstractSet[str]) -> list[Row]:

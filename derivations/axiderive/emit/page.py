@@ -155,15 +155,9 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
             r"$E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})$, remains, because the edge is fixed and $d$ is free."
         )
     else:
-        derivative = sp.diff(profile.pieces[-1].expr, nt.r)
-        by_terms = sp.Add(*map(sp.factor, sp.Add.make_args(derivative)))
-        slope = min((Printer()(form) for form in (derivative, by_terms, sp.factor(derivative))), key=width)
-        beyond = f" beyond $r={Printer()(profile.breaks[-1])}$" if profile.breaks else ""
-        split = ", split at the break," if profile.breaks else ""
         start = (
-            rf"The slope $f'(r)={slope}${beyond} enters the integral (11.29), which{split} gives $g(a)$. "
-            r"Exchanging the order of integration leaves one algebraic integral each for $F_{\mathrm N}$ (11.20), "
-            r"$p$ (11.23) and $w$ (11.26)."
+            f"The slope {' and '.join(slopes(profile))} in (11.29) gives $g(a)$; force (11.20), pressure (11.23) and "
+            f"displacement (11.26) are then one integral each."
         )
     needed = _functions(entries)
     open_ends = [e.suffix for e in entries.values() if e.status == "integral"]
@@ -172,6 +166,20 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
         names = " and ".join(f"${s}(r)$" for s in open_ends)
         text += f" No closed form of {names} in standard functions was found; the integral that remains is regular."
     return text
+
+
+def slopes(profile: Profile) -> list[str]:
+    """The slope of every piece of a profile, with where it holds."""
+    found = []
+    lower = None
+    for piece in profile.pieces:
+        derivative = sp.diff(piece.expr, nt.r)
+        by_terms = sp.Add(*map(sp.factor, sp.Add.make_args(derivative)))
+        slope = min((Printer()(form) for form in (derivative, by_terms, sp.factor(derivative))), key=width)
+        side, end = (r"\le ", piece.upper) if piece.upper is not None else (">", lower)
+        found.append(f"$f'(r)={slope}$" + (f" for $r{side}{Printer()(end)}$" if end is not None else ""))
+        lower = piece.upper
+    return found
 
 
 def _functions(entries: Mapping[str, Entry]) -> list[str]:

@@ -99,17 +99,14 @@ def shape_tex(profile: Profile, place: str = "r") -> str:
     lower = None
     for piece in profile.pieces:
         expr = Printer((nt.describe(place).symbol, piece.upper) if piece.upper is not None else ())(piece.expr)
-        if len(profile.pieces) == 1:
-            texts.append(f"$f({place})={expr}$")
-        elif piece.upper is not None:
-            texts.append(f"$f({place})={expr}$ for ${place}\\le {Printer()(piece.upper)}$")
-        else:
-            texts.append(f"$f({place})={expr}$ for ${place}>{Printer()(lower)}$")
+        side, end = (r"\le ", piece.upper) if piece.upper is not None else (">", lower)
+        built_up = r"\rule[-3.6mm]{0pt}{8.4mm}" if r"\frac" in expr or r"\sum" in expr else ""
+        texts.append(
+            rf"{built_up}$\displaystyle f({place})={expr}$"
+            + (f" for ${place}{side}{Printer()(end)}$" if end is not None else "")
+        )
         lower = piece.upper
-    if len(texts) == 1:
-        built_up = r"\frac" in texts[0] or r"\sum" in texts[0]
-        return rf"\rule[-3.6mm]{{0pt}}{{8.4mm}}$\displaystyle {texts[0][1:]}" if built_up else texts[0]
-    return r",\newline ".join(rf"\rule[-2mm]{{0pt}}{{6mm}}{text}" for text in texts).replace(r"\frac", r"\tfrac")
+    return r",\newline ".join(texts)
 
 
 def _domain(symbol: Any) -> str:

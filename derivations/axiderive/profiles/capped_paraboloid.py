@@ -12,6 +12,7 @@ PROFILE = Profile(
     pieces=(Piece(b, r**2 / (2 * R1)), Piece(None, b**2 / (2 * R1) + (r**2 - b**2) / (2 * R2))),
     validity="a << R2",
     sources=("Maugis & Barquins 1983",),
+    meanings=((b, "radius of the inner part"),),
     sketch=Sketch(((R1, 4.0), (R2, 1.0), (b, 0.5)), a=1.0),
     rules=(
         Rule(

@@ -14,6 +14,7 @@ PROFILE = Profile(
     pieces=(Piece(None, -h * (r / a) ** n),),
     validity="small slopes; complete contact only",
     sources=("Barber 1976", "Schubert 1942"),
+    meanings=((h, "depth of the concave face"),),
     sketch=Sketch(((a, 1.0), (h, 0.15), (n, 3.0)), a=1.0, d=0.6),
     rules=(
         Rule(

@@ -12,6 +12,7 @@ PROFILE = Profile(
     pieces=(Piece(None, -h * (r / a) ** 4),),
     validity="small slopes; complete contact only",
     sources=("Schubert 1942",),
+    meanings=((h, "depth of the concave face"),),
     sketch=Sketch(((a, 1.0), (h, 0.15)), a=1.0, d=0.6),
     note="the depth is measured at the centre of the face; the rim is at d + h",
 )

@@ -14,6 +14,10 @@ PROFILE = Profile(
     pieces=(Piece(None, h * (1 - sp.sqrt(1 - r**2 / b**2))),),
     validity="a < b; small slopes",
     sources=("Sneddon 1965",),
+    meanings=(
+        (h, "semi-axis along the axis of revolution"),
+        (b, "semi-axis across, the largest radius of the body"),
+    ),
     sketch=Sketch(((h, 0.9), (b, 1.5)), a=1.0),
     chain=(a, b),
     synonyms=("spheroid",),

@@ -17,6 +17,10 @@ PROFILE = Profile(
     pieces=(Piece(None, h * (1 - sp.exp(-(r**2) / s**2))),),
     validity="h << s",
     sources=("Popov, Heß & Willert 2019",),
+    meanings=(
+        (h, "height of the bump"),
+        (s, "width of the bump: at r = s its height is h/e"),
+    ),
     sketch=Sketch(((h, 0.7), (s, 1.0)), a=1.0),
     largest=COMPACT_LIMIT * s,
     note=(

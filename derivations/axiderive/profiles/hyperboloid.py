@@ -14,5 +14,6 @@ PROFILE = Profile(
     pieces=(Piece(None, sp.tan(theta) * (sp.sqrt(r**2 + b**2) - b)),),
     validity="tan(theta) << 1",
     sources=("Sneddon 1965",),
+    meanings=((b, "length of the rounded tip, whose radius of curvature is b/tan(theta)"),),
     sketch=Sketch(((theta, 0.42), (b, 0.4)), a=1.0),
 )

@@ -7,6 +7,8 @@ from typing import Literal
 
 import sympy as sp
 
+from .. import notation
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -73,6 +75,13 @@ class Profile:
     limits: tuple[Limit, ...] = ()
     synonyms: tuple[str, ...] = ()
     note: str = ""
+    meanings: tuple[tuple[sp.Symbol, str], ...] = ()
+    """What a letter means in this profile, where the notation says less."""
+
+    def meaning(self, symbol: sp.Symbol | str) -> str:
+        """What a letter means in this profile; `KeyError` if neither it nor the notation knows."""
+        own = {known.name: text for known, text in self.meanings}
+        return own.get(str(symbol)) or notation.describe(symbol).meaning
 
     @property
     def breaks(self) -> tuple[sp.Expr, ...]:

@@ -12,5 +12,6 @@ PROFILE = Profile(
     pieces=(Piece(b, r**2 / (2 * R1)), Piece(None, r**2 / (2 * R1) + (r - b) ** 2 / (2 * R2))),
     validity="a << R1, a - b << R2",
     sources=(),
+    meanings=((b, "radius of the inner part"),),
     sketch=Sketch(((R1, 6.0), (R2, 1.2), (b, 1.0)), a=1.5),
 )

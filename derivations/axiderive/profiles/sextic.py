@@ -6,7 +6,7 @@ from .profile import Piece, Profile, Sketch
 PROFILE = Profile(
     name="sextic",
     title="Sextic profile",
-    subtitle="Flatter than the quartic: most of the load is carried near the rim of the contact.",
+    subtitle="Flatter at the tip than the quartic: most of the load is carried near the rim of the contact.",
     contact="compact",
     parameters=(A,),
     pieces=(Piece(None, A * r**6),),

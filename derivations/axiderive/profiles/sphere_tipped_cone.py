@@ -18,6 +18,7 @@ PROFILE = Profile(
     abbreviations=((b, R * sp.sin(theta)),),
     validity="tan(theta) << 1",
     sources=(),
+    meanings=((b, "radius of the inner part"),),
     sketch=Sketch(((R, 1.2), (theta, 0.45)), a=1.0),
     chain=(b, R),
     synonyms=("sphero-conical indenter",),

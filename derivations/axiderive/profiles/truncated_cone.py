@@ -14,6 +14,7 @@ PROFILE = Profile(
     pieces=(Piece(b, sp.S.Zero), Piece(None, sp.tan(theta) * (r - b))),
     validity="tan(theta) << 1",
     sources=("Ejike 1981",),
+    meanings=((b, "radius of the flat face"),),
     sketch=Sketch(((theta, 0.42), (b, 0.5)), a=1.0),
     limits=(Limit("cone", b, 0),),
     note="the pressure is logarithmically infinite at the corner r = b",

@@ -14,6 +14,7 @@ PROFILE = Profile(
     pieces=(Piece(b, sp.S.Zero), Piece(None, (r**2 - b**2) / (2 * R))),
     validity="a << R",
     sources=("Ejike 1981",),
+    meanings=((b, "radius of the flat face"),),
     sketch=Sketch(((R, 1.2), (b, 0.5)), a=1.0),
     limits=(Limit("paraboloid", b, 0),),
     note="the pressure is logarithmically infinite at the corner r = b",

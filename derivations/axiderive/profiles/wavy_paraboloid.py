@@ -11,7 +11,7 @@ COMPACT_LIMIT = sp.Float("12.391420936291584", 17)
 PROFILE = Profile(
     name="wavy_paraboloid",
     title="Wavy paraboloid",
-    subtitle="A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.",
+    subtitle="A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.",
     contact="compact",
     parameters=(R, h, wavelength),
     pieces=(Piece(None, r**2 / (2 * R) + h * (1 - sp.cos(2 * sp.pi * r / wavelength))),),
@@ -21,6 +21,7 @@ PROFILE = Profile(
         "the number 12.3914 of the homogeneous half-space is another on a graded one, where g' >= 0 asks for"
         " 15.5992 at k = -0.5 and for 10.1777 at k = 0.5"
     ),
+    meanings=((h, "amplitude of the waves, half of their height from valley to peak"),),
     sketch=Sketch(((R, 1.6), (h, 0.01), (wavelength, 0.5)), a=1.0),
     rules=(
         Rule(

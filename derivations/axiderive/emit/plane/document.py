@@ -26,13 +26,12 @@ SUMMARY = {
 }
 MEANING = {
     nt.a: "half-width of the contact",
-    nt.b: "distance from the middle to the break between two parts of the profile",
     nt.d: "depth of the middle of the contact relative to the surface at the distance L",
     nt.f: "height of the profile above its lowest point in the middle",
     nt.x: "place across the contact, zero in the middle; of either sign",
     nt.slope: "slope of the surface, negative where the displacement into the half-space falls with x",
 }
-OF_PUNCH = {nt.a: "half-width of the punch", nt.h: "depth of the concave face", nt.f: "height of the face"}
+OF_PUNCH = {nt.a: "half-width of the punch", nt.f: "height of the face"}
 NAMES = {"slope = ": "dw/dx = ", "tilt = ": "phi = ", "width = ": "l = ", "Abs(": "abs(", "Max(": "max("}
 PARITY = {"f": "even", "p": "even", "s": "odd"}
 
@@ -65,7 +64,7 @@ def text(
 
 def meaning(profile: Profile, symbol: sp.Symbol) -> str:
     own = MEANING | (OF_PUNCH if profile.contact == "complete" else {})
-    return own.get(symbol, nt.describe(symbol).meaning)
+    return own.get(symbol) or profile.meaning(symbol)
 
 
 def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:

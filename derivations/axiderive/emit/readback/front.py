@@ -177,10 +177,11 @@ def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
         found.append(
             _at(f"{profile_id}: {symbol}", f"{printer(symbol)}={printer(expr)}", values, expr, name_in_print(symbol))
         )
-    slope = re.search(r"slope \$(f'\(r\)=.*?)\$", page.derivation(profile_id, profile, entries))
-    if slope:
-        values = _panel_point(profile, place, True)
-        found.append(_at(f"{profile_id}: f'", slope[1], values, sp.diff(profile.pieces[-1].expr, nt.r), "f'(r)"))
+    words = page.derivation(profile_id, profile, entries)
+    slopes = re.findall(r"\$(f'\(r\)=.*?)\$(?: for \$(.*?)\$)?", words)
+    for piece, (tex, condition) in zip(profile.pieces, slopes, strict=True) if slopes else ():
+        values = _panel_point(profile, place, piece is profile.pieces[-1])
+        found.append(_at(f"{profile_id}: f'", tex, values, sp.diff(piece.expr, nt.r), "f'(r)", condition))
     return found
 
 

@@ -31,7 +31,7 @@ _NAMED = re.compile(r"\\hbox to\\textwidth\{\$\\displaystyle (.*?)\$\\hfill\\par
 _CELL = re.compile(r"& \$\\displaystyle (.*?)\$(?= &|\\\\)")
 _SHAPE = re.compile(r"\$(?:\\displaystyle )?([fp]\([rx]\)=.*?)\$")
 _SHORTHAND = re.compile(r"\$(?:\\displaystyle )?([^$]*?=[^$]*?)\$")
-_SLOPE = re.compile(r"slope \$(f'\(r\)=.*?)\$")
+_SLOPE = re.compile(r"\$(f'\(r\)=.*?)\$")
 
 
 def formulas(text: str) -> list[Formula]:

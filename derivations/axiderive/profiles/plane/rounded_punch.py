@@ -14,6 +14,7 @@ PROFILE = Profile(
     pieces=(Piece(b, sp.S.Zero), Piece(None, (x - b) ** 2 / (2 * R))),
     validity="a - b << R (parabolic rounding)",
     sources=("Schubert 1942", "Ciavarella, Hills & Monno 1998"),
+    meanings=((b, "half-width of the flat face"),),
     sketch=Sketch(((R, 1.45), (b, 1.15)), a=1.62),
     limits=(Limit("parabola", b, 0),),
     note="the pressure is bounded",

@@ -14,6 +14,7 @@ PROFILE = Profile(
     pieces=(Piece(b, sp.S.Zero), Piece(None, sp.tan(theta) * (x - b))),
     validity="tan(theta) << 1",
     sources=("Schubert 1942",),
+    meanings=((b, "half-width of the flat face"),),
     sketch=Sketch(((theta, 0.42), (b, 0.5)), a=1.0),
     limits=(Limit("wedge", b, 0),),
     note="the pressure is logarithmically infinite at the corner x = b; from the general solution of Schubert",
