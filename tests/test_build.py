@@ -18,13 +18,14 @@ import pytest
 import sympy as sp
 
 from axiderive import cache as cache_module
-from axiderive import pool
+from axiderive import pool, work
 from axiderive.cache import Cache, digest
 from axiderive.contact.systems import problem, problems
 from axiderive.notation import R, a, b, r, theta
 from axiderive.profiles.profile import Piece, Sketch
 from axiderive.records import entry_record, profile_record, read_entry
 from axiderive.srepr import ReadingError, from_text, to_text
+from axiderive.verification import checks_of
 from axiderive.work import Settings, derivation_key, verification_key
 
 
@@ -161,6 +162,50 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
     assert cache_module.source_digest.__wrapped__("some_engine") != first
 
 
+def test_import_digest_follows_code_and_what_it_imports(tmp_path, monkeypatch):
+    """Comments and docstrings do not count, a module that is imported inside a function does."""
+    monkeypatch.setattr(cache_module, "__file__", str(tmp_path / "engine" / "cache.py"))
+    monkeypatch.setattr(cache_module, "_read_module", cache_module._read_module.__wrapped__)
+    (tmp_path / "engine").mkdir()
+    first = '"""Words."""\n\ndef f():\n    from .second import g\n    return g() + 1\n'
+    texts = {"__init__": "", "first": first, "second": "def g():\n    return 2\n", "third": "x = 1\n"}
+
+    def digest_with(**changed):
+        for name, text in {**texts, **changed}.items():
+            (tmp_path / "engine" / f"{name}.py").write_text(text)
+        return cache_module.import_digest.__wrapped__("engine.first")
+
+    base = digest_with()
+    assert digest_with(first=first.replace("Words.", "Other words.") + "# a remark\n") == base
+    assert digest_with(third="x = 2\n") == base
+    assert digest_with(first=first.replace("+ 1", "+ 2")) != base
+    assert digest_with(second="def g():\n    return 3\n") != base
+
+
+def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch):
+    """Not with other settings, not for another formula, and not where the published result is not the one made."""
+    own, settings = problem("loads.uniform"), Settings()
+    folder = str(tmp_path)
+    made = work.task(own.key, folder, True, settings, {})
+    checks = checks_of(made.evidence)
+    known = {"checks": work.receipt(work.checking_key(own, made.entries, settings), checks)}
+    standing = {"checks": checks, "receipts": known}
+
+    def kept(entries=made.entries, settings=settings, **changed):
+        return work.kept_checks(own, entries, settings, {**standing, **changed})
+
+    assert kept() == checks
+    assert kept(settings=Settings(seed=18)) is None
+    assert kept(entries={"w": {**made.entries["w"], "status": "root"}}) is None
+    assert kept(checks=[{**checks[0], "worst": "0.0"}, *checks[1:]]) is None
+    assert kept(receipts={}) is None
+    monkeypatch.setattr("axiderive.verification.checks.check_problem", lambda *args, **kwargs: pytest.fail("made anew"))
+    again = work.task(own.key, str(tmp_path / "other"), False, settings, standing)
+    assert again.kept
+    assert again.evidence == made.evidence
+    assert not made.kept
+
+
 def _hash_seed_and_number(number):
     return os.environ.get("PYTHONHASHSEED"), os.getpid(), number
 
@@ -183,7 +228,7 @@ def test_a_dead_worker_is_an_error_not_a_hang():
 
 INTERRUPTED = """
 import signal, sys, time
-from axiderive import pool
+from axiderive import pool, work
 
 def work(seconds):
     print("at work", flush=True)

@@ -87,8 +87,8 @@ def test_a_problem_with_a_failed_check_is_left_out_and_listed(elsewhere, monkeyp
 
     genuine = verification.verify
 
-    def verify(problem, entries, settings):
-        found = genuine(problem, entries, settings)
+    def verify(problem, entries, settings, kept):
+        found = genuine(problem, entries, settings, kept)
         wrong = problem.key == "loads.uniform"
         failures = [{"key": "loads.uniform.w", "message": "got 1.0, wanted 2.0"}] if wrong else []
         return {**found, "failures": failures}

@@ -142,8 +142,11 @@ def test_measured_errors_are_read_back_from_what_a_build_wrote(tmp_path):
     """Evidence is no index: read as one it is nothing, and no error that was measured would ever stand."""
     key = "cone"
     found = standing(CATALOGUE, [key, "unheard.of"])
-    assert found == {key: json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]["evaluation"]}
-    assert found[key]["p"]["bench"]["points"] > 0
+    stored = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]
+    assert set(found) == {key}
+    assert found[key]["evaluation"] == stored["evaluation"]
+    assert found[key]["evaluation"]["p"]["bench"]["points"] > 0
+    assert [check for check in found[key]["checks"] if check["key"] == "cone.p"] == stored["entries"]["p"]["checks"]
     assert standing(tmp_path, [key]) == {}
 
 
@@ -167,10 +170,15 @@ def test_a_partial_build_keeps_the_other_profiles(tmp_path):
         return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
 
     shared = {"axicontact/__init__.py": b"all", "handbook/handbook.tex": b"all"}
-    writing.publish({**shared, "axicontact/index.json": index("cone", "sphere", "gone")}, tmp_path, prune=False)
+    receipts = {"evidence/receipts.json": b'{"cone": {"checks": "1"}, "paraboloid": {"checks": "2"}}'}
+    before = {**shared, **receipts, "axicontact/index.json": index("cone", "sphere", "gone")}
+    writing.publish(before, tmp_path, prune=False)
     part = {"axicontact/__init__.py": b"part", "axicontact/extra.py": b"x", "axicontact/normal/paraboloid.py": b"y"}
+    part |= {"evidence/receipts.json": b'{"paraboloid": {"checks": "3"}}'}
     files = only_profiles({**part, "axicontact/index.json": index("paraboloid")}, ["paraboloid"], tmp_path)
-    assert sorted(files) == ["axicontact/extra.py", "axicontact/index.json", "axicontact/normal/paraboloid.py"]
+    own = ["axicontact/extra.py", "axicontact/index.json", "axicontact/normal/paraboloid.py", "evidence/receipts.json"]
+    assert sorted(files) == own
+    assert json.loads(files["evidence/receipts.json"]) == {"cone": {"checks": "1"}, "paraboloid": {"checks": "3"}}
     merged = json.loads(files["axicontact/index.json"])
     assert [row["name"] for row in merged["profiles"]] == ["cone", "paraboloid", "sphere"]
     assert [row["key"] for row in merged["entries"]] == ["cone.p", "paraboloid.p", "sphere.p"]

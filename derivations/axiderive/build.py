@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 
 from . import emission, pool, work
 from .cache import Cache, digest, source_digest
+from .comparison import receipts_bytes
 from .emission import Book, Published, Record
 from .work import Outcome, Settings
+from .writing import RECEIPTS
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
@@ -32,6 +34,8 @@ class Catalogue:
     files: dict[str, bytes]
     outcomes: tuple[Outcome, ...]
     failures: tuple[Failure, ...]
+    kept: tuple[int, int]
+    """Problems whose checks, and whose measured errors, were taken over from what is published."""
 
 
 def build(
@@ -55,7 +59,8 @@ def build(
     settings : Settings, optional
         Digits, number of points and seed of the numerical checks.
     standing : mapping of str to dict
-        Measured errors as they are published, by key of the problem; they stay where those of this machine agree.
+        What is published, by key of the problem, as `comparison.standing` reads it: checks and measured errors are
+        taken over where their inputs are the same, and errors measured anew stay as published where they agree.
     book : Book, optional
         The book that the pages of these profiles belong to; one of their own otherwise.
     jobs : int
@@ -79,7 +84,7 @@ def build(
             found[problem.key] = outcome
             report(outcome)
     missing = sorted((problem for problem in wanted if problem.key not in found), key=_expected_effort, reverse=True)
-    tasks = [(problem.key, str(cache.folder), cache.fresh, settings) for problem in missing]
+    tasks = [(own.key, str(cache.folder), cache.fresh, settings, standing.get(own.key, {})) for own in missing]
     for outcome in pool.run(work.task, tasks, jobs):
         found[outcome.key] = outcome
         report(outcome)
@@ -88,10 +93,11 @@ def build(
     chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
     package = emission.package(published, cache)
-    published = _measured(published, package, standing, cache, jobs)
+    published, kept, measured = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
     files = emission.emitted(published, package, book, cache, settings, jobs)
-    return Catalogue(files, outcomes, tuple(failures))
+    files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured))
+    return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))
 
 
 def _chapter(cache: Cache, jobs: int) -> Record:
@@ -143,21 +149,49 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
 
 def _measured(
     published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
-) -> Published:
-    """The same with the errors of the emitted functions among the evidence."""
+) -> tuple[Published, int, dict[str, str]]:
+    """The same with the errors of the emitted functions among the evidence.
+
+    Also of how many problems they were taken over, and the keys of their inputs.
+    """
     from .stable.closure import closure
     from .stable.drift import settled
     from .stable.records import SYSTEMS
 
     tasks = [
-        (problem.key, outcome.entries, closure(package, problem.module), str(cache.folder), cache.fresh)
-        for problem, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
-        if problem.system.name in SYSTEMS
+        (
+            own.key,
+            outcome.entries,
+            closure(package, own.module),
+            str(cache.folder),
+            cache.fresh,
+            standing.get(own.key, {}),
+        )
+        for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
+        if own.system.name in SYSTEMS
     ]
-    found = {key: settled(standing.get(key, {}), errors) for key, errors in pool.run(work.evaluation, tasks, jobs)}
-    return [
-        (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": found[problem.key]}))
-        if problem.key in found
+    errors, inputs, kept = {}, {}, 0
+    for key, found, made_of, taken in pool.run(work.evaluation, tasks, jobs):
+        errors[key] = settled(standing.get(key, {}).get("evaluation") or {}, found)
+        inputs[key] = made_of
+        kept += taken
+    whole = [
+        (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": errors[problem.key]}))
+        if problem.key in errors
         else (problem, outcome)
         for problem, outcome in published
     ]
+    return whole, kept, inputs
+
+
+def _receipts(published: Published, settings: Settings, measured: Mapping[str, str]) -> Record:
+    """What the checks and the measured errors of each problem were made of."""
+    from .verification import checks_of
+
+    found = {}
+    for problem, outcome in published:
+        made_of = work.checking_key(problem, outcome.entries, settings)
+        found[problem.key] = {"checks": work.receipt(made_of, checks_of(outcome.evidence))}
+        if problem.key in measured:
+            found[problem.key]["evaluation"] = work.receipt(measured[problem.key], outcome.evidence["evaluation"])
+    return found

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache as remember
 from importlib.util import find_spec
@@ -31,6 +33,73 @@ def source_digest(*modules: str) -> str:
             hasher.update(f"{module}:{path.name}:".encode())
             hasher.update(path.read_bytes())
     return hasher.hexdigest()
+
+
+VIEWS = ("axiderive.notebook",)
+"""Modules that an entry asks for only to show itself."""
+
+
+@remember
+def import_digest(*modules: str) -> str:
+    """SHA-256 over what modules compute: their own code and that of all they import of axiderive.
+
+    Comments, docstrings, layout and the names of files do not count; modules that are imported by a name made at run
+    time do not either.
+    """
+    pending, found = list(modules), dict[str, str]()
+    while pending:
+        module = pending.pop()
+        if module not in found and module not in VIEWS and _source(module) is not None:
+            found[module], imported = _read_module(module)
+            pending += imported
+    return digest(sorted(found.values()))
+
+
+@remember
+def _read_module(module: str) -> tuple[str, tuple[str, ...]]:
+    """Digest of the code of a module, and what it imports."""
+    source = _source(module)
+    assert source is not None
+    tree = ast.parse(source.read_bytes())
+    package = module if source.name == "__init__.py" else module.rpartition(".")[0]
+    imported = tuple(_imported(tree, package))
+    return hashlib.sha256(ast.dump(_bare(tree)).encode()).hexdigest(), imported
+
+
+def _source(module: str) -> Path | None:
+    root = Path(__file__).resolve().parents[1].joinpath(*module.split("."))
+    return next((path for path in (root.with_suffix(".py"), root / "__init__.py") if path.is_file()), None)
+
+
+def _imported(tree: ast.Module, package: str) -> Iterator[str]:
+    """Modules of the engine that a module imports when it runs, and names that may be modules."""
+    parts = package.split(".")
+    for node in _running(tree):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = ".".join([*parts[: len(parts) - node.level + 1], *([node.module] if node.module else [])])
+            yield base
+            yield from (f"{base}.{alias.name}" for alias in node.names)
+
+
+def _running(node: ast.AST) -> Iterator[ast.AST]:
+    """All nodes but those that only a type checker reads."""
+    yield node
+    if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+        return
+    for child in ast.iter_child_nodes(node):
+        yield from _running(child)
+
+
+def _bare(tree: ast.Module) -> ast.Module:
+    """The tree without strings that stand alone."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            node.body = [one for one in node.body if not _words(one)]
+    return tree
+
+
+def _words(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
 def _sources(module: str) -> list[Path]:

@@ -70,7 +70,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     build.add_argument("--out", type=Path, metavar="DIR", help="folder of the catalogue (catalogue/ of the checkout)")
     build.add_argument("--no-pdf", action="store_true", help="leave the handbook as LaTeX")
-    build.add_argument("--fresh", action="store_true", help="ignore what earlier builds stored")
+    build.add_argument(
+        "--fresh", action="store_true", help="repeat everything: take nothing from earlier builds or the catalogue"
+    )
     build.add_argument(
         "--check", action="store_true", help="write nothing; fail with a diff if the catalogue would change"
     )

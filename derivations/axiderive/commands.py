@@ -20,9 +20,9 @@ from .emission import study_records
 from .emit.readme import with_tables
 from .exits import FAILED, INCOMPLETE, CommandError
 from .index import nearest
-from .progress import Progress, failure_lines, summary
+from .progress import Progress, failure_lines, summary, taken_over
 from .work import Settings, project_root
-from .writing import GENERATED_SUFFIXES, ensure_writable, publish, stale_files, write_atomic
+from .writing import GENERATED_SUFFIXES, RECEIPTS, ensure_writable, publish, stale_files, write_atomic
 
 MOST_REMARKS = 5
 
@@ -56,13 +56,15 @@ def build(arguments: argparse.Namespace) -> int:
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
     progress.say(summary(catalogue))
+    progress.say(taken_over(catalogue))
     if not any(path.startswith("evidence/") for path in catalogue.files):
         print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
         return FAILED
     readme = {} if partial or root != project_root() / "catalogue" else _readme(catalogue)
     if arguments.check:
         stale = [] if partial else stale_files(files, root)
-        found = differences(files, root, stale) + differences(readme, project_root())
+        results = {path: content for path, content in files.items() if path != RECEIPTS}
+        found = differences(results, root, stale) + differences(readme, project_root())
         if any((root / path).is_file() for path in files):
             code = _compare(found, root, len(files), progress, arguments)
         else:

@@ -12,6 +12,8 @@ from typing import Any
 from .contact.systems import problems, profile_ids
 from .emission import Book
 from .index import dumps, loads
+from .verification import checks_of
+from .writing import RECEIPTS
 
 Record = dict[str, Any]
 
@@ -80,7 +82,7 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     order = profile_ids()
     index_path = "axicontact/index.json"
     own = {path: text for path, text in files.items() if _owner(path) in ids}
-    shared = {p: t for p, t in files.items() if p not in own and p != index_path and not (root / p).exists()}
+    shared = {p: t for p, t in files.items() if p not in (*own, index_path, RECEIPTS) and not (root / p).exists()}
     new = loads(files[index_path])
     try:
         old = loads((root / index_path).read_bytes())
@@ -92,7 +94,8 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     for row in new["physics"]:
         row["formulas"] = sum(entry["physics"] == row["name"] for entry in new["entries"])
     new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
-    return own | shared | {index_path: dumps(new).encode()}
+    receipts = {**_read(root / RECEIPTS), **json.loads(files[RECEIPTS])}
+    return own | shared | {index_path: dumps(new).encode(), RECEIPTS: receipts_bytes(receipts)}
 
 
 def _merged_matrix(old: Record, new: Record, order: Sequence[str]) -> Record:
@@ -113,14 +116,25 @@ def _owner(path: str) -> str:
     return ""
 
 
+def receipts_bytes(receipts: Record) -> bytes:
+    """The receipts as they are stored, a problem to a few lines."""
+    return (json.dumps(receipts, indent=1) + "\n").encode()
+
+
 def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
-    """The measured errors that the evidence below `root` holds, by key of the problem."""
-    found = {}
+    """What the evidence below `root` holds, by key of the problem: checks, measured errors, and their receipts."""
+    receipts = _read(root / RECEIPTS)
+    found: dict[str, Record] = {}
     for key in keys:
         try:
             evidence = json.loads((root / "evidence" / f"{key}.json").read_bytes())["evidence"]
-            found[key] = dict(evidence["evaluation"])
-        except (OSError, ValueError, KeyError, TypeError):
-            # nothing published, or nothing that can be read: what is measured now stands
+            measured = evidence.get("evaluation")
+            found[key] = {
+                "checks": checks_of(evidence),
+                "evaluation": None if measured is None else dict(measured),
+                "receipts": dict(receipts.get(key, {})),
+            }
+        except (OSError, AttributeError, KeyError, TypeError, ValueError):
+            # nothing published, or nothing that can be read: what is found now stands
             continue
     return found

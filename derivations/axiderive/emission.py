@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import pool, work
-from .cache import Cache, digest, source_digest
+from .cache import Cache, digest, import_digest, source_digest
 from .work import Outcome, Settings
 from .writing import STUDIES
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .contact.systems import Problem
     from .entry import Entry
 
-EMITTING = (*work.VERIFYING, *work.WRITING, "axiderive.emission", "axiderive.index")
+EMITTING = (*work.WRITING, "axiderive.emission", "axiderive.index")
 
 Published = list[tuple["Problem", Outcome]]
 Record = dict[str, Any]
@@ -57,9 +57,8 @@ def emitted(
 ) -> dict[str, bytes]:
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     studies = study_records()
-    key = digest(
-        [work.FORMAT, "emission", source_digest(*EMITTING), settings.record(), results, book.ids, book.chapter, studies]
-    )
+    sources = [source_digest(*EMITTING), import_digest("axiderive.emission")]
+    key = digest([work.FORMAT, "emission", sources, settings.record(), results, book.ids, book.chapter, studies])
     texts = cache.get(key)
     if texts is None:
         files = _emit(published, modules, book, studies, jobs)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from .contact import systems
 from .proof import certificate, checks, plane
+from .proof.evidence import Evidence
 from .records import entry_record, profile_record
 from .verifier import reasons, rests_on
 
@@ -15,12 +16,16 @@ if TYPE_CHECKING:
     from .contact.systems import Problem
     from .entry import Entry
     from .proof.certificate import Certificate
-    from .proof.evidence import Evidence
     from .work import Settings
 
 
-def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -> dict[str, Any]:
-    """Certify and check the entries of a problem.
+def verify(
+    problem: Problem,
+    entries: Mapping[str, Entry],
+    settings: Settings,
+    kept: Sequence[Mapping[str, Any]] | None = None,
+) -> dict[str, Any]:
+    """Certify and check the entries of a problem; `kept` are its checks where they need not be made again.
 
     Returns
     -------
@@ -32,7 +37,10 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
     prover = plane if problem.system.name == "plane" else certificate
     certificates = prover.certify_profile(problem.profile, dict(entries))
     second = reasons(*_stored(problem, entries))
-    found = checks.check_problem(problem, entries, **settings.record())
+    if kept is None:
+        found = checks.check_problem(problem, entries, **settings.record())
+    else:
+        found = [Evidence(**check) for check in kept]
     by_key: dict[str, list[Evidence]] = {entry.key: [] for entry in entries.values()}
     for check in found:
         by_key[check.key].append(check)
@@ -44,6 +52,11 @@ def verify(problem: Problem, entries: Mapping[str, Entry], settings: Settings) -
         },
         "failures": [{"key": c.key, "message": _failure(c)} for c in found if c.outcome == "failed"],
     }
+
+
+def checks_of(evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The checks of a record, those of all its entries."""
+    return [check for entry in evidence["entries"].values() for check in entry["checks"]]
 
 
 def _stored(problem: Problem, entries: Mapping[str, Entry]) -> list[dict[str, Any]]:

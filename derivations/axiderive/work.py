@@ -5,17 +5,13 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Mapping
-<<<<<<< HEAD
 from dataclasses import dataclass
-=======
-from dataclasses import asdict, dataclass
 from functools import cache as remember
->>>>>>> w-c
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .cache import Cache, digest, source_digest
+from .cache import Cache, digest, import_digest, source_digest
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
@@ -23,21 +19,18 @@ if TYPE_CHECKING:
     from .profiles.profile import Profile
 
 FORMAT = 2
-DERIVING = (
-    "axiderive.notation",
-    "axiderive.entry",
-    "axiderive.abel",
-    "axiderive.contact",
-    "axiderive.srepr",
-    "axiderive.records",
+DERIVING = ("axiderive.contact.systems", "axiderive.records")
+PROVING = (*DERIVING, "axiderive.proof.certificate", "axiderive.proof.plane", "axiderive.verification")
+CHECKING = (*DERIVING, "axiderive.proof.checks")
+MEASURING = (*DERIVING, "axiderive.stable.records")
+"""Modules whose imports, all the way down, are what derives, proves, checks and measures."""
+WRITING = (
+    *("axiderive.notation", "axiderive.entry", "axiderive.abel", "axiderive.contact", "axiderive.srepr"),
+    *("axiderive.records", "axiderive.profiles", "axiderive.stable", "axiderive.emit"),
 )
-VERIFYING = (
-    *DERIVING, "axiderive.profiles.profile", "axiderive.proof", "axiderive.verification", "axiderive.verifier",
-)  # fmt: skip
-WRITING = (*DERIVING, "axiderive.profiles", "axiderive.stable", "axiderive.emit")
+"""Modules and packages, with every file in them, that write modules and pages."""
 TEXTS = ("title", "subtitle", "validity", "sources", "sketch", "synonyms", "note", "meanings", "reason")
 """Fields of a profile and its rules that are printed and drawn: no formula and no proof depends on them."""
-MEASURING = (*DERIVING, "axiderive.profiles", "axiderive.proof", "axiderive.stable")
 
 
 @dataclass(frozen=True)
@@ -62,6 +55,8 @@ class Outcome:
     evidence: dict[str, Any]
     seconds: float
     cached: bool = False
+    kept: bool = False
+    """Whether its checks were taken from the catalogue."""
     error: str = ""
     trace: str = ""
 
@@ -79,7 +74,7 @@ def project_root() -> Path:
 
 def derivation_key(problem: Problem) -> str:
     shape = _shape(problem.profile)
-    return digest([FORMAT, "derivation", installed("sympy"), source_digest(*DERIVING), problem.key, shape])
+    return digest([FORMAT, "derivation", installed("sympy"), import_digest(*DERIVING), problem.key, shape])
 
 
 def _shape(profile: Profile) -> Any:
@@ -105,24 +100,28 @@ def _shapes() -> str:
 
 
 def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
+    """Of the whole verification: proofs, the second proofs, and the checks."""
+    proving = [import_digest(*PROVING), source_digest("axiderive.verifier")]
+    return digest([FORMAT, "verification", proving, checking_key(problem, entries, settings)])
+
+
+def checking_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
+    """Of the numerical comparisons: the code that makes them, the settings, the profiles and the entries."""
     versions = [installed(name) for name in ("sympy", "mpmath", "python-flint")]
-    return digest(
-        [
-            FORMAT,
-            "verification",
-            versions,
-            source_digest(*VERIFYING),
-            _shapes(),
-            settings.record(),
-            problem.key,
-            entries,
-        ]
-    )
+    inputs = [versions, import_digest(*CHECKING), _shapes(), settings.record(), problem.key, entries]
+    return digest([FORMAT, "checks", inputs])
 
 
 def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[str, str]) -> str:
+    """Of the measured errors: the code that measures, the profile, the entries and the texts of the modules."""
     versions = [installed(name) for name in ("numpy", "sympy", "python-flint")]
-    return digest([FORMAT, "evaluation", versions, source_digest(*MEASURING), problem.key, entries, dict(sources)])
+    inputs = [versions, import_digest(*MEASURING), _shape(problem.profile), problem.key, entries, dict(sources)]
+    return digest([FORMAT, "evaluation", inputs])
+
+
+def receipt(key: str, found: object) -> str:
+    """What stands in the catalogue for the inputs of a result: another input or another result has another one."""
+    return digest([key, found])[:32]
 
 
 def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None:
@@ -137,8 +136,11 @@ def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None
     return Outcome(problem.key, derivation["entries"], verification["evidence"], seconds, cached=True)
 
 
-def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
-    """Derive and verify one problem; what is finished is in the cache before the next step begins."""
+def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mapping[str, Any]) -> Outcome:
+    """Derive and verify one problem; what is finished is in the cache before the next step begins.
+
+    `standing` is what the catalogue holds of it: checks made from the same inputs are not made again.
+    """
     from .contact import systems
 
     start = time.perf_counter()
@@ -146,7 +148,8 @@ def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
     try:
         problem, cache = systems.problem(key), Cache(Path(folder), fresh)
         entries = _derived(problem, cache)
-        evidence = _verified(problem, entries, cache, settings)
+        checks = None if fresh else kept_checks(problem, entries, settings, standing)
+        evidence = _verified(problem, entries, cache, settings, checks)
     except OSError:
         raise
     except Exception as error:  # a defect in one problem must not take the others with it
@@ -154,26 +157,46 @@ def task(key: str, folder: str, fresh: bool, settings: Settings) -> Outcome:
         return Outcome(
             key, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
         )
-    return Outcome(key, entries, evidence, time.perf_counter() - start)
+    return Outcome(key, entries, evidence, time.perf_counter() - start, kept=checks is not None)
+
+
+def kept_checks(
+    problem: Problem, entries: dict[str, Any], settings: Settings, standing: Mapping[str, Any]
+) -> list[dict[str, Any]] | None:
+    """The checks of the catalogue if they were made from these inputs; None otherwise."""
+    checks = standing.get("checks")
+    known = standing.get("receipts", {}).get("checks")
+    if checks is None or known != receipt(checking_key(problem, entries, settings), checks):
+        return None
+    return list(checks)
 
 
 def evaluation(
-    key: str, entries: dict[str, Any], sources: dict[str, str], folder: str, fresh: bool
-) -> tuple[str, dict[str, Any]]:
+    key: str,
+    entries: dict[str, Any],
+    sources: dict[str, str],
+    folder: str,
+    fresh: bool,
+    standing: Mapping[str, Any],
+) -> tuple[str, dict[str, Any], str, bool]:
     """Measure the emitted functions of one problem unless that has been done for the same texts.
 
-    `sources` are those of the package that the module of the problem rests on.
+    `sources` are those of the package that the module of the problem rests on, `standing` is what the catalogue holds.
+    Returns the key, the measured errors, the key of their inputs, and whether they were taken from the catalogue.
     """
     from .contact import systems
     from .stable.records import record
 
     problem, cache = systems.problem(key), Cache(Path(folder), fresh)
     kept = evaluation_key(problem, entries, sources)
+    errors = standing.get("evaluation")
+    if not fresh and errors is not None and standing.get("receipts", {}).get("evaluation") == receipt(kept, errors):
+        return key, dict(errors), kept, True
     found = cache.get(kept)
     if found is None:
         found = record(key, sources, read_entries(problem, entries))
         cache.put(kept, found)
-    return key, dict(found)
+    return key, dict(found), kept, False
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
@@ -196,7 +219,13 @@ def _derived(problem: Problem, cache: Cache) -> dict[str, Any]:
     return dict(found["entries"])
 
 
-def _verified(problem: Problem, entries: dict[str, Any], cache: Cache, settings: Settings) -> dict[str, Any]:
+def _verified(
+    problem: Problem,
+    entries: dict[str, Any],
+    cache: Cache,
+    settings: Settings,
+    checks: list[dict[str, Any]] | None,
+) -> dict[str, Any]:
     from .verification import verify
 
     key = verification_key(problem, entries, settings)
@@ -204,7 +233,7 @@ def _verified(problem: Problem, entries: dict[str, Any], cache: Cache, settings:
     if found is None:
         start = time.perf_counter()
         # what is verified is what was stored, not what was in memory
-        evidence = verify(problem, read_entries(problem, entries), settings)
+        evidence = verify(problem, read_entries(problem, entries), settings, checks)
         found = {"evidence": evidence, "seconds": round(time.perf_counter() - start, 3)}
         cache.put(key, found)
     return dict(found["evidence"])

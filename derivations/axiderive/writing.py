@@ -18,6 +18,8 @@ GENERATED_SUFFIXES = frozenset(
 )
 STUDIES = "evidence/study/"
 """Records of `axicontact study`: measured by a command of their own, neither made nor removed by a build."""
+RECEIPTS = "evidence/receipts.json"
+"""What the inputs of every check and measurement were: no result, and not compared."""
 INDEX = "axicontact/index.json"
 
 

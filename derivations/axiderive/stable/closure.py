@@ -10,7 +10,7 @@ from pathlib import PurePosixPath
 def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
     """The texts of modules, of all they import from the package, and of the packages around them.
 
-    A package stands for its name alone: its text is empty, for it would bring in everything it offers.
+    A package stands for its name alone, with an empty text, unless it is imported to ask it for one of its modules.
     """
     found: dict[str, str] = {}
     pending = list(modules)
@@ -23,10 +23,21 @@ def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
 
 
 def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:
-    for node in ast.walk(ast.parse(sources[path])):
+    tree = ast.parse(sources[path])
+    asked = {
+        (node.value.id, node.attr)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+    }
+    for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.level:
             folder = PurePosixPath(path).parents[node.level - 1]
             base = folder.joinpath(*(node.module or "").split(".")) if node.module else folder
             for target in (base, *(base / alias.name for alias in node.names)):
                 if f"{target}.py" in sources:
                     yield f"{target}.py"
+            for alias in node.names:
+                if f"{base}/{alias.name}/__init__.py" in sources:
+                    yield f"{base}/{alias.name}/__init__.py"
+                    modules = (f"{base}/{alias.name}/{attribute}.py" for name, attribute in asked if name == alias.name)
+                    yield from sorted(module for module in modules if module in sources)
