@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from selected import few
 
 from axiderive import cache as cache_module
 from axiderive import pool, work
@@ -28,8 +29,10 @@ from axiderive.srepr import ReadingError, from_text, to_text
 from axiderive.verification import checks_of
 from axiderive.work import Settings, derivation_key, verification_key
 
+EVERY = [own.key for own in problems()]
 
-@pytest.mark.parametrize("key", [problem.key for problem in problems()])
+
+@pytest.mark.parametrize("key", few(EVERY, EVERY[::12], pytest.mark.slow))
 def test_every_entry_survives_storage(key):
     """What is published is what was read back, so reading back must not change a single argument."""
     of = problem(key)

@@ -14,8 +14,11 @@ from pathlib import Path
 
 import pytest
 
+from axiderive import work
 from axiderive.contact.systems import BODIES, BY_NAME, SYSTEMS, Problem, problems
 from axiderive.index import loads
+from axiderive.verification import checks_of
+from axiderive.work import Settings
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 PROBLEMS = {problem.key: problem for problem in problems()}
@@ -129,3 +132,17 @@ def test_package_lists_what_it_holds() -> None:
     import axicontact
 
     assert {name.partition(".")[0] for name in PACKAGES} | {"expressions", "materials"} == set(axicontact.__all__)
+
+
+def test_the_evidence_was_made_by_this_engine_of_these_entries() -> None:
+    """What a build has checked is asked for by the digest of its inputs, and not checked again here."""
+    settings, stale = Settings(), []
+    receipts = json.loads((CATALOGUE / "evidence" / "receipts.json").read_bytes())
+    for key, problem in PROBLEMS.items():
+        made_of = work.checking_key(problem, record(key)["entries"], settings)
+        if receipts[key]["checks"] != work.receipt(made_of, checks_of(record(key)["evidence"])):
+            stale.append(key)
+    if receipts["chapter11"]["record"] != work.receipt(work.chapter_key(), record("chapter11")):
+        stale.append("chapter11")
+    assert not stale, f"the engine or the entries have changed since: run make build for {', '.join(stale[:5])} ..."
+    assert set(receipts) == {*PROBLEMS, "chapter11"}

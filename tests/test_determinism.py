@@ -60,6 +60,7 @@ def same(first: str, second: str) -> None:
     assert digests[0] == digests[1], differing
 
 
+@pytest.mark.slow
 def test_same_text_for_another_hash_seed():
     text = results(NORMAL, seed=0)
     assert all(f"{name}.F [" in text for name in profiles.NAMES)

@@ -204,6 +204,7 @@ def _points(text: str) -> list[tuple[float, float]]:
     return [(float(x), float(y)) for x, y in re.findall(r"\(([-\d.]+),([-\d.]+)\)", text)]
 
 
+@pytest.mark.slow
 def test_the_sources_do_not_depend_on_the_hash_seed() -> None:
     program = (
         "import hashlib; from axiderive.emit.handbook import handbook_sources;"

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import pytest
 import sympy as sp
+from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
@@ -180,7 +181,7 @@ def mutants(name: str) -> tuple[Mutant, ...]:
     return tuple(out)
 
 
-@pytest.mark.parametrize("name", PROFILES)
+@pytest.mark.parametrize("name", few(PROFILES, PROFILES[::4], pytest.mark.slow))
 def test_no_mutant_is_accepted(name: str) -> None:
     profile = profiles.load(name)
     accepted = [

@@ -116,7 +116,8 @@ def killed_builds(program: Path, root: Path, reference: Reference, count: int, s
     return hit
 
 
-@pytest.mark.parametrize("count", [4, pytest.param(100, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [100])
 def test_a_killed_build_is_recovered(program: Path, tmp_path: Path, reference, count: int) -> None:
     """Every tenth run starts anew, so that early phases are hit as well as late ones."""
     hit, together = 0, min(count, 10)
@@ -129,6 +130,7 @@ def test_a_killed_build_is_recovered(program: Path, tmp_path: Path, reference, c
     assert hit >= 0.9 * count - 1
 
 
+@pytest.mark.slow
 def test_two_builds_at_once_in_one_folder(program: Path, tmp_path: Path, reference) -> None:
     both = [start(program, tmp_path), start(program, tmp_path)]
     for process in both:

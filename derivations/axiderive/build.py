@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import emission, pool, work
-from .cache import Cache, digest, source_digest
-from .comparison import receipts_bytes
+from .cache import Cache
+from .comparison import CHAPTER, receipts_bytes
 from .emission import Book, Published, Record
 from .work import Outcome, Settings
 from .writing import RECEIPTS
@@ -90,23 +90,25 @@ def build(
         report(outcome)
     outcomes = tuple(found[problem.key] for problem in wanted)
     published, failures = _publishable(wanted, found)
-    chapter = _chapter(cache, jobs) if len(wanted) == len(list(problems())) else None
+    chapter = _chapter(cache, jobs, standing.get(CHAPTER, {})) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
     package = emission.package(published, cache)
     published, kept, measured = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
     files = emission.emitted(published, package, book, cache, settings, jobs)
-    files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured))
+    files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
     return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))
 
 
-def _chapter(cache: Cache, jobs: int) -> Record:
+def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
     """What the equations of chapter 11 come to; their checks compare with entries of the engine too."""
     from .chapter11.record import record
     from .chapter11.runner import run
 
-    sources = source_digest("axiderive.chapter11", "axiderive.profiles", *work.DERIVING)
-    key = digest([work.FORMAT, "chapter", work.installed("sympy"), work.installed("mpmath"), sources])
+    key = work.chapter_key()
+    kept = standing.get("record")
+    if not cache.fresh and kept is not None and standing["receipts"].get("record") == work.receipt(key, kept):
+        return dict(kept)
     found = cache.get(key)
     if found is None:
         found = record(run(jobs=jobs))
@@ -184,8 +186,8 @@ def _measured(
     return whole, kept, inputs
 
 
-def _receipts(published: Published, settings: Settings, measured: Mapping[str, str]) -> Record:
-    """What the checks and the measured errors of each problem were made of."""
+def _receipts(published: Published, settings: Settings, measured: Mapping[str, str], chapter: Record | None) -> Record:
+    """What the checks and the measured errors of each problem, and the record of the chapter, were made of."""
     from .verification import checks_of
 
     found = {}
@@ -194,4 +196,6 @@ def _receipts(published: Published, settings: Settings, measured: Mapping[str, s
         found[problem.key] = {"checks": work.receipt(made_of, checks_of(outcome.evidence))}
         if problem.key in measured:
             found[problem.key]["evaluation"] = work.receipt(measured[problem.key], outcome.evidence["evaluation"])
+    if chapter is not None:
+        found[CHAPTER] = {"record": work.receipt(work.chapter_key(), chapter)}
     return found

@@ -18,6 +18,8 @@ from .writing import RECEIPTS
 Record = dict[str, Any]
 
 
+CHAPTER = "chapter11"
+"""What the record of the chapter is called among those of the problems."""
 LONGEST, MOST = 20, 10
 """Lines of difference that are shown of one file, and files of which any are."""
 
@@ -122,7 +124,10 @@ def receipts_bytes(receipts: Record) -> bytes:
 
 
 def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
-    """What the evidence below `root` holds, by key of the problem: checks, measured errors, and their receipts."""
+    """What the evidence below `root` holds, by key of the problem: checks, measured errors, and their receipts.
+
+    Beside the problems the record of the chapter.
+    """
     receipts = _read(root / RECEIPTS)
     found: dict[str, Record] = {}
     for key in keys:
@@ -137,4 +142,7 @@ def standing(root: Path, keys: Sequence[str]) -> dict[str, Record]:
         except (OSError, AttributeError, KeyError, TypeError, ValueError):
             # nothing published, or nothing that can be read: what is found now stands
             continue
+    chapter = _read(root / "evidence" / f"{CHAPTER}.json")
+    if chapter:
+        found[CHAPTER] = {"record": chapter, "receipts": dict(receipts.get(CHAPTER, {}))}
     return found

@@ -119,6 +119,12 @@ def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[s
     return digest([FORMAT, "evaluation", inputs])
 
 
+def chapter_key() -> str:
+    """Of the checks of chapter 11, which compare with entries of the engine too."""
+    sources = [import_digest(*DERIVING, "axiderive.chapter11.runner"), source_digest("axiderive.chapter11"), _shapes()]
+    return digest([FORMAT, "chapter", installed("sympy"), installed("mpmath"), sources])
+
+
 def receipt(key: str, found: object) -> str:
     """What stands in the catalogue for the inputs of a result: another input or another result has another one."""
     return digest([key, found])[:32]

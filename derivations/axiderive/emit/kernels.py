@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import mpmath as mp
@@ -127,6 +127,7 @@ STARTS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float, mp.mpf]] = {
 """The same of which the value at v = 0 is most: what is fitted is the rest over v."""
 
 
+@cache
 def kernels_source() -> str:
     """The text of `_kernels.py`."""
     lines = [
