@@ -96,7 +96,8 @@ def build(
     published, kept, measured = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
     files = emission.emitted(published, package, book, cache, settings, jobs)
-    files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
+    if published:
+        files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
     return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))
 
 

@@ -96,7 +96,7 @@ def only_profiles(files: dict[str, bytes], ids: Sequence[str], root: Path) -> di
     for row in new["physics"]:
         row["formulas"] = sum(entry["physics"] == row["name"] for entry in new["entries"])
     new["matrix"] = _merged_matrix(old.get("matrix", {}), new["matrix"], order)
-    receipts = {**_read(root / RECEIPTS), **json.loads(files[RECEIPTS])}
+    receipts = {**_read(root / RECEIPTS), **json.loads(files.get(RECEIPTS, b"{}"))}
     return own | shared | {index_path: dumps(new).encode(), RECEIPTS: receipts_bytes(receipts)}
 
 
