@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache, wraps
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +25,7 @@ ROWS = 2 * DEPTH + 2
 BELOW_ONE = np.nextafter(1.0, 0.0)
 
 
-class Course(NamedTuple):
+class Course:
     """The sides of a singular radius.
 
     `unit` is the value of r**2 - centre**2 where a panel ends, the last one if `closed`, and `within` that of
@@ -33,11 +33,11 @@ class Course(NamedTuple):
     sqrt(edge**2 - r**2) next to an `edge`, and to 1/r far out where there is no last panel.
     """
 
-    centre: float
-    unit: float
-    closed: bool
-    edge: float | None = None
-    within: float | None = None
+    # a named tuple would take as long as the rest of this file
+    def __init__(
+        self, centre: float, unit: float, closed: bool, edge: float | None = None, within: float | None = None
+    ) -> None:
+        self.centre, self.unit, self.closed, self.edge, self.within = centre, unit, closed, edge, within
 
     def sides(self, r: Array) -> Array:
         """0 inside the centre, 1 outside; one 1 if there is no inner side."""
@@ -157,11 +157,16 @@ def _table(course: Course, r: Array, side: Array, values: Array) -> Array:
     """Coefficients by degree and panel."""
     points, waves, powers, slopes = _points()
     values = (values / course.trend(r)).T
+    # of differences to one of the values the sums below lose nothing, of the values 3 units in a whole panel
+    first = values[POINTS // 2]
+    values = values - first
     # the radii are rounded: the values belong to places next to the points
     _, place = _panels(course.scaled(r, np.broadcast_to(side, r.shape)))
     values = values - slopes @ (waves @ values) * (place - points).T
     # in two steps: the powers of a Chebyshev polynomial cancel to six digits
-    return powers @ (waves @ values)
+    table = powers @ (waves @ values)
+    table[0] += first
+    return table
 
 
 @cache

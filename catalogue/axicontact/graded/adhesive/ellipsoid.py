@@ -14,10 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, exponent_of, lowest, radii_below
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import up_to
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -492,10 +489,14 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array, dg
 
 
 def _branches(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+
     return graded_branches(normal._rate, (h, b, k), radii_below(b), np.atleast_1d(b), H, k, dgamma, control)
 
 
 def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    from ..._graded_branches import stress_at
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -508,6 +509,10 @@ def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, cont
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import up_to
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -522,6 +527,10 @@ def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import up_to
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)

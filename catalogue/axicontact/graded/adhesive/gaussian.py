@@ -14,11 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, exponent_of, lowest, radii_to
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
-from ..._graded_inverse import gaussian_reach
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import on_the_bump
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -496,6 +492,9 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dg
 
 
 def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+    from ..._graded_inverse import gaussian_reach
+
     return graded_branches(
         normal._rate,
         (h, s, k),
@@ -509,6 +508,8 @@ def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: st
 
 
 def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    from ..._graded_branches import stress_at
+
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -521,6 +522,10 @@ def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, cont
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import on_the_bump
+
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -535,6 +540,10 @@ def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import on_the_bump
+
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)

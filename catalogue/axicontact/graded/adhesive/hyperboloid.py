@@ -14,10 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, decades, exponent_of, lowest
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import radius_itself
 from ..normal import hyperboloid as normal
 
 if TYPE_CHECKING:
@@ -492,10 +489,14 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array
 
 
 def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+
     return graded_branches(normal._rate, (theta, b, k), decades(), np.inf, H, k, dgamma, control)
 
 
 def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    from ..._graded_branches import stress_at
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     b = np.ldexp(b, -unit)
@@ -507,6 +508,10 @@ def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, 
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     b = np.ldexp(b, -unit)
@@ -520,6 +525,10 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dga
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     b = np.ldexp(b, -unit)

@@ -14,10 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, decades, lowest
 from ..._domain import numbers, require, require_coefficients
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import radius_itself
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -473,6 +470,8 @@ def _displacement(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, 
 
 
 def _branches(A: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+
     return graded_branches(normal._rate, (A, k), decades(), np.inf, H, k, dgamma, control)
 
 
@@ -483,6 +482,10 @@ def _pull_off_radius(A: Array, H: Array, k: Array, dgamma: Array, control: str) 
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     found = _branches(A, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="depth")
     pulled = pull_of(H, k, dgamma, control="depth")
@@ -490,6 +493,10 @@ def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamm
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     found = _branches(A, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="force")
     pulled = pull_of(H, k, dgamma, control="force")

@@ -14,10 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, exponent_of, lowest, radii_below
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import up_to
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -473,10 +470,14 @@ def _displacement(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Arra
 
 
 def _branches(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+
     return graded_branches(normal._rate, (R, k), radii_below(R), np.atleast_1d(R), H, k, dgamma, control)
 
 
 def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    from ..._graded_branches import stress_at
+
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -488,6 +489,10 @@ def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) 
 
 
 def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import up_to
+
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -501,6 +506,10 @@ def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) ->
 
 
 def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import up_to
+
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)

@@ -14,10 +14,7 @@ from ..._adhesion import PullOff, require_control
 from ..._branches import Branches, exponent_of, lowest, radii_of_waves
 from ..._domain import numbers, require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_branches import graded_branches, growth_of, pull_of, stress_at
 from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._stable import stable_radius
-from ..._unknowns import radius_itself
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -547,12 +544,16 @@ def _displacement(
 
 
 def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    from ..._graded_branches import graded_branches
+
     return graded_branches(
         normal._rate, (R, h, wavelength, k), radii_of_waves(wavelength, 4.0 * wavelength), np.inf, H, k, dgamma, control
     )
 
 
 def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    from ..._graded_branches import stress_at
+
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -566,6 +567,10 @@ def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, 
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -583,6 +588,10 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ..._graded_branches import growth_of, pull_of, stress_at
+    from ..._stable import stable_radius
+    from ..._unknowns import radius_itself
+
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)

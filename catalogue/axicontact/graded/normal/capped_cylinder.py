@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_displacement, punch_pressure, punch_stiffness
-from ...normal import capped_cylinder as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -66,7 +64,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.020455
     """
-    return normal.profile(r, a=a, R=R)
+    return normal.capped_cylinder.profile(r, a=a, R=R)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -337,6 +335,8 @@ def _force(d: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, d: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     rho, rest = _contact(d, a, R, k)
     edge = np.where(rest > 0.0, rest * punch_pressure(r, rho, H, k), 0.0)
     cap = H / np.pi * power_pressure(np.minimum(r, rho), rho, 2.0, k) / (2 * R)
@@ -344,6 +344,8 @@ def _pressure(r: Array, d: Array, a: Array, R: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, R: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_displacement
+
     rho, rest = _contact(d, a, R, k)
     cap = power_displacement(r, rho, 2.0, k) / (2 * R)
     return cap + rest * punch_displacement(r, rho, k)

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
 from ..._graded_growth import power_factor
 from ..._graded_punch import punch_pressure, punch_stiffness
-from ...normal import concave_paraboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -75,7 +74,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     >>> round(value, 6)
     -0.0135
     """
-    return normal.profile(r, a=a, h=h)
+    return normal.concave_paraboloid.profile(r, a=a, h=h)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -476,9 +475,11 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_sag, punch_share
+
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
     outside = d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a**2.0
-    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h)), np.nan)
+    return np.where(complete, np.where(r > a, outside, d - normal.concave_paraboloid._profile(r, a=a, h=h)), np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

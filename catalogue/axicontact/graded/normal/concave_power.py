@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_sag, punch_share
 from ..._graded_growth import power_factor
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_pressure, punch_stiffness
 from ..._ring import lifted_at_zero_pressure, ring_of_zero_pressure
-from ...normal import concave_power as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -79,7 +77,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result
     >>> round(value, 6)
     -0.00405
     """
-    return normal.profile(r, a=a, h=h, n=n)
+    return normal.concave_power.profile(r, a=a, h=h, n=n)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -557,6 +555,8 @@ def _force(d: Array, a: Array, h: Array, n: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
     edge = (d + h * power_factor(n, k)) * punch_pressure(r, a, H, k)
     hollow = H / np.pi * h * power_pressure(np.minimum(r, a), a, n, k) / a**n
@@ -564,9 +564,11 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, H: Array, k: Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_sag, punch_share
+
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
     outside = d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
-    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h, n=n)), np.nan)
+    return np.where(complete, np.where(r > a, outside, d - normal.concave_power._profile(r, a=a, h=h, n=n)), np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_stiffness
-from ...normal import cone as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -76,7 +74,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.109509
     """
-    return normal.profile(r, theta=theta)
+    return normal.cone.profile(r, theta=theta)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) -> Result:
@@ -579,12 +577,16 @@ def _mean_pressure(a: Array, theta: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, theta: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     inside = np.minimum(r, a)
     growth = power_pressure(inside, a, 1.0, k) * np.tan(theta)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_displacement
+
     return power_displacement(r, a, 1.0, k) * np.tan(theta)
 
 

@@ -9,15 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_fall import sphere_displacement
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ..._graded_inverse import contact_below
-from ..._graded_pressure import sphere_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
-from ...normal import ellipsoid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -80,7 +77,7 @@ def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.018184
     """
-    return normal.profile(r, h=h, b=b)
+    return normal.ellipsoid.profile(r, h=h, b=b)
 
 
 def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -619,17 +616,23 @@ def _mean_pressure(a: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import sphere_pressure
+
     inside = np.minimum(r, a)
     growth = h * sphere_pressure(inside, a, b, k) / b
     return np.where(a <= b, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
 
 
 def _displacement(r: Array, a: Array, h: Array, b: Array, k: Array) -> Array:
+    from ..._graded_fall import sphere_displacement
+
     return h * sphere_displacement(r, a, b, k) / b
 
 
 def _contact_from_depth(d: Array, h: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(b**2 - a**2)."""
+    from ..._graded_inverse import contact_below
+
     return contact_below(_depth_at, _rate_at, d, b, (h, b, k), 2.0, k)
 
 
@@ -639,6 +642,8 @@ def _radius_from_depth(d: Array, h: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(b**2 - a**2)."""
+    from ..._graded_inverse import contact_below
+
     return contact_below(_force_at, _force_rate_at, F, b, (h, b, H, k), 3.0 + k, k)
 
 

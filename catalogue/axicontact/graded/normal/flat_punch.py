@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_punch import punch_displacement, punch_pressure, punch_stiffness
-from ...normal import flat_punch as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -61,7 +61,7 @@ def profile(r: ArrayLike, *, a: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.profile(r, a=a)
+    return normal.flat_punch.profile(r, a=a)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -9,15 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_fall import gaussian_displacement
 from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
-from ..._graded_inverse import gaussian_reach, radius_up_to
-from ..._graded_pressure import gaussian_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._unknowns import on_the_bump
-from ...normal import gaussian as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -80,7 +76,7 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     >>> round(value, 6)
     0.060248
     """
-    return normal.profile(r, h=h, s=s)
+    return normal.gaussian.profile(r, h=h, s=s)
 
 
 def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
@@ -608,20 +604,30 @@ def _mean_pressure(a: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import gaussian_pressure
+
     inside = np.minimum(r, a)
     growth = h * gaussian_pressure(inside, a, s, k)
     return np.where(_rate(a, h, s, k) >= 0.0, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
 
 
 def _displacement(r: Array, a: Array, h: Array, s: Array, k: Array) -> Array:
+    from ..._graded_fall import gaussian_displacement
+
     return h * gaussian_displacement(r, a, s, k)
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, k: Array) -> Array:
+    from ..._graded_inverse import gaussian_reach, radius_up_to
+    from ..._unknowns import on_the_bump
+
     return radius_up_to(_depth, _rate, d, gaussian_reach(s, k), (h, s, k), on_the_bump(s))
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
+    from ..._graded_inverse import gaussian_reach, radius_up_to
+    from ..._unknowns import on_the_bump
+
     return radius_up_to(_force, _force_rate, F, gaussian_reach(s, k), (h, s, H, k), on_the_bump(s))
 
 

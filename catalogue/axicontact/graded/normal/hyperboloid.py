@@ -9,14 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_fall import hyperboloid_displacement
 from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
-from ..._graded_inverse import radius_to
-from ..._graded_pressure import hyperboloid_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ...normal import hyperboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -79,7 +76,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.044657
     """
-    return normal.profile(r, theta=theta, b=b)
+    return normal.hyperboloid.profile(r, theta=theta, b=b)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -606,20 +603,28 @@ def _mean_pressure(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import hyperboloid_pressure
+
     inside = np.minimum(r, a)
     growth = hyperboloid_pressure(inside, a, b, k) * np.tan(theta)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
+    from ..._graded_fall import hyperboloid_displacement
+
     return hyperboloid_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
+    from ..._graded_inverse import radius_to
+
     return radius_to(_depth, _rate, d, 1.5 * b, (theta, b, k))
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_inverse import radius_to
+
     return radius_to(_force, _force_rate, F, 1.5 * b, (theta, b, H, k))
 
 

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_stiffness
-from ...normal import paraboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -76,7 +74,7 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.028125
     """
-    return normal.profile(r, R=R)
+    return normal.paraboloid.profile(r, R=R)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:
@@ -566,12 +564,16 @@ def _mean_pressure(a: Array, R: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     inside = np.minimum(r, a)
     growth = power_pressure(inside, a, 2.0, k) / (2 * R)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_displacement
+
     return power_displacement(r, a, 2.0, k) / (2 * R)
 
 

@@ -10,14 +10,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require, require_coefficients
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_inverse import radius_to
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ...normal import polynomial as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -78,7 +75,7 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.05385
     """
-    return normal.profile(r, A=A)
+    return normal.polynomial.profile(r, A=A)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:
@@ -594,20 +591,28 @@ def _mean_pressure(a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     inside = np.minimum(r, a)
     growth = sum(A_j * power_pressure(inside, a, j, k) for j, A_j in enumerate(A, 1) if A_j)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...], k: Array) -> Array:
+    from ..._graded_displacement import power_displacement
+
     return sum(A_j * power_displacement(r, a, j, k) for j, A_j in enumerate(A, 1))
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], k: Array) -> Array:
+    from ..._graded_inverse import radius_to
+
     return radius_to(_depth, _rate, d, 1.0, (A, k))
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
+    from ..._graded_inverse import radius_to
+
     return radius_to(_force, _force_rate, F, 1.0, (A, H, k))
 
 

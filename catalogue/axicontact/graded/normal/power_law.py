@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_displacement import power_displacement
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_pressure import power_pressure
 from ..._graded_punch import punch_stiffness
-from ...normal import power_law as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -78,7 +76,7 @@ def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     >>> round(value, 6)
     0.073943
     """
-    return normal.profile(r, A=A, n=n)
+    return normal.power_law.profile(r, A=A, n=n)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:
@@ -603,12 +601,16 @@ def _mean_pressure(a: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import power_pressure
+
     inside = np.minimum(r, a)
     growth = A * power_pressure(inside, a, n, k)
     return np.where(r < a, H / np.pi * growth, 0.0)
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array, k: Array) -> Array:
+    from ..._graded_displacement import power_displacement
+
     return A * power_displacement(r, a, n, k)
 
 

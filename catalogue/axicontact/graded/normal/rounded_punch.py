@@ -9,15 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._graded_fall import rounding_displacement
-from ..._graded_inverse import contact_beyond
-from ..._graded_pressure import rounding_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
-from ...normal import rounded_punch as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -81,7 +78,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.profile(r, R=R, b=b)
+    return normal.rounded_punch.profile(r, R=R, b=b)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -635,17 +632,23 @@ def _mean_pressure(a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import rounding_pressure
+
     inside = np.minimum(r, a)
     growth = rounding_pressure(inside, a, b, k) / R
     return np.where(a >= b, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+    from ..._graded_fall import rounding_displacement
+
     return rounding_displacement(r, a, b, k) / R
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_depth_at, _rate_at, d, b, (R, b, k), (3.0 + k, 2.0))
 
 
@@ -655,6 +658,8 @@ def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (3.0 + k, 3.0 + k))
 
 

@@ -9,15 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import flank_depth, flank_force, flank_rate
-from ..._graded_fall import flank_displacement
-from ..._graded_inverse import contact_beyond
-from ..._graded_pressure import flank_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
-from ...normal import truncated_cone as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -81,7 +78,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.profile(r, theta=theta, b=b)
+    return normal.truncated_cone.profile(r, theta=theta, b=b)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -644,17 +641,23 @@ def _mean_pressure(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import flank_pressure
+
     inside = np.minimum(r, a)
     growth = flank_pressure(inside, a, b, k) * np.tan(theta)
     return np.where(a >= b, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
+    from ..._graded_fall import flank_displacement
+
     return flank_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _contact_from_depth(d: Array, theta: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_depth_at, _rate_at, d, b, (theta, b, k), (1.0 + k, 1.0))
 
 
@@ -664,6 +667,8 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_force_at, _force_rate_at, F, b, (theta, b, H, k), (1.0 + k, 2.0 + k))
 
 

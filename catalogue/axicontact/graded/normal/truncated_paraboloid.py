@@ -9,15 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._graded_fall import rim_displacement
-from ..._graded_inverse import contact_beyond
-from ..._graded_pressure import rim_pressure
 from ..._graded_punch import punch_depth, punch_force, punch_stiffness
 from ..._integrals import difference_root
-from ...normal import truncated_paraboloid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -81,7 +78,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.profile(r, R=R, b=b)
+    return normal.truncated_paraboloid.profile(r, R=R, b=b)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -624,17 +621,23 @@ def _mean_pressure(a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    from ..._graded_pressure import rim_pressure
+
     inside = np.minimum(r, a)
     growth = rim_pressure(inside, a, b, k) / R
     return np.where(a >= b, np.where(r < a, H / np.pi * growth, 0.0), np.nan)
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
+    from ..._graded_fall import rim_displacement
+
     return rim_displacement(r, a, b, k) / R
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_depth_at, _rate_at, d, b, (R, b, k), (1.0 + k, 2.0))
 
 
@@ -644,6 +647,8 @@ def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
+    from ..._graded_inverse import contact_beyond
+
     return contact_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (1.0 + k, 3.0 + k))
 
 

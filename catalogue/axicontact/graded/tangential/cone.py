@@ -11,7 +11,6 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import cone as normal
 
@@ -325,17 +324,23 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = power_gain("force", 0.0, c, a, 1.0, k) * np.tan(theta)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     inside = np.minimum(r, c)
     gain = power_gain("pressure", inside, c, a, 1.0, k) * np.tan(theta)
     return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, H, k))
 
 
 def _tangential_displacement(a: Array, c: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = power_gain("depth", 0.0, c, a, 1.0, k) * np.tan(theta)
     return mu * (H / H_x) * gain
 

@@ -12,8 +12,6 @@ import numpy as np
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
-from ..._graded_pressure import hyperboloid_pressure
-from ..._graded_slip import smooth_gain
 from ..._slip import stick_force
 from ..normal import hyperboloid as normal
 
@@ -351,11 +349,16 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import smooth_gain
+
     gain = smooth_gain("force", hyperboloid_force, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_pressure import hyperboloid_pressure
+    from ..._graded_slip import smooth_gain
+
     inside = np.minimum(r, c)
     gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
     return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k))
@@ -364,6 +367,8 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
+    from ..._graded_slip import smooth_gain
+
     gain = smooth_gain("depth", hyperboloid_depth, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (H / H_x) * gain
 

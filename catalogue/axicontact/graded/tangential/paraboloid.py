@@ -11,7 +11,6 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import paraboloid as normal
 
@@ -314,17 +313,23 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     inside = np.minimum(r, c)
     gain = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
     return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, H, k))
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R)
     return mu * (H / H_x) * gain
 

@@ -12,7 +12,6 @@ import numpy as np
 
 from ..._domain import numbers, require, require_coefficients, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import polynomial as normal
 
@@ -330,11 +329,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: tuple[float, ...], H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = sum(A_j * power_gain("force", 0.0, c, a, j, k) for j, A_j in enumerate(A, 1))
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     inside = np.minimum(r, c)
     gain = sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
     return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, A, H, k))
@@ -343,6 +346,8 @@ def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: A
 def _tangential_displacement(
     a: Array, c: Array, A: tuple[float, ...], H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = sum(A_j * power_gain("depth", 0.0, c, a, j, k) for j, A_j in enumerate(A, 1))
     return mu * (H / H_x) * gain
 

@@ -11,7 +11,6 @@ import numpy as np
 
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
-from ..._graded_slip import power_gain
 from ..._slip import stick_force
 from ..normal import power_law as normal
 
@@ -336,11 +335,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = A * power_gain("force", 0.0, c, a, n, k)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import power_gain
+
     inside = np.minimum(r, c)
     gain = A * power_gain("pressure", inside, c, a, n, k)
     return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, A, n, H, k))
@@ -349,6 +352,8 @@ def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, A: Array, n: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
+    from ..._graded_slip import power_gain
+
     gain = A * power_gain("depth", 0.0, c, a, n, k)
     return mu * (H / H_x) * gain
 

@@ -12,8 +12,6 @@ import numpy as np
 from ..._domain import numbers, require, require_order, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._graded_pressure import rounding_pressure
-from ..._graded_slip import beyond_gain
 from ..._slip import stick_force
 from ..normal import rounded_punch as normal
 
@@ -355,11 +353,16 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import beyond_gain
+
     gain = beyond_gain("force", rounding_force, rounding_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_pressure import rounding_pressure
+    from ..._graded_slip import beyond_gain
+
     inside = np.minimum(r, c)
     gain = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R
     return np.where(c >= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, b, H, k)), np.nan)
@@ -368,6 +371,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, R: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
+    from ..._graded_slip import beyond_gain
+
     gain = beyond_gain("depth", rounding_depth, rounding_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (H / H_x) * gain, np.nan)
 

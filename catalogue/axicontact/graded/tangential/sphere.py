@@ -12,8 +12,6 @@ import numpy as np
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ..._graded_pressure import sphere_pressure
-from ..._graded_slip import below_gain
 from ..._slip import stick_force
 from ..normal import sphere as normal
 
@@ -321,17 +319,24 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import below_gain
+
     gain = below_gain("force", sphere_force, sphere_rate, (R,), 0.0, c, a, k)
     return np.where(a <= R, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_pressure import sphere_pressure
+    from ..._graded_slip import below_gain
+
     inside = np.minimum(r, c)
     gain = below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
     return np.where(a <= R, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, H, k)), np.nan)
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import below_gain
+
     gain = below_gain("depth", sphere_depth, sphere_rate, (R,), 0.0, c, a, k)
     return np.where(a <= R, mu * (H / H_x) * gain, np.nan)
 

@@ -12,8 +12,6 @@ import numpy as np
 from ..._domain import numbers, require, require_order
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
-from ..._graded_pressure import tipped_pressure
-from ..._graded_slip import tipped_gain
 from ..._slip import stick_force
 from ..normal import sphere_tipped_cone as normal
 
@@ -367,12 +365,17 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_slip import tipped_gain
+
     b = R * np.sin(theta)
     gain = tipped_gain("force", tipped_force, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
+    from ..._graded_pressure import tipped_pressure
+    from ..._graded_slip import tipped_gain
+
     b = R * np.sin(theta)
     inside = np.minimum(r, c)
     gain = tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
@@ -382,6 +385,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k:
 def _tangential_displacement(
     a: Array, c: Array, R: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
+    from ..._graded_slip import tipped_gain
+
     b = R * np.sin(theta)
     gain = tipped_gain("depth", tipped_depth, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)
     return mu * (H / H_x) * gain
