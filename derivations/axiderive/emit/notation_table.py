@@ -51,7 +51,8 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
 """LaTeX, unit and meaning of what has a name in print, and no record or one of several."""
 SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Contact", (
-        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero", ":least_depth", ":least_force",
+        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero",
+        ":least_depth", ":least_force",
         ":start", ":unknown", ":excess", ":waves",
     )),
     ("Profile", (
