@@ -8,7 +8,8 @@ import pytest
 from stored_book import stored
 from test_pictures import profile_of
 
-from axiderive.emit.given import Axes, axes_of
+from axiderive.emit.axes import Axes
+from axiderive.emit.given import axes_of
 from axiderive.emit.html.drawing import pairs
 from axiderive.emit.labels import Curve, Rows, labelled
 

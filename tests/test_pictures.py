@@ -22,6 +22,8 @@ from axiderive.emit.spread import pool_of
 from axiderive.emit.strips import StripNumbers
 from axiderive.emit.study.maps import ABREAST, Figure, Map, Picture
 from axiderive.emit.values import Numbers, sketch_values
+from axiderive.notation import R1, R2, R, b, describe, h, s, wavelength
+from axiderive.profiles import NAMES
 
 NOTHING: dict[str, Any] = {"picture": None, "load_picture": None, "tilted_picture": None, "load": "P", "place": "x"}
 
@@ -97,6 +99,76 @@ def test_an_infinite_pressure_at_a_break_is_drawn_to_the_top(name: str, infinite
     at = float(numbers["b"] / numbers["a"])
     found = [y for x, y in plots._pressure(numbers) if abs(x - at) < 1e-9]
     assert found == ([plots.TOP] if infinite else [])
+
+
+@pytest.mark.parametrize("name", ["rounded_cone", "truncated_paraboloid", "capped_paraboloid", "hyperboloid"])
+def test_force_over_depth_runs_from_one_law_to_the_other(name: str) -> None:
+    """At both ends of the frame the curve has the slope of the line in grey, and it lies closer to that line."""
+    _, force = plots.plots(profile_of(name), drawn(name))
+    rows = pairs(force.curves[0].coordinates)
+    tip, flank = (pairs(curve.coordinates) for curve in force.references)
+    assert slope(rows[:2]) == pytest.approx(slope(tip[:2]), abs=0.12)
+    assert slope(rows[-2:]) == pytest.approx(slope(flank[-2:]), abs=0.12)
+    assert tip[0][0] == pytest.approx(rows[0][0], rel=1e-3)
+    assert rows[0][1] == pytest.approx(tip[0][1], rel=0.25)
+
+
+def slope(ends: list[tuple[float, float]]) -> float:
+    """Of a line between two points whose axes are logarithmic."""
+    (x0, y0), (x1, y1) = ends
+    return math.log(y1 / y0) / math.log(x1 / x0)
+
+
+@pytest.mark.parametrize("name", ["cone", "paraboloid", "quartic", "sextic", "power_law"])
+def test_a_force_that_is_one_power_of_the_depth_is_not_drawn(name: str) -> None:
+    assert len(plots.plots(profile_of(name), drawn(name))) == 1
+
+
+@pytest.mark.parametrize("name", ["concave_power", "concave_paraboloid", "concave_quartic", "capped_cylinder"])
+def test_the_force_of_a_face_begins_where_the_whole_of_it_is_in_contact(name: str) -> None:
+    """It once began below the least depth; there the closed formula is that of no contact."""
+    _, force = plots.plots(profile_of(name), drawn(name))
+    (mark,) = force.marks
+    rows = pairs(force.curves[0].coordinates)
+    straight = [
+        slope for slope in itertools.starmap(lambda p, q: (q[1] - p[1]) / (q[0] - p[0]), itertools.pairwise(rows))
+    ]
+    assert straight[-1] == pytest.approx(2.0, rel=1e-3)  # 2 E* a of a complete contact
+    if name == "capped_cylinder":
+        assert rows[0][0] < mark.x == 1.0
+        assert straight[0] < 1.0
+    else:
+        assert (mark.x, mark.y) == pytest.approx(rows[0], rel=1e-3)
+        numbers = drawn(name)
+        inside = [numbers.at(d=mark.x * 0.15 * factor) for factor in (0.98, 1.02)]
+        lifted, pressed = (min(one("p", i / 50) for i in range(1, 40)) for one in inside)
+        assert lifted < 0 < pressed
+
+
+def test_the_depth_of_a_plane_contact_is_drawn_over_the_distance_it_is_measured_from() -> None:
+    numbers = StripNumbers(
+        profile_of("plane.parabola"), stored("plane.parabola"), sketch_values(profile_of("plane.parabola")), 16
+    )
+    _, depth = plots.plots(profile_of("plane.parabola"), numbers)
+    far = pairs(depth.curves[0].coordinates)[-1]
+    # (2P/(pi E*)) (ln(2L/a) + 1/2) of a cylinder
+    assert far == pytest.approx((100.0, math.log(200) + 0.5), rel=1e-3)
+
+
+def test_sketches_carry_the_lengths_of_the_profile() -> None:
+    """Each radius, height and length that is a parameter stands in the picture once, to scale where it is a length."""
+    for name in NAMES:
+        profile = profile_of(name)
+        picture = outline(profile, drawn(name))
+        named = [one.name for one in (*picture.dimensions, *picture.heights, *picture.radii)]
+        wanted = {
+            describe(s).latex for s in (R, R1, R2, b, h, s, wavelength) if s in {*profile.parameters, *profile.breaks}
+        }
+        assert sorted(named) == sorted({"a", *wanted} - ({"h"} if name == "wavy_paraboloid" else set())), name
+    picture = outline(profile_of("ellipsoid"), drawn("ellipsoid"))
+    (height,) = picture.heights
+    across = next(one for one in picture.dimensions if one.name == "b")
+    assert (height.high - height.low) / across.at == pytest.approx(0.9 / 1.5, rel=1e-3)
 
 
 @pytest.mark.parametrize("name", ["cone", "hyperboloid"])

@@ -29,8 +29,7 @@ class Adhesion:
     force: tuple[float, float]
     depth: tuple[float, float]
     without: str
-    pull: float
-    """Pull-off force over the force of the sketch."""
+    words: str
 
 
 @dataclass(frozen=True)
@@ -109,7 +108,8 @@ def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
         _point(rows[least_force]),
         _point(rows[least_depth]),
         coordinates(plain),
-        pull,
+        rf"$\Delta\gamma$ such that $F_{{\mathrm c}}=-{pull}\,F_1$; in grey without adhesion. Dashed: stable only at a"
+        " given depth; dotted: never.",
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 
 import mpmath as mp
 import sympy as sp
@@ -12,29 +11,15 @@ from .. import notation as nt
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .labels import HIGHEST, TALL, Curve, Rows, coordinates, labelled
+from .axes import Axes, axes
+from .labels import HIGHEST, Rows
 from .values import Numbers, Values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")
 NEAR = mp.mpf(10) ** -9
 """Distance from the edge of a contact at which its pressure is finite."""
-LOW_TALL = TALL * 40 / 27
-"""Height of a label in a frame of 27 mm instead of 40 mm."""
 ECCENTRICITIES = ("0", "0.25", "0.5", "0.75")
-
-
-@dataclass(frozen=True)
-class Axes:
-    """One frame: names, ends and ticks of its axes, the curves and what stands below it."""
-
-    names: tuple[str, str]
-    x: tuple[float, float]
-    y: tuple[float, float]
-    ticks: tuple[tuple[float, ...], tuple[float, ...]]
-    curves: tuple[Curve, ...]
-    title: str
-    words: str
 
 
 def axes_of(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
@@ -62,9 +47,12 @@ def _load_axes(load: Load, entries: Mapping[str, Entry]) -> tuple[Axes, ...]:
         displacements.append([(float(x), float(numbers("w", x))) for x in places])
     words = f"for the exponents $s={', '.join(EXPONENTS)}$" if free else "inside the circle of radius $a$"
     return (
-        axes(("$r/a$", "$p/p_0$"), (0.0, 1.0), 2.0, pressures, labels, ("Pressure", f"{words}.")),
         axes(
-            ("$r/a$", "$w E^{*}/(p_0 a)$"), (0.0, 3.0), 3.2, displacements, labels,
+            ("$r/a$", "$p/p_0$"), (0.0, 1.0), (0.0, 2.0), list(zip(pressures, labels, strict=True)),
+            ("Pressure", f"{words}."),
+        ),
+        axes(
+            ("$r/a$", "$w E^{*}/(p_0 a)$"), (0.0, 3.0), (0.0, 3.2), list(zip(displacements, labels, strict=True)),
             ("Displacement", "of the surface, inside and outside the circle."),
         ),
     )  # fmt: skip
@@ -86,11 +74,11 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
         tilt.append((float(share), float(mp.pi / 2 * Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
     return (
         axes(
-            ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), HIGHEST, pressures, list(ECCENTRICITIES),
+            ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), (0.0, HIGHEST), list(zip(pressures, ECCENTRICITIES, strict=True)),
             ("Pressure", f"for $e/a={', '.join(ECCENTRICITIES)}$; beyond one half the left edge is lifted off."),
         ),
         axes(
-            ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), 16.0, [tilt], [""],
+            ("$e/a$", r"$\pi E^{*}a\,\varphi/P$"), (0.0, 1.0), (0.0, 16.0), [(tilt, "")],
             ("Inclination", r"under $P$ at $x=e$; linear until an edge lifts off."),
         ),
     )  # fmt: skip
@@ -99,33 +87,3 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
 class Strip(Numbers):
     def place(self, suffix: str) -> sp.Symbol:
         return nt.x
-
-
-def axes(
-    names: tuple[str, str],
-    x: tuple[float, float],
-    top: float,
-    family: list[Rows],
-    labels: list[str],
-    words: tuple[str, str],
-) -> Axes:
-    """A frame with its labels where the curves leave most room; they are placed on a unit square."""
-    left, wide = x[0], x[1] - x[0]
-    scaled = [[((u - left) / wide, v * HIGHEST / top) for u, v in rows] for rows in family]
-    curves: list[Curve] = []
-    for i, (rows, label) in enumerate(zip(family, labels, strict=True)):
-        if not label:
-            curves.append(Curve(coordinates(rows), "", 0.0, 0.0))
-            continue
-        placed = labelled(scaled, i, label, curves, LOW_TALL)
-        curves.append(replace(placed, coordinates=coordinates(rows)))
-    curves = [replace(c, x=left + wide * c.x, y=c.y * top / HIGHEST) for c in curves]
-    step, parts = 4.0 if top > 8 else 0.5 if top == 1 else 1.0, 3 if wide == 3 else 4
-    return Axes(
-        names,
-        x,
-        (0.0, top),
-        (tuple(left + wide * i / parts for i in range(parts + 1)), tuple(step * i for i in range(int(top / step) + 1))),
-        tuple(curves),
-        *words,
-    )

@@ -10,9 +10,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from ..contact.systems import BODIES
 from ..entry import Entry
-from ..letters import name_of
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .printer import Printer
@@ -58,6 +56,7 @@ def values_table(
         "heads": [(name, spaced(value)) for name, value in heads],
         "columns": tuple(columns),
         "rows": list(zip(left, right, strict=True)),
+        "ratios": [],
     }
 
 
@@ -70,6 +69,8 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
     if force == "P":
         where.append("L=2.7\\,a")
+    if profile.breaks:
+        return _over_breaks(profile, numbers, where)
     with mp.workdps(numbers.digits):
         mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
         breaks = [numbers[b.name] / radius for b in profile.breaks]
@@ -83,6 +84,51 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         )
 
 
+BREAKS = ("0.1", "0.25", "0.4", "0.6", "0.8", "0.95")
+"""Of the table of a profile that breaks, over the contact radius; the pressure at half of that may be infinite."""
+
+
+def _over_breaks(profile: Profile, numbers: Numbers, where: Sequence[str]) -> dict[str, Any]:
+    """Depth, force, a pressure and a displacement of contacts that have grown to different sizes beyond the break."""
+    (b,) = profile.breaks
+    plane = numbers.place("p") == nt.x
+    varied = {nt.describe(b).latex, *(nt.describe(s).latex for s in _instead(profile))}
+    ratios = []
+    with mp.workdps(numbers.digits):
+        radius = numbers["a"]
+        for text in BREAKS:
+            length = numbers.values[nt.a] * sp.Rational(text)
+            member = numbers.at(
+                **{b.name: length}, **{s.name: x for s, x in _instead(profile, length, numbers).items()}
+            )
+            values = (
+                member.depth,
+                member("F"),
+                member("p", radius / 2) / member.mean_pressure,
+                member("w", 2 * radius) / member.depth,
+            )
+            ratios.append((text, [spaced(value) for value in values]))
+    force, beside = ("P", "d") if plane else (r"F_{\mathrm N}", "w")
+    return {
+        "place": f"{nt.describe(b).latex}/a",
+        "where": ", ".join(f"${text}$" for text in where if text.partition("=")[0] not in varied),
+        "heads": [],
+        "columns": (("d", "d"), (force, "P" if plane else "F"), (r"p(a/2)/\bar p", "p"), ("w(2a)/d", beside)),
+        "rows": [],
+        "ratios": ratios,
+    }
+
+
+def _instead(profile: Profile, length: sp.Expr = sp.S.One, numbers: Numbers | None = None) -> dict[sp.Symbol, sp.Expr]:
+    """The parameter that a break follows from, where it is not one itself."""
+    found = {}
+    for symbol, expr in profile.abbreviations:
+        own = profile.parameters[0]
+        (solution,) = sp.solve(sp.Eq(symbol, expr), own)
+        found[own] = solution.xreplace({**(numbers.values if numbers else {}), symbol: length})
+    return found
+
+
 def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
     """The ratios with those moved on that meet a break, where the pressure may be infinite."""
     return [f"{float(x) + 0.05:g}" if any(abs(mp.mpf(x) - b) < 1e-3 for b in breaks) else x for x in ratios]
@@ -94,23 +140,6 @@ def _symbol_tex(symbol: sp.Symbol) -> str:
 
 def _plain(value: Any) -> str:
     return f"{float(value):g}"
-
-
-MOST_CALLED = ("d", "F", "P", "p", "w", "s", "phi", "E_star", "G_star", "H", "h_N")
-
-
-def calls(profile_id: str, entries: Mapping[str, Entry]) -> list[str]:
-    """How the generated functions are called, one line per function."""
-    package, _, name = profile_id.rpartition(".")
-    source = "" if name in BODIES.names else f".{package or 'normal'}"
-    lines = [f"from axicontact{source} import {name}"]
-    for entry in entries.values():
-        if entry.suffix in MOST_CALLED:
-            fields = [name_of(s) for s in entry.quantity.arguments]
-            keywords = [name_of(p) for p in entry.parameters]
-            arguments = [*fields, *(f"{k}={k}" for k in keywords if k not in fields)]
-            lines.append(f"{name}.{entry.quantity.function}({', '.join(arguments)})")
-    return lines
 
 
 STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "

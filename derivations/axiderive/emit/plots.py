@@ -1,14 +1,13 @@
-"""Coordinates of the two plots every profile has, five digits each.
+"""The two plots of an entry: pressure over its mean, and what the force, the depth or the surface do.
 
-Left: pressure over its mean against sphere and flat punch.  Right: force over
-depth, both related to one reference contact, against the same two.
+Force over depth is drawn between the laws of the tip and of the flanks; where
+it is one power of the depth it would say nothing, and is left out.
 """
 
 from __future__ import annotations
 
 import math
-import re
-from dataclasses import dataclass, replace
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
@@ -17,74 +16,39 @@ import sympy as sp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
-from .labels import HIGHEST, Curve, Rows, coordinates, labelled
-from .strips import REACH, StripNumbers
+from ..proof.evaluate import at_precision
+from .axes import Axes, Mark, Shown, axes
+from .labels import HIGHEST, Rows
+from .printer import Printer
+from .strips import StripNumbers
 from .values import Numbers
 
 TOP = HIGHEST * 1.06
-WIDEST = 2.0
-PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
 RATIOS = ("0.25", "0.5", "0.8")
 
 
-@dataclass(frozen=True)
-class Plots:
-    pressure: tuple[Curve, ...]
-    references: tuple[Curve, ...]
-    pressure_caption: str
-    force: Curve
-    force_references: tuple[Curve, ...]
-    force_caption: str
-    abscissa: str = "r"
-    load: str = r"F_{\mathrm N}"
-
-
-def plots(profile: Profile, numbers: Numbers) -> Plots:
-    """Both plots at the values of the profile's file, with its most telling ratio varied on the left."""
-    family, name = _family(profile, numbers)
-    rows = [_pressure(member) for _, member in family]
-    curves: list[Curve] = []
+def plots(profile: Profile, numbers: Numbers) -> tuple[Axes, ...]:
+    """At the values of the profile's file, with its most telling ratio varied in the pressure."""
     plane = numbers.place("p") == nt.x
+    family, name = _family(profile, numbers)
+    rows = [(_pressure(member), label) for label, member in family]
     # the semicircle of a cylinder and the strip, each over its own mean
-    shown = (
-        [*rows, _scaled(SPHERE, 8 / (3 * math.pi)), _scaled(PUNCH, 4 / math.pi)] if plane else [*rows, SPHERE, PUNCH]
+    known: list[Shown] = (
+        [(_scaled(SPHERE, 8 / (3 * math.pi)), "cylinder"), (_scaled(PUNCH, 4 / math.pi), "flat strip")]
+        if plane
+        else [(SPHERE, "sphere"), (PUNCH, "flat punch")]
     )
-    ball, punch = ("cylinder", "flat strip") if plane else ("sphere", "flat punch")
-    for i, label in enumerate([*(label for label, _ in family), ball, punch]):
-        curves.append(labelled(shown, i, label, curves))
-    caption = f"for {name}, at equal mean pressure" if name else "at equal mean pressure"
-    force, reference = _force(profile, numbers)
-    words = ("x", "P") if plane else ("r", r"F_{\mathrm N}")
-    known = _force_references(force, plane)
-    return Plots(tuple(curves[:-2]), tuple(curves[-2:]), caption, force, known, reference, *words)
-
-
-def _force_references(force: Curve, plane: bool) -> tuple[Curve, ...]:
-    """Sphere and flat punch through (1, 1), of a plane contact cylinder and strip, labelled beside the own curve."""
-    own = [(float(x) / WIDEST, float(y)) for x, y in PAIR.findall(force.coordinates)]
-    depths = [i / 50 for i in range(51)]
-    round_one = _cylinder() if plane else [(x, (WIDEST * x) ** 1.5) for x in depths]
-    family = [own, round_one, [(x, WIDEST * x) for x in depths]]
-    found: list[Curve] = []
-    for i, label in ((1, "cylinder" if plane else "sphere"), (2, "flat strip" if plane else "flat punch")):
-        curve = labelled(family, i, label, found)
-        found.append(curve)
-    return tuple(
-        replace(curve, x=WIDEST * curve.x, coordinates=coordinates([(WIDEST * x, y) for x, y in rows]))
-        for curve, rows in zip(found, family[1:], strict=True)
-    )
-
-
-def _cylinder() -> Rows:
-    """Load of a cylinder over its depth, both over those of the half-width that REACH counts; depths over WIDEST."""
-    reach = float(REACH)
-
-    def depth(width: float) -> float:
-        return reach**2 + width**2 * math.acosh(reach / width) - reach * math.sqrt(reach**2 - width**2)
-
-    widths = [i / 40 for i in range(1, 81)]
-    rows = [(depth(width) / depth(1.0) / WIDEST, width**2) for width in widths]
-    return [(0.0, 0.0), *((x, y) for x, y in rows if x <= 1)]
+    against = f"against {' and '.join(label for _, label in known)}"
+    words = f"over its mean, for {name}, {against}." if name else f"over its mean, {against}."
+    axis = "$x/a$" if plane else "$r/a$"
+    pressure = axes((axis, r"$p/\bar p$"), (0.0, 1.0), (0.0, HIGHEST), rows, ("Pressure", words), known)
+    if plane:
+        second = _reach(numbers)
+    elif profile.contact == "complete":
+        second = _beside(numbers) if profile.pieces[0].expr == 0 else _pressed(profile, numbers)
+    else:
+        second = None if _one_power(profile) else _between(profile, numbers)
+    return (pressure, second) if second else (pressure,)
 
 
 def _scaled(rows: Rows, factor: float) -> Rows:
@@ -187,72 +151,221 @@ SPHERE: Rows = [(x, 1.5 * math.sqrt(1 - x * x)) for x in RADII]
 PUNCH: Rows = [(x, 0.5 / math.sqrt(1 - x * x)) for x in RADII[:-1] if 0.5 / math.sqrt(1 - x * x) < 4.2]
 
 
-def _force(profile: Profile, numbers: Numbers) -> tuple[Curve, str]:
-    """Force over depth, both in units of the contact that is drawn in the sketch."""
-    depth, force = numbers.depth, numbers("F")
-    if numbers.place("p") == nt.x and profile.contact == "complete":
-        return _strip_under_load(numbers)
-    if profile.contact == "complete":
-        start = numbers("dmin") if "dmin" in numbers.entries and not _needs_ring(numbers) else mp.mpf("1e-4")
-        depths = [start + (WIDEST * depth - start) * mp.mpf(i) / 40 for i in range(41)]
-        rows = [(float(d / depth), float(numbers.at(d=d)("F") / force)) for d in depths]
-        reference = "$(d_1, F_1)$: the contact of the sketch"
-    else:
-        low, high = contact_range(profile, numbers)
-        radii = [low + (high - low) * (mp.mpf(i) / 40) ** 2 for i in range(41)]
-        members = [numbers.at(a=radius) for radius in radii]
-        rows = [(float(m("d") / depth), float(m("F") / force)) for m in members]
-        unit = "P_1=P(a_1)" if numbers.place("p") == nt.x else r"F_1=F_{\mathrm N}(a_1)"
-        reference = f"$d_1=d(a_1)$, ${unit}$" + _reference(profile, numbers)
-        if numbers.place("p") == nt.x and rows[-1][0] < 0.99 * WIDEST:
-            reference += "; to the half-width $L$"
-    x, y = rows[int(len(rows) * 0.7)]
-    return Curve(coordinates(rows), "", round(x, 3), round(y, 3)), reference
+def _one_power(profile: Profile) -> bool:
+    """Whether the profile is a single power of the radius."""
+    if len(profile.pieces) > 1:
+        return False
+    _, rest = sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)
+    return bool(rest.as_base_exp()[0] == nt.r)
 
 
-def _strip_under_load(numbers: Numbers) -> tuple[Curve, str]:
-    """The depth of a strip whose edge is fixed goes with the load."""
-    load, depth = numbers("F"), numbers.depth
-    rows = [(float(numbers.at(P=load * s).depth / depth), float(s)) for s in (mp.mpf(i) / 10 for i in range(0, 33, 2))]
-    return Curve(coordinates(sorted(rows)), "", 1.0, 1.0), "$(d_1, P_1)$: the contact of the sketch"
+STRAIGHT = {0: "flat punch", 1: "cone", 2: "paraboloid"}
+"""What a tip or a flank of this power is alone."""
+FAR = mp.mpf(1000)
+"""Radius over the length of a profile at which it follows its flank, and the inverse at which it follows its tip."""
+DECADES = (0.05, 20.0)
+"""Depths of the plot, in units of the profile, where the contact may grow as far."""
 
 
-def _needs_ring(numbers: Numbers) -> bool:
-    return any(case.expr.has(nt.r_zero) for case in numbers.entries["dmin"].cases)
+def _unit(profile: Profile) -> tuple[sp.Expr, sp.Expr]:
+    """Height and length that a profile is made of: what its depth and its radius are measured in."""
+    own = set(profile.parameters)
+    if {nt.R, nt.h, nt.wavelength} <= own:
+        return nt.wavelength**2 / nt.R, nt.wavelength
+    if nt.theta in own:
+        return nt.b * sp.tan(nt.theta), nt.b
+    length = next((s for s in (nt.b, nt.s) if s in own), nt.a if profile.contact == "complete" else nt.R)
+    if nt.h in own:
+        return nt.h, length
+    curvature = next((s for s in (nt.R2, nt.R) if s in own), None)
+    if curvature == length:
+        return nt.R, nt.R
+    return (length**2 / curvature, length) if curvature else (sp.S.One, sp.S.One)
 
 
-def _reference(profile: Profile, numbers: Numbers) -> str:
-    """What the reference contact is, unless the curve is the same for all."""
-    if (
-        len(profile.pieces) == 1
-        and sp.sympify(profile.pieces[0].expr).as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
-    ):
-        return "; a universal curve"
-    length = next(
-        (s for s in (*profile.breaks, *profile.chain, nt.b, nt.s, nt.wavelength) if s in numbers.values and s != nt.a),
-        None,
-    )
-    if length is None:
-        return " of the sketch"
-    ratio = mp.nstr(numbers["a"] / numbers[length.name], 3)
-    return f" at $a_1={ratio}\\,{nt.describe(length).latex}$"
+def _names(height: sp.Expr, length: sp.Expr, given: bool) -> tuple[str, str]:
+    """d and F_N over their units; without one, over those of the sketch."""
+    if not given:
+        return r"$d/d_1$", r"$F_{\mathrm N}/F_1$"
+    return f"${_inline(nt.d, height)}$", f"${_inline(nt.F, nt.E_star * height * length)}$"
 
 
-def contact_range(profile: Profile, numbers: Numbers) -> tuple[Any, Any]:
-    """Contact radii from nothing to the depth at the right end of the plot, or to the largest contact there is."""
-    radius, goal = numbers["a"], mp.mpf(WIDEST) * numbers.depth
-    low = numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")) if profile.truncated else radius * mp.mpf("1e-3")
-    highest = radius * 8
+def _inline(what: sp.Symbol, unit: sp.Expr) -> str:
+    """One quantity over its unit on one line."""
+    below, above = sp.fraction(unit)
+    over = Printer()(what * above)
+    return f"{over}/({Printer()(below)})" if below.is_Mul else f"{over}/{Printer()(below)}"
+
+
+def _between(profile: Profile, numbers: Numbers) -> Axes:
+    """Force over depth of a compact contact, with the powers that its tip and its flank would follow alone."""
+    height, length = _unit(profile)
+    given = height != 1
+    size = mp.mpf(str(length.xreplace(numbers.values).evalf(20))) if given else numbers["a"]
+    depth = mp.mpf(str(height.xreplace(numbers.values).evalf(20))) if given else numbers.depth
+    force = depth * size if given else numbers("F")
+
+    def state(radius: Any) -> tuple[float, float]:
+        member = numbers.at(a=radius)
+        return float(member("d") / depth), float(member("F") / force)
+
+    low = numbers[profile.breaks[0].name] if profile.truncated else mp.mpf(0)
+    bound = _largest(profile, numbers)
+    first = _radius_at(state, low, size, DECADES[0], bound)
+    last = _radius_at(state, low, size, DECADES[1], bound)
+    count = 60
+    radii = [low + (first - low) * ((last - low) / (first - low)) ** (mp.mpf(i) / count) for i in range(count + 1)]
+    rows = [state(radius) for radius in radii]
+    ends = (DECADES[0], _rounded_up(rows[-1][0]))
+    names = []
+    references: list[Shown] = []
+    small, large = _power(numbers, size / FAR), None if bound else _power(numbers, size * FAR)
+    for power, at in ((small, (first - low) / FAR + low), (large, size * FAR)):
+        if power is None:
+            continue
+        x0, y0 = state(at)
+        exponent = 1 + 1 / power if power else 1.0
+        label = _label(profile, power, at < size)
+        names.append(label)
+        references.append(([(x, y0 * (x / x0) ** exponent) for x in _steps(*ends)], label))
+    bottom, top = 10 ** math.floor(math.log10(rows[0][1])), 10 ** math.ceil(math.log10(rows[-1][1]))
+    marks = ()
+    if profile.breaks and not profile.truncated:
+        name = nt.describe(profile.breaks[0]).latex
+        x, y = state(numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")))
+        marks = (Mark(float(f"{x:.4g}"), float(f"{y:.4g}"), f"a={name}"),)
+    inside = [([(x, y) for x, y in line if bottom <= y <= top], label) for line, label in references]
+    words = _told(names) + ("; at the dot the contact reaches the break." if marks else ".")
+    return axes(
+        _names(height, length, given), ends, (bottom, top), [(rows, "")], ("Force and depth", words), inside, marks,
+        (True, True),
+    )  # fmt: skip
+
+
+def _told(names: list[str]) -> str:
+    """What the grey lines are."""
+    if len(names) == 1:
+        return f"in grey the {names[0]} that has its tip"
+    return f"from the law of {_article(names[0])} to that of {_article(names[1])}, in grey"
+
+
+def _article(name: str) -> str:
+    return name if name.startswith(("power", "no ", "both")) else f"the {name}"
+
+
+def _rounded_up(value: float) -> float:
+    """The next of 1, 2 and 5 times a power of ten."""
+    power = 10 ** math.floor(math.log10(value))
+    return next(float(f"{step * power:.4g}") for step in (1, 2, 5, 10) if step * power >= value * (1 - 1e-6))
+
+
+def _steps(low: float, high: float) -> list[float]:
+    return [low * (high / low) ** (i / 40) for i in range(41)]
+
+
+def _label(profile: Profile, power: int, tip: bool) -> str:
+    """What the profile is alone at its tip, or far from it."""
+    if nt.R1 in profile.parameters:
+        return "inner radius" if tip else "outer radius" if profile.name == "capped_paraboloid" else "both radii"
+    if nt.wavelength in profile.parameters:
+        return "crest" if tip else "no waves"
+    return STRAIGHT.get(power, f"power {power}")
+
+
+def _power(numbers: Numbers, radius: Any) -> int:
+    """The power of the radius that the profile follows around this one; 0 where it is flat."""
+    near, beyond = numbers.shape(radius), numbers.shape(2 * radius)
+    return round(float(mp.log(beyond / near, 2))) if near else 0
+
+
+def _largest(profile: Profile, numbers: Numbers) -> Any:
+    """The largest radius there is, or none."""
     if nt.a in profile.chain:
-        highest = numbers[profile.chain[-1].name] * (1 - mp.mpf("1e-6"))
-    elif profile.largest is not None:
-        highest = numbers.values[nt.s] * mp.mpf("1.5")
-    if numbers.place("p") == nt.x:
-        highest = mp.mpf(REACH.p) / REACH.q * radius * (1 - mp.mpf("1e-6"))
-    if numbers.at(a=highest)("d") <= goal:
-        return low, highest
-    below, above = radius, highest
-    for _ in range(40):
-        middle = (below + above) / 2
-        below, above = (middle, above) if numbers.at(a=middle)("d") < goal else (below, middle)
-    return low, above
+        return numbers[profile.chain[-1].name] * (1 - mp.mpf("1e-6"))
+    return numbers.values[nt.s] * mp.mpf("1.5") if profile.largest is not None and nt.s in numbers.values else None
+
+
+def _radius_at(state: Callable[[Any], tuple[float, float]], low: Any, size: Any, goal: float, bound: Any = None) -> Any:
+    """The radius at which the depth is the goal, or the largest one."""
+    under, above = low + size * mp.mpf("1e-9"), bound or low + size * mp.mpf("1e5")
+    if state(above)[0] <= goal:
+        return above
+    for _ in range(60):
+        middle = low + mp.sqrt((under - low) * (above - low))
+        under, above = (middle, above) if state(middle)[0] < goal else (under, middle)
+    return under
+
+
+def _pressed(profile: Profile, numbers: Numbers) -> Axes:
+    """Force over depth of a face that is not flat, from where the whole of it is in contact."""
+    height, length = _unit(profile)
+    depth, size = (mp.mpf(str(x.xreplace(numbers.values).evalf(20))) for x in (height, length))
+    domed = nt.R in profile.parameters
+    least = depth if domed else least_depth(numbers)
+    depths = [least * mp.mpf(i) / 20 for i in range(1 if domed else 20, 61)]
+    rows = [(float(d / depth), float(numbers.at(d=d)("F") / (depth * size))) for d in depths]
+    x, y = next(row for row in rows if row[0] >= float(least / depth) * (1 - 1e-9))
+    end = _rounded_up(rows[-1][0])
+    top = _rounded_up(rows[-1][1])
+    shown = Mark(float(f"{x:.4g}"), float(f"{y:.4g}"), "r=a" if domed else r"d_{\mathrm{min}}")
+    references: list[Shown] = []
+    if domed:
+        references = [
+            ([(u, 4 / 3 * u**1.5) for u in (end * i / 40 for i in range(41)) if 4 / 3 * u**1.5 <= top], "no edge")
+        ]
+        words = "a paraboloid up to the dot, where the edge comes into contact; a straight line from there on."
+    else:
+        words = "the whole face is in contact from the dot on, and not below."
+    return axes(
+        _names(height, length, True), (0.0, end), (0.0, top), [(rows, "")], ("Force and depth", words), references,
+        (shown,),
+    )  # fmt: skip
+
+
+def least_depth(numbers: Numbers) -> Any:
+    """The depth from which on a concave face is in contact everywhere."""
+    case = numbers.entries["rz"].cases[-1]
+    if not case.expr.has(nt.r_zero):
+        return numbers("dmin")
+    with mp.workdps(numbers.digits):
+        a = numbers["a"]
+
+        def excess(ring: Any) -> Any:
+            return at_precision(case.expr.lhs - case.expr.rhs, {**numbers.values, nt.r_zero: ring})
+
+        ring = mp.findroot(excess, (a / 3, 2 * a / 3), solver="anderson")
+    return numbers.at(r_zero=ring)("dmin")
+
+
+def _beside(numbers: Numbers) -> Axes:
+    """The surface beside a flat punch, and below a force on a point."""
+    radius, depth = numbers["a"], numbers.depth
+    places = [1 + 4 * (i / 40) ** 2 for i in range(1, 41)]
+    rows = [(1.0, 1.0), *((x, float(numbers("w", mp.mpf(x) * radius) / depth)) for x in places)]
+    point = [(x, 2 / (math.pi * x)) for x in (1.0, *places)]
+    words = "the surface beside the punch; three radii from the axis it is that of a force on a point."
+    return axes(("$r/a$", "$w/d$"), (1.0, 5.0), (0.0, 1.0), [(rows, "")], ("Displacement", words), [(point, "point")])
+
+
+def _reach(numbers: Numbers) -> Axes:
+    """The depth of a plane contact over the distance at which it is zero, against that of a flat strip."""
+    radius, load = numbers["a"], numbers("F")
+    ratios = [10 ** (i / 20) for i in range(41)]
+    ratios[0] = 1 + 1e-9
+    rows = [(x, float(mp.pi * numbers("d", mp.mpf(x) * radius) / (2 * load))) for x in ratios]
+    strip = [(x, math.acosh(x)) for x in ratios]
+    inside = [(x, y) for x, y in rows if 0 <= y <= 6]
+    words = (
+        "the depth grows with the logarithm of the distance $L$ it is measured from;"
+        " far away all profiles differ by a constant."
+    )
+    return axes(
+        ("$L/a$", r"$\pi E^{*}d/(2P)$"), (1.0, 100.0), (0.0, 6.0), [(inside, "")], ("Depth", words),
+        [] if _near(inside, strip) else [(strip, "flat strip")], (), (True, False),
+    )  # fmt: skip
+
+
+def _near(rows: Rows, others: Rows) -> bool:
+    """Whether two curves with the same places are one in print."""
+    known = dict(others)
+    return all(abs(y - known[x]) < 0.02 for x, y in rows)

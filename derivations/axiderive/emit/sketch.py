@@ -27,12 +27,35 @@ BODY = 1.95
 
 @dataclass(frozen=True)
 class Dimension:
-    """A horizontal dimension line from the axis to `at`."""
+    """A horizontal dimension line from `begin`, the axis unless it is another place, to `at`."""
 
     name: str
     at: float
     start: float
     level: float
+    begin: float = 0.0
+
+
+@dataclass(frozen=True)
+class Height:
+    """A vertical dimension line at x, and the place up to which its ends are led."""
+
+    name: str
+    x: float
+    low: float
+    high: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Radius:
+    """A radius of curvature: an arrow along the normal, from its tail inside the body to the outline."""
+
+    name: str
+    x: float
+    y: float
+    tail_x: float
+    tail_y: float
 
 
 @dataclass(frozen=True)
@@ -59,6 +82,8 @@ class Picture:
     arrow: float
     arrow_end: float
     dimensions: tuple[Dimension, ...]
+    heights: tuple[Height, ...]
+    radii: tuple[Radius, ...]
     angle: Angle | None
     name: float
     """Where `rigid` stands: in the left half of the body at the height NAME."""
@@ -85,6 +110,8 @@ def sketch(profile: Profile, numbers: Numbers) -> Picture:
         arrow=_short(arrow),
         arrow_end=_short(-moved),
         dimensions=_dimensions(profile, numbers, scale, depth),
+        heights=_heights(profile, numbers, scale, depth),
+        radii=_radii(profile, numbers, scale, depth),
         angle=_angle(profile, numbers, scale, depth),
         name=_short(-min(0.85, max(x for x, y in right if y <= NAME) / 2)),
     )
@@ -141,6 +168,51 @@ def _dimensions(profile: Profile, numbers: Numbers, scale: float, depth: float) 
         if at < radius:
             height = scale * (float(numbers.shape(at)) - depth)
             found.append(Dimension(nt.describe(b).latex, _short(scale * at), _short(height), -1.5))
+    for length in (nt.b, nt.s):
+        if length in profile.parameters and length not in profile.breaks:
+            at = float(numbers[length.name])
+            inside = min(at, 0.985 * at if length in profile.chain else at)
+            height = scale * (float(numbers.shape(inside)) - depth)
+            found.append(Dimension(nt.describe(length).latex, _short(scale * at), _short(height), -1.5))
+    if nt.wavelength in profile.parameters:
+        wave = float(numbers["wavelength"])
+        height = scale * (float(numbers.shape(2 * wave)) - depth)
+        found.append(Dimension(r"\lambda", _short(scale * 2 * wave), _short(height), -1.5, _short(scale * wave)))
+    return tuple(found)
+
+
+def _heights(profile: Profile, numbers: Numbers, scale: float, depth: float) -> tuple[Height, ...]:
+    """The height of a bump, the depth of a face, the half of an ellipsoid; waves are too flat to be measured."""
+    if nt.h not in profile.parameters or nt.wavelength in profile.parameters:
+        return ()
+    tip, height = -scale * depth, scale * float(numbers["h"])
+    if profile.contact == "complete":
+        return (Height("h", -0.9, _short(tip - height), _short(tip), -_short(scale * float(numbers["a"]))),)
+    at = ARROW - 0.75
+    return (Height("h", at, _short(tip), _short(tip + height), 0.0),)
+
+
+LEADER = 0.8
+"""Length of the arrow of a radius."""
+
+
+def _radii(profile: Profile, numbers: Numbers, scale: float, depth: float) -> tuple[Radius, ...]:
+    """An arrow for every radius of curvature, on the part of the profile that has it."""
+    radius = float(numbers["a"])
+    inner = float(numbers[profile.breaks[0].name]) if profile.breaks else radius
+    places = {nt.R1: 0.55 * inner, nt.R2: (inner + radius) / 2}
+    places[nt.R] = (inner + radius) / 2 if profile.truncated else 0.6 * inner
+    found = []
+    for symbol in (nt.R, nt.R1, nt.R2):
+        if symbol in profile.parameters:
+            x = places[symbol]
+            y = scale * (float(numbers.shape(x)) - depth)
+            slope = (float(numbers.shape(1.001 * x)) - float(numbers.shape(0.999 * x))) / (0.002 * x)
+            norm = (1 + slope * slope) ** 0.5
+            side = -1 if symbol == nt.R1 else 1  # of two radii one is drawn on either side
+            tail = (side * (scale * x - LEADER * slope / norm), y + LEADER / norm)
+            ends = (_short(value) for value in (side * scale * x, y, *tail))
+            found.append(Radius(nt.describe(symbol).latex, *ends))
     return tuple(found)
 
 

@@ -15,7 +15,7 @@ from . import evidence as proven
 from .curves import curves
 from .given import axes_of
 from .given_values import given_table
-from .graded.frames import frames
+from .graded.frames import SHOWN, frames
 from .panel import panel
 from .plots import plots
 from .prose import prose
@@ -97,9 +97,8 @@ NOTHING: dict[str, Any] = {
     "picture": None,
     "load_picture": None,
     "tilted_picture": None,
-    "plots": None,
+    "plots": (),
     "checks": None,
-    "calls": [],
     "derivation": "",
     "complete": False,
     "axes": (),
@@ -110,7 +109,7 @@ NOTHING: dict[str, Any] = {
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
     prefix = profile_id.rpartition(".")[0]
-    texts = NOTHING | {"calls": page.calls(profile_id, main), "derivation": page.derivation(profile_id, profile, main)}
+    texts = NOTHING | {"derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
         texts |= {"worked": worked_given(profile, main), "checks": given_table(profile, main)}
@@ -129,7 +128,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
         rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
-        "graded": frames(profile, main, graded) if "p" in graded else (),
+        "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
         "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough),

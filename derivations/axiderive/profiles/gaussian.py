@@ -19,7 +19,7 @@ PROFILE = Profile(
     sources=("Popov, Heß & Willert 2019",),
     meanings=(
         (h, "height of the bump"),
-        (s, "width of the bump: at r = s its height is h/e"),
+        (s, "width of the bump, the radius at which its height is down to 37 per cent"),
     ),
     sketch=Sketch(((h, 0.7), (s, 1.0)), a=1.0),
     largest=COMPACT_LIMIT * s,

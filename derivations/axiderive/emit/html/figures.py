@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from .drawing import Figure, Scale, pairs
@@ -48,49 +49,17 @@ def _reference(figure: Figure, scale: Scale, curve: Any) -> None:
     figure.label(curve.label, scale.at(curve.x, curve.y), SIDES[curve.anchor], "note", plain=True)
 
 
-def _family(figure: Figure, scale: Scale, curves: Sequence[Any]) -> None:
-    """The curves of one quantity, lighter to darker."""
-    for i, curve in enumerate(curves):
-        tone = f"curve tone{i if len(curves) > 1 else 3}"
-        _curve(figure, scale, tone, curve.coordinates)
-        if curve.label:
-            figure.label(curve.label, scale.at(curve.x, curve.y), SIDES[curve.anchor], tone.replace("curve", "accent"))
-
-
-SIDES = {"south": "above", "north": "below", "center": "middle", "east": "right", "west": "left"}
+SIDES = {
+    "south": "above", "north": "below", "center": "middle", "east": "right", "west": "left",
+    "north west": "below-left",
+}  # fmt: skip
 """Where a label lies whose side, or center, of that name touches the curve."""
-
-
-def pressure(plots: Any) -> Figure:
-    """Pressure over its mean against sphere and flat punch."""
-    figure, scale = _axes(("Pressure", plots.pressure_caption), (0, 1), (0, 3.2), (f"{plots.abscissa}/a", r"p/\bar p"))
-    _ticks(figure, scale, (0, 0.25, 0.5, 0.75), (0, 1, 2, 3), (0, 0))
-    for curve in plots.references:
-        _reference(figure, scale, curve)
-    _family(figure, scale, plots.pressure)
-    return figure
-
-
-def force(plots: Any) -> Figure:
-    """Force over depth, both over those of a reference contact."""
-    plane = plots.abscissa == "x"
-    unit = "P_1" if plane else "F_1"
-    figure, scale = _axes(("Force and depth", plots.force_caption), (0, 2), (0, 3.2), ("d/d_1", f"{plots.load}/{unit}"))
-    _ticks(figure, scale, (0, 0.5, 1, 1.5), (0, 1, 2, 3), (0, 0))
-    for curve in plots.force_references:
-        _reference(figure, scale, curve)
-    _curve(figure, scale, "load", plots.force.coordinates)
-    return figure
 
 
 def adhesion(curves: Any) -> Figure:
     """Force over depth with adhesion: stable, stable under depth control only, unstable."""
     found = curves.adhesion
-    words = (
-        rf"$\Delta\gamma$ such that $F_{{\mathrm c}}=-{found.pull}\,F_1$; grey: $\Delta\gamma=0$. "
-        "Dashed: stable under depth control only; dotted: unstable"
-    )
-    figure, scale = _axes(("Adhesion", words), (-0.9, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
+    figure, scale = _axes(("Adhesion", found.words), (-0.9, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
     _ticks(figure, scale, (0, 1), (-1, 0, 1, 2, 3), (-0.9, -1))
     figure.line("reference", scale.at(-0.9, 0), scale.at(2, 0))
     _curve(figure, scale, "reference", found.without)
@@ -108,8 +77,8 @@ def adhesion(curves: Any) -> Figure:
 def slip(curves: Any) -> Figure:
     """Tangential force over displacement from full stick to full slip."""
     figure, scale = _axes(
-        ("Partial slip", r"from full stick to full slip at $u_{\mathrm s}$"), (0, 1.25), (0, 1.25),
-        (r"u/u_{\mathrm s}", r"F_x/(\mu F_{\mathrm N})"),
+        ("Partial slip", r"the contact sticks in its middle until it slides as a whole at $u_{\mathrm s}$."),
+        (0, 1.25), (0, 1.25), (r"u/u_{\mathrm s}", r"F_x/(\mu F_{\mathrm N})"),
     )  # fmt: skip
     _ticks(figure, scale, (0, 0.5, 1), (0, 0.5, 1), (0, 0))
     _reference(figure, scale, curves.sphere)
@@ -118,24 +87,59 @@ def slip(curves: Any) -> Figure:
     return figure
 
 
-def given(axes: Any) -> Figure:
-    """A frame of a prescribed pressure or of the eccentric punch."""
-    names = (axes.names[0].strip("$"), axes.names[1].strip("$"))
-    figure, scale = _axes((axes.title, axes.words), axes.x, axes.y, names)
-    _ticks(figure, scale, axes.ticks[0][:-1], axes.ticks[1], (axes.x[0], axes.y[0]))
-    _family(figure, scale, axes.curves)
+def drawn(axes: Any) -> Figure:
+    """A frame of the book."""
+    across, up = (math.log10 if logarithmic else float for logarithmic in axes.logarithmic)
+    x, y = (across(axes.x[0]), across(axes.x[1])), (up(axes.y[0]), up(axes.y[1]))
+    figure, scale = _axes((axes.title, axes.words), x, y, (axes.names[0].strip("$"), axes.names[1].strip("$")))
+
+    def at(u: float, v: float) -> tuple[float, float]:
+        return scale.at(across(u), up(v))
+
+    def points(text: str) -> str:
+        return " ".join("{:g},{:g}".format(*at(u, v)) for u, v in pairs(text))
+
+    for value in axes.ticks[0][:-1]:
+        left, top = at(value, axes.y[0])
+        figure.line("axis", (left, top), (left, top + 4))
+        _number(figure, value, (left, top + 13))
+    for value in axes.ticks[1]:
+        left, top = at(axes.x[0], value)
+        figure.line("axis", (left - 4, top), (left, top))
+        _number(figure, value, (left - 13, top))
+    for curve in axes.references:
+        figure.curve("reference", points(curve.coordinates))
+        figure.label(curve.label, at(curve.x, curve.y), SIDES[curve.anchor], "note", plain=True)
+    for i, curve in enumerate(axes.curves):
+        tone = f"curve tone{i if len(axes.curves) > 1 else 3}"
+        figure.curve(tone, points(curve.coordinates))
+        if curve.label:
+            figure.label(curve.label, at(curve.x, curve.y), SIDES[curve.anchor], tone.replace("curve", "accent"))
+    for mark in axes.marks:
+        left, top = at(mark.x, mark.y)
+        figure.add("circle", "dot", cx=left, cy=top, r=2.6)
+        figure.label(mark.label, (left + 4, top), SIDES[mark.anchor])
     return figure
+
+
+def _number(figure: Figure, value: float, place: tuple[float, float]) -> None:
+    """A number at a tick; a power of ten as one."""
+    text = f"{value:g}".replace("-", "−")
+    power = round(math.log10(value)) if value > 0 else 0
+    if abs(power) > 1 and value == float(f"1e{power}"):
+        figure.label(f"10^{{{power}}}", place)
+    else:
+        figure.label(text, place, plain=True)
 
 
 def figures(model: Mapping[str, Any]) -> dict[str, list[Figure]]:
     """The plots of a page by the system they stand with, in the order of the book."""
     found: list[Figure] = []
-    if model.get("plots"):
-        found += [pressure(model["plots"]), force(model["plots"])]
+    found += [drawn(axes) for axes in model["plots"]]
     if model.get("curves"):
         found += [adhesion(model["curves"]), slip(model["curves"])]
-    found += [given(axes) for axes in model["axes"]]
-    graded = [given(axes) for axes in model["graded"]]
+    found += [drawn(axes) for axes in model["axes"]]
+    graded = [drawn(axes) for axes in model["graded"]]
     for figure in (*found, *graded):
         figure.anchor = "plot." + figure.caption[0].lower().replace(" ", "-")
     return {model["first"]: found, "graded.normal": graded}

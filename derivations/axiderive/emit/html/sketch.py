@@ -38,7 +38,15 @@ def _contact(picture: Any, model: Mapping[str, Any]) -> Figure:
     figure.line("thin", scale.at(-3.95, 0), scale.at(-3.95, -picture.depth))
     figure.label("d", scale.at(-4.02, -picture.depth / 2), "right")
     for dimension in picture.dimensions:
-        _dimension(figure, scale, dimension.name, (dimension.at, dimension.start), dimension.level)
+        _dimension(figure, scale, dimension.name, (dimension.at, dimension.start), dimension.level, dimension.begin)
+    for height in picture.heights:
+        figure.line("thin", scale.at(height.end, height.low), scale.at(height.x, height.low))
+        figure.line("thin", scale.at(0, height.high), scale.at(height.x, height.high))
+        figure.line("thin", scale.at(height.x, height.low), scale.at(height.x, height.high))
+        figure.label(height.name, scale.at(height.x - 0.06, (height.low + height.high) / 2), "right")
+    for radius in picture.radii:
+        _arrow(figure, scale, (radius.tail_x, radius.tail_y), (radius.x, radius.y))
+        figure.label(radius.name, scale.at(radius.tail_x + 0.05, radius.tail_y), "left")
     if picture.angle:
         figure.line(
             "thin", scale.at(picture.angle.x, picture.angle.y), scale.at(picture.angle.x + 1.55, picture.angle.y)
@@ -93,11 +101,15 @@ def _body(figure: Figure, scale: Scale, ground: Pairs, picture: Any) -> None:
     figure.line("dashed thin", scale.at(-4.7, 0), scale.at(4.7, 0))
 
 
-def _dimension(figure: Figure, scale: Scale, name: str, end: tuple[float, float], level: float) -> None:
-    """A length from the axis to a point of the picture."""
+def _dimension(
+    figure: Figure, scale: Scale, name: str, end: tuple[float, float], level: float, begin: float = 0.0
+) -> None:
+    """A length from the axis, or from another place, to a point of the picture."""
     figure.line("thin", scale.at(*end), scale.at(end[0], level - 0.1))
-    figure.line("thin", scale.at(0, level), scale.at(end[0], level))
-    figure.label(name, scale.at(end[0] / 2, level + 0.04), "above")
+    if begin:
+        figure.line("thin", scale.at(begin, end[1]), scale.at(begin, level - 0.1))
+    figure.line("thin", scale.at(begin, level), scale.at(end[0], level))
+    figure.label(name, scale.at((begin + end[0]) / 2, level + 0.04), "above")
 
 
 def _displacement(figure: Figure, scale: Scale, picture: Any) -> None:

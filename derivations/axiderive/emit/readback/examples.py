@@ -112,7 +112,6 @@ def _graded(text: str, words: str, shown: dict[str, str], name: str, stored: Sto
             "a": lambda: radius,
             "d": lambda: depth,
             r"\bar p": lambda: contact.mean(radius, load),
-            "p(a/2)": lambda: contact.pressure(radius / 2, **known),
         },
     )
 
@@ -207,4 +206,17 @@ def _stated(words: str, name: str) -> str:
     return assigned[name]
 
 
-_READERS = {"Partial slip": _with_friction, "Graded half-space": _graded, "Standard solid": _relaxing}
+def _sharp(text: str, _: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
+    """A cone at the depth of the contact."""
+    contact, cone = Contact(stored(name), heading(text).given), stored("cone")
+    depth = contact.at("d", a=_radius(contact, text, contact.given["F_N"]))
+    force = _value(row(cone["Fd"]), contact.given | {"d": depth})
+    yield from _printouts("sharp cone", shown, {r"F_{\mathrm N}": lambda: force})
+
+
+_READERS = {
+    "Sharp cone": _sharp,
+    "Partial slip": _with_friction,
+    "Graded half-space": _graded,
+    "Standard solid": _relaxing,
+}

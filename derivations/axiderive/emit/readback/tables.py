@@ -13,14 +13,16 @@ import sympy as sp
 from ... import notation as nt
 from ...profiles.loads import Load
 from ..rows import row
+from ..worked.contact import largest
 from .given import eccentric, prescribed
 from .grammar import read
 from .numbers import BESIDE, DIGITS, Columns, Contact, Entries, Printout, Wanted, given_in, number
-from .printed import Printed
+from .printed import Printed, name_in_print
 
 _CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
 _COLUMNS = re.compile(r"\$([^$]+)\$\\enspace\\own\{(\w+)\}")
 _HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
+_RATIO = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
 _LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
 WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
 SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
@@ -68,6 +70,11 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
     if match is None:
         return
     with mp.workdps(DIGITS):
+        ratios = _RATIO.findall(match[2])
+        for share, *values in ratios:
+            yield from _over_breaks(entries, given_in(match[1]), share, values)
+        if ratios:
+            return
         contact = Contact(entries, given_in(match[1]))
         wanted, columns = _known(contact) or _pressed(contact)
         for name, tex in _HEAD.findall(match[2]):
@@ -77,6 +84,28 @@ def check_values(text: str, entries: Entries) -> Iterator[Printout]:
             for key, place, value in zip(keys, line[::2], line[1::2], strict=True):
                 at = number(place).value * contact.given["a"] * (1 + mp.mpf(BESIDE))
                 yield Printout(f"check value {key} at {place}", value, columns[key](at))
+
+
+def _over_breaks(entries: Entries, given: dict[str, Any], share: str, values: list[str]) -> Iterator[Printout]:
+    """One line of the table of a profile that breaks, at b over a."""
+    profile = next(iter(entries.values())).profile
+    length = number(share).value * given["a"]
+    own = {name_in_print(profile.breaks[0]): length}
+    for _, expr in profile.abbreviations:
+        unknown = profile.parameters[0]
+        known = {s: sp.Float(str(given[name_in_print(s)]), DIGITS) for s in expr.free_symbols - {unknown}}
+        (value,) = sp.solve(expr.xreplace(known) - sp.Float(str(length), DIGITS), unknown)
+        own = {name_in_print(unknown): mp.mpf(str(value))}
+    contact = Contact(entries, given | own)
+    radius, depth = given["a"], contact.depth()
+    wants = (
+        depth,
+        contact.load(),
+        contact.pressure(radius / 2) / contact.mean(),
+        contact.displacement(2 * radius) / depth,
+    )
+    for name, tex, want in zip(("d", "F", "p", "w"), values, wants, strict=True):
+        yield Printout(f"check value {name} at b/a={share}", tex, want)
 
 
 def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Printout]:
@@ -91,6 +120,9 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
         known = _known(contact)
         wanted = known[0] if known else _loaded(contact, shown, solid.separation, adhesive or {})
         for name, tex in shown:
+            if tex == r"\infty":
+                _require_infinite(contact, name, wanted)
+                continue
             yield Printout(f"worked example {name}", tex, wanted[name]())
 
 
@@ -118,14 +150,35 @@ def _loaded(contact: Contact, shown: list[tuple[str, str]], separation: str, adh
     depth = _depth(contact, radius)
     known = {"a": radius} | ({"d": depth} if "dF" in contact.entries and "d" not in contact.entries else {})
     load = contact.given["P" if contact.plane else "F_N"]
+    breaks = next(iter(contact.entries.values())).profile.breaks
+    ends = [mp.mpf(0), *(mp.mpf(str(contact.values[b])) for b in breaks), radius]
     return {
         "a": lambda: radius,
         "d": lambda: depth,
         r"\bar p": lambda: contact.mean(radius, load),
-        "p(a/2)": lambda: contact.pressure(radius / 2, **known),
+        r"p_{\mathrm{max}}": lambda: largest(lambda place: contact.pressure(place, **known), ends),
+        "p": lambda place: contact.pressure(place, **known),
         "w(2a)": lambda: contact.displacement(2 * radius, **known),
         r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive, separation, radius),
     }
+
+
+def _require_infinite(contact: Contact, name: str, wanted: Wanted) -> None:
+    """That the printed pressure does not come to an end where it is said to be infinite.
+
+    Raises
+    ------
+    ValueError
+        If it grows by less over the last ten decades towards that place than over the ten before them.
+    """
+    places = {"0": lambda: mp.mpf(0), "a": wanted["a"], "b": lambda: mp.mpf(str(contact.values[nt.b]))}
+    at, radius = places[name[2:-1]](), wanted["a"]()
+    # from the side where the face is in contact, and from above its tip
+    side = -1 if at else 1
+    near, nearer, nearest = (wanted["p"](at + side * radius * mp.mpf(10) ** -power) for power in (3, 8, 13))
+    if not nearest - nearer > 0.9 * (nearer - near) > 0:
+        message = f"{name} is printed as infinite and comes to {nearest}"
+        raise ValueError(message)
 
 
 def _radius(contact: Contact, shown: list[tuple[str, str]]) -> Any:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -55,6 +56,40 @@ def radius_of(
             force = make(profile, entries, values | {nt.a: mp.exp(middle)}, DIGITS)("F")
             lo, hi = (middle, hi) if force < case.load else (lo, middle)
         return mp.exp((lo + hi) / 2)
+
+
+GRID, NARROWED = 24, 20
+"""Places of a pressure between two breaks, and steps that narrow the place of the largest one down."""
+
+
+def infinite(profile: Profile, values: Values) -> str:
+    """Where the pressure is infinite: at the edge of a face, at a kink of the profile, at a pointed tip, or nowhere."""
+    if profile.contact == "complete":
+        return "a"
+    place = nt.x if any(piece.expr.has(nt.x) for piece in profile.pieces) else nt.r
+    slopes = [sp.diff(piece.expr.doit() if piece.expr.has(sp.Sum) else piece.expr, place) for piece in profile.pieces]
+    if nt.coefficients in profile.parameters:
+        return "0" if values[coefficient(1)] > 0 else ""
+    if sp.limit(slopes[0].xreplace({s: v for s, v in values.items() if s != place}), place, 0) != 0:
+        return "0"
+    for b, (inner, outer) in zip(profile.breaks, pairwise(slopes), strict=True):
+        if sp.simplify((outer - inner).subs(place, b)) != 0:
+            return nt.describe(b).latex
+    return ""
+
+
+def largest(pressure: Callable[[Any], Any], ends: Sequence[Any]) -> Any:
+    """The largest of a pressure that is finite between ascending ends."""
+    places = [lo + (hi - lo) * (2 * i + 1) / (2 * GRID) for lo, hi in pairwise(ends) for i in range(GRID)]
+    places.insert(0, ends[0] + (ends[-1] - ends[0]) * mp.mpf(10) ** -9)
+    found = [pressure(place) for place in places]
+    best = max(range(len(places)), key=lambda i: found[i])
+    lo, hi = places[max(best - 1, 0)], places[min(best + 1, len(places) - 1)]
+    ratio = (mp.sqrt(5) - 1) / 2
+    for _ in range(NARROWED):
+        left, right = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
+        lo, hi = (left, hi) if pressure(left) < pressure(right) else (lo, right)
+    return max(found[best], pressure((lo + hi) / 2))
 
 
 def pull_off(numbers: Numbers, case: Case) -> Any:

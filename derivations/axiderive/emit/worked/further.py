@@ -13,11 +13,14 @@ from ...contact import materials
 from ...entry import Entry
 from ...proof.evaluate import case_at
 from ..values import Numbers, Values, evaluated
-from .cases import CARTILAGE, CERAMIC, ELASTOMER, SILICONE, Case
+from .cases import ACRYLIC, CARTILAGE, CERAMIC, ELASTOMER, PMMA, POLYETHYLENE, POLYMER, SILICONE, Case
 from .contact import loaded, number
 from .quantities import DIGITS, given_text, quantity_text, stated_text
 
-Derived = Mapping[str, Mapping[str, Entry]]
+GRADED, SOLIDS = {SILICONE: CARTILAGE, PMMA: POLYMER}, {SILICONE: ELASTOMER, PMMA: ACRYLIC}
+"""Materials that an indenter of the same size is pressed into; those of steel are a ceramic and polyethylene."""
+Entries = Mapping[str, Entry]
+Derived = Mapping[str, Entries]
 Shown = list[tuple[str, Any, str, str]]
 """Name in print, value, unit and end of the key."""
 
@@ -32,7 +35,19 @@ def further(profile_id: str, derived: Derived, case: Case, contact: Numbers) -> 
                 title, words, shown = example(entries, case, contact)
             numbers = [(name, quantity_text(value, unit), key) for name, value, unit, key in shown]
             found.append({"title": title, "words": words, "numbers": numbers})
+    if profile_id in BLUNTED:
+        found.insert(0, _sharp(contact, derived["cone"]))
     return found
+
+
+BLUNTED = ("rounded_cone", "sphere_tipped_cone")
+
+
+def _sharp(contact: Numbers, cone: Entries) -> dict[str, Any]:
+    """The force on a cone without the tip at the same depth: whether the blunting matters."""
+    force = Numbers(cone["Fd"].profile, cone, contact.values | {nt.d: contact.depth}, DIGITS)("Fd")
+    numbers = [(r"F_{\mathrm N}", quantity_text(force, "N"), "")]
+    return {"title": "Sharp cone", "words": "of the same inclination at the same depth", "numbers": numbers}
 
 
 def _with_friction(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple[str, str, Shown]:
@@ -63,7 +78,7 @@ def _with_friction(entries: Mapping[str, Entry], case: Case, contact: Numbers) -
 
 def _graded(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple[str, str, Shown]:
     """A rigid body of this shape under the same force."""
-    medium = CARTILAGE if case.material is SILICONE else CERAMIC
+    medium = GRADED.get(case.material, CERAMIC)
     own: Values = {nt.describe(name).symbol: sp.Rational(getattr(medium, name)) for name in ("E_0", "c_0", "k", "nu")}
     modulus = _foundation_modulus(own)
     values = {s: x for s, x in contact.values.items() if s not in (nt.a, nt.E_star)} | own | {nt.H: modulus}
@@ -80,7 +95,6 @@ def _graded(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple
         *([("a", radius, "m", "fgm.aF")] if contact.compact else []),
         ("d", pressed.depth, "m", "fgm.d" if contact.compact else "fgm.dF"),
         (r"\bar p", pressed.mean_pressure, "Pa", "fgm.pm" if "pm" in entries else ""),
-        ("p(a/2)", pressed("p", radius / 2), "Pa", "fgm.p"),
     ]
     return "Graded half-space", f"{medium.words}; " + "; ".join(given), shown
 
@@ -96,7 +110,8 @@ def _foundation_modulus(values: Values) -> Any:
 
 def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple[str, str, Shown]:
     """A rigid body of this shape, pressed in to the same depth; then the first force instead kept constant."""
-    solid = {nt.describe(name).symbol: sp.Rational(getattr(ELASTOMER, name)) for name in ("E_inf", "E_1", "relaxation")}
+    rubber = SOLIDS.get(case.material, POLYETHYLENE)
+    solid = {nt.describe(name).symbol: sp.Rational(getattr(rubber, name)) for name in ("E_inf", "E_1", "relaxation")}
     time = number(solid[nt.relaxation])
     values = contact.values | solid | {nt.d: contact.depth}
 
@@ -112,11 +127,9 @@ def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tup
         shown.append((r"F(10\tau)", force(10 * time), "N", "vis.step_sls"))
     names = {"E_inf": r"E_\infty", "E_1": "E_1", "relaxation": r"\tau"}
     units = {"relaxation": "s"}
-    given = [
-        f"${names[name]}={stated_text(mp.mpf(getattr(ELASTOMER, name)), units.get(name, 'Pa'))}$" for name in names
-    ]
+    given = [f"${names[name]}={stated_text(mp.mpf(getattr(rubber, name)), units.get(name, 'Pa'))}$" for name in names]
     held = r"held at the depth $d$, or under the force $F(0)$" if "load_sls" in entries else r"held at the depth $d$"
-    return "Standard solid", "; ".join([ELASTOMER.words, *given, held]), shown
+    return "Standard solid", "; ".join([rubber.words, *given, held]), shown
 
 
 def _value(entry: Entry, values: Values) -> Any:

@@ -10,10 +10,13 @@ import sympy as sp
 
 from ... import notation as nt
 from ...entry import Entry
+from ...letters import name_of
 from ...profiles.loads import Load
 from ...profiles.profile import Profile
 from ..values import Values, evaluated
 from .cases import BLOCK, CERAMIC
+from .python import Lines, called, shown
+from .python import modulus as modulus_line
 from .quantities import DIGITS, given_text, quantity_text
 
 PRESSED: Mapping[sp.Symbol, str] = {nt.p_0: "500e6", nt.a: "2e-3", nt.sigma: "2"}
@@ -42,7 +45,14 @@ def worked_bodies(entries: Mapping[str, Entry]) -> dict[str, Any]:
         ", ".join(f"${nt.describe(symbol).latex}={given_text(symbol.name, text)}$" for symbol, text in known.items())
         for known in (BODIES, GRADED)
     )
-    return {"words": f"steel on aluminium, {bodies}; {CERAMIC.words}, {graded}", "numbers": numbers, "further": []}
+    words = f"steel on aluminium, {bodies}; {CERAMIC.words}, {graded}"
+    both = {name_of(symbol): text for symbol, text in BODIES.items()}
+    lines = [
+        ("from axicontact import materials", ""),
+        (called("materials", entries["E_star"], both), shown(normal)),
+        (called("materials", entries["H"], {name_of(symbol): text for symbol, text in GRADED.items()}), shown(modulus)),
+    ]
+    return {"words": words, "numbers": numbers, "further": [], "python": lines}
 
 
 def worked_given(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:
@@ -58,7 +68,21 @@ def worked_given(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, An
         numbers = _displacements(profile, entries, values) if isinstance(profile, Load) else _tilt(entries, values)
     modulus = rf"$E^{{*}}={quantity_text(mp.mpf(int(BLOCK.modulus.p)) / int(BLOCK.modulus.q), 'Pa')}$"
     given = [f"${nt.describe(symbol).latex}={given_text(symbol.name, text)}$" for symbol, text in known.items()]
-    return {"words": "; ".join([BLOCK.words, modulus, *given]), "numbers": numbers, "further": []}
+    words = "; ".join([BLOCK.words, modulus, *given])
+    return {"words": words, "numbers": numbers, "further": [], "python": _lines(profile, entries, known, values)}
+
+
+def _lines(profile: Profile, entries: Mapping[str, Entry], known: Mapping[sp.Symbol, str], values: Values) -> Lines:
+    """The displacement of a pressure at twice its radius, or the inclination of the punch."""
+    given = {name_of(symbol): text for symbol, text in known.items()}
+    if isinstance(profile, Load):
+        package, entry, fields, place = "loads", entries["w"], (f"2*{given['a']}",), {nt.r: 2 * values[nt.a]}
+    else:
+        package, entry, fields, place = "plane", entries["phi"], (given["P"],), {}
+    with mp.workdps(DIGITS):
+        result = shown(_value(entry, values | place))
+    call = called(profile.name, entry, given, *fields)
+    return [(f"from axicontact.{package} import {profile.name}", ""), (modulus_line(BLOCK), ""), (call, result)]
 
 
 def _displacements(load: Load, entries: Mapping[str, Entry], values: Values) -> list[tuple[str, str, str]]:
@@ -80,8 +104,12 @@ def _tilt(entries: Mapping[str, Entry], values: Values) -> list[tuple[str, str, 
 
 
 def _at(entry: Entry, values: Values, unit: str) -> str:
+    return quantity_text(_value(entry, values), unit)
+
+
+def _value(entry: Entry, values: Values) -> Any:
     case = next(case for case in entry.cases if _holds(case.chain, values))
-    return quantity_text(evaluated(case.expr, values), unit)
+    return evaluated(case.expr, values)
 
 
 def _holds(chain: tuple[sp.Expr, ...], values: Values) -> bool:

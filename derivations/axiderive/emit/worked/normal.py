@@ -13,8 +13,9 @@ from ...entry import Entry
 from ...profiles.profile import Profile
 from ..values import Numbers
 from .cases import CASES, Case
-from .contact import loaded, number, parameters, pull_off
+from .contact import infinite, largest, loaded, number, parameters, pull_off
 from .further import further
+from .python import in_python
 from .quantities import given_text, quantity_text, stated_text
 
 DISTANCE = sp.Rational(5, 100)
@@ -35,19 +36,23 @@ def worked(
         values.setdefault(symbol, expr.xreplace(values))
     numbers = loaded(profile, entries, values, case, make)
     radius = numbers["a"]
-    mean, half = numbers.mean_pressure, numbers("p", radius / 2)
+    mean = numbers.mean_pressure
     plane = numbers.place("p") == nt.x
     depth = numbers("d", number(DISTANCE)) if plane else numbers.depth
     shown = [
         *([("a", radius, "m", "aP" if plane else "aF")] if numbers.compact else []),
         ("d", depth, "m", "d" if "d" in entries else "dF"),
         (r"\bar p", mean, "Pa", "pm" if "pm" in entries else ""),
-        ("p(a/2)", half, "Pa", "p"),
     ]
+    place = infinite(profile, values)
+    if not place:
+        ends = [mp.mpf(0), *(numbers[b.name] for b in profile.breaks), radius]
+        shown.append((r"p_{\mathrm{max}}", largest(lambda r: numbers("p", r), ends), "Pa", "p"))
     if not plane:
         shown.append(("w(2a)", numbers("w", 2 * radius), "m", "w"))
     if case.material.separation and numbers.compact and not profile.breaks:
         shown.append(("F_{\\mathrm c}", pull_off(numbers, case), "N", "adh.Fc"))
+    results = [value for name, value, _, _ in shown if name in ("a", "d", "w(2a)")][:2]
     given = [
         rf"${_latex(name)}={given_text(name, text, _degree(name, profile, case))}$"
         for name, text in case.parameters.items()
@@ -57,9 +62,15 @@ def worked(
     distance = [f"$L={stated_text(number(DISTANCE), 'm')}$"] if plane else []
     modulus = rf"$E^{{*}}={quantity_text(number(case.material.modulus), 'Pa')}$"
     return {
-        "words": "; ".join([case.material.words, modulus, *given, load, *distance]),
-        "numbers": [(name, quantity_text(value, unit), key) for name, value, unit, key in shown],
+        "words": "; ".join(
+            [case.material.words, modulus, *given, load, *distance, *([case.remark] if case.remark else [])]
+        ),
+        "numbers": [
+            *((name, quantity_text(value, unit), key) for name, value, unit, key in shown),
+            *([(f"p({place})", r"\infty", "p")] if place else []),
+        ],
         "further": further(profile_id, derived, case, numbers),
+        "python": in_python(profile_id, profile, entries, case, results),
     }
 
 

@@ -32,6 +32,7 @@ def quantity_text(value: Any, unit: str, strip: bool = False) -> str:
     if value == 0:
         return rf"0\,\text{{{unit}}}"
     with mp.workdps(DIGITS):
+        value = mp.mpf(mp.nstr(value, 4))
         power = int(mp.floor(mp.log10(abs(value)) / 3 + mp.mpf(10) ** -9)) * 3
         power = max(min(power, 9), -12)
         text = mp.nstr(value / mp.mpf(10) ** power, 4, strip_zeros=strip, min_fixed=-5, max_fixed=7)
