@@ -16,12 +16,6 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
     ":least_load": (r"P_{\mathrm{min}}", "N/m", "least line load of a complete contact"),
     ":kappa": (r"\kappa,\;\kappa_j", "1", "factor of a power of the radius, stated in the panel of its profile"),
     ":coefficients": ("A_j", "m^(1-j)", "coefficients of a polynomial profile"),
-    ":start": (r"a_0,\;a_1", "m", "in rows on iterations: the first radius, and the largest one"),
-    ":waves": ("z", "1", "in rows on iterations: contact radius times the wave number"),
-    ":unknown": (r"x_1,\;y", "1", "in rows on iterations: x at the place named, and t over t_1"),
-    ":excess": (
-        "C", "m, N", "in rows on iterations: factor of the square of t in an excess, that of its first term is c"
-    ),
     ":index": ("j", "1", "index of a sum"),
     ":adhesive_depth": (r"d_{\mathrm{adh}},\;w_{\mathrm{adh}}", "m", "depth and displacement with adhesion"),
     ":adhesive_force": (r"F_{\mathrm{adh}}", "N", "normal force with adhesion at a given contact radius"),
@@ -46,7 +40,6 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
 SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Contact", (
         "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", "r_zero", ":least_depth", ":least_force",
-        ":start", ":unknown", ":excess", ":waves",
     )),
     ("Profile", (
         "theta", "R", "R1", "R2", "b", "n", "A", ":kappa", ":coefficients", ":index", "N", "h", "s", "wavelength", "C",
