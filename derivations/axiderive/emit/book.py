@@ -28,7 +28,7 @@ FRONT = (
 )  # fmt: skip
 BACK = (
     ("Error against run time", "study"), ("Errata of chapter 11", "errata"), ("References", "references"),
-    ("Words", "words"), ("Symbols", "symbols"), ("This edition", "imprint"),
+    ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
 """Titles and labels of the parts before and behind the entries."""
 WITHIN = {"part:matrix": "part:howto", "part:functions": "part:definitions", "part:gradedrules": "part:rules"}

@@ -128,4 +128,5 @@ VISCOELASTIC = {
 def _viscoelastic(kind: str) -> RuleRow:
     suffix = f"{kind}_{viscoelastic.LAWS[0].suffix}"
     label, small = label_of(suffix, "")
-    return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind])
+    remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
+    return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind], remark)

@@ -60,6 +60,17 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Prescribed pressure", ("p_0", "sigma")),
 )  # fmt: skip
 """Names of records in the order of the table; those with a colon are of `IN_PRINT`."""
+FURTHER: tuple[tuple[str, str, str], ...] = (
+    ("b", "m", r"\hyperref[sec:ellipsoid]{ellipsoid}: half an axis, across; "
+     r"\hyperref[sec:hyperboloid]{hyperboloid}: radius at the tip times $\tan\theta$"),
+    ("c", "1", r"in ${}_{2}\mathrm{F}_{1}$ and ${}_{1}\mathrm{F}_{1}$: the last parameter"),
+    ("h", "m", r"\hyperref[sec:ellipsoid]{ellipsoid}: half an axis, along the load; "
+     r"\hyperref[sec:wavy_paraboloid]{wavy paraboloid}: amplitude, half of the height from valley to peak; "
+     r"\hyperref[sec:concave_power]{concave faces}: depth of the face"),
+    ("k", "1", "in elliptic integrals: the modulus"),
+    (r"s,\;\psi,\;\varphi_0", "", "in many rows: the shorthands of the conventions"),
+)  # fmt: skip
+"""LaTeX, unit and meaning of letters that stand for something else in some places."""
 INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
@@ -67,7 +78,12 @@ INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 def by_subject(used: AbstractSet[str]) -> list[tuple[str, list[Row]]]:
     """The rows of the table by subject, for a book whose formulas use the symbols of these names."""
     known = used | {"N", *IN_PRINT}
-    return [(title, [_row(name) for name in names if name in known]) for title, names in SUBJECTS]
+    found = [(title, [_row(name) for name in names if name in known]) for title, names in SUBJECTS]
+    further = [
+        {"name": f"further-{i}", "latex": latex, "unit": unit, "meaning": meaning, "domain": ""}
+        for i, (latex, unit, meaning) in enumerate(FURTHER)
+    ]
+    return [*found, ("The same letters elsewhere", further)]
 
 
 def recorded(used: AbstractSet[str]) -> list[Row]:
