@@ -56,7 +56,7 @@ def homogeneous() -> list[Section]:
         (
             "Viscoelastic half-space",
             r"while the contact grows; laws on page \pageref{part:laws}",
-            [tuple(_viscoelastic(kind) for kind in line) for line in (("step", "load"), ("ramp",))],
+            [(_viscoelastic(kind),) for kind in VISCOELASTIC],
         ),
     ]
 

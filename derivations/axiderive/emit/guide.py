@@ -72,8 +72,8 @@ def conventions() -> list[Paragraph]:
         )),
         ("Half-angles.", (
             r"$\theta$ is measured from the surface, so a cone of half-angle $\alpha$ has $\theta=\pi/2-\alpha$. The cone "
-            f"that has the area of a Berkovich or a Vickers pyramid has the half-angle {berkovich:.1f}°, that is "
-            rf"$\theta={90 - berkovich:.1f}^\circ$; of a cube corner {corner:.1f}°, too steep for this book."
+            f"that has the area of a Berkovich or a Vickers pyramid has the half-angle {berkovich:.1f}°, and its flank is "
+            f"inclined by {90 - berkovich:.1f}°. A cube corner, with {corner:.1f}°, is too steep for this book."
         )),
         ("Signs.", (
             r"Forces that press are positive, and so are pressures in compression; pull-off forces are negative. "
@@ -192,13 +192,13 @@ def errors() -> list[tuple[str, str, tuple[str, ...], list[tuple[str, list[str]]
     """By how many per cent stiffness or force exceeds the formula: title, abscissa, its values, shares by case."""
     angles, ratios, layers = (80.0, 75.0, 70.3, 65.0), (0.1, 0.2, 0.3, 0.5), (0.01, 0.02, 0.05, 0.1)
     return [
-        ("Cone, real slope", r"\text{half-angle}", tuple(f"{x:g}°" for x in angles), [
+        ("Cone, real slope", "half-angle", tuple(f"{x:g}°" for x in angles), [
             (rf"$\nu={nu}$", _shares(facts.slope_factor(x, nu) for x in angles)) for nu in (0, 0.3)
         ]),
-        ("Sphere, not a paraboloid", "a/R", tuple(f"{x:g}" for x in ratios), [
+        ("Sphere, not a paraboloid", "$a/R$", tuple(f"{x:g}" for x in ratios), [
             ("at the same $a$", _shares(map(facts.sphere_over_paraboloid, ratios)))
         ]),
-        (r"Paraboloid on a bonded layer", r"\sqrt{R\,d}/\text{thickness}", tuple(f"{x:g}" for x in layers), [
+        ("Paraboloid on a bonded layer", r"$\sqrt{R\,d}$ over the thickness", tuple(f"{x:g}" for x in layers), [
             (rf"$\nu={nu}$", _shares(facts.layer_factor(x, nu) for x in layers)) for nu in (0.3, 0.5)
         ]),
     ]  # fmt: skip
