@@ -110,8 +110,8 @@ def validity() -> list[Paragraph]:
         )),
         ("A paraboloid for a ball.", (
             r"At the same contact radius a sphere carries more force than its paraboloid: "
-            rf"{small:.1f} \% more at $a=0.1\,R$ and {large:.0f} \% at $a=0.3\,R$. The entry of the sphere "
-            r"(page \pageref{sec:sphere}) keeps the shape, but not large strains."
+            rf"{small:.1f} \% more at $a=0.1\,R$ and {large:.0f} \% at $a=0.3\,R$. The "
+            r"\hyperref[sec:sphere]{sphere} has an entry of its own, which keeps the shape, but not large strains."
         )),
         ("A half-space.", (
             r"The body must be large against the contact. A layer on a rigid base, bonded to it and ten times as thick as "
