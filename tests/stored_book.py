@@ -89,10 +89,11 @@ def range_faults(key: str, index: int, conditions: list[str]) -> list[str]:
 
 @cache
 def front_readings() -> list[Reading]:
-    """The formulas that stand in front of the book, but for the rules, which are printed on the spreads as well."""
+    """The formulas that stand in front of the book."""
     return [
         *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
         *front.functions(),
+        *front.rules(stored),
         *front.laws_of_materials(),
         *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),
     ]

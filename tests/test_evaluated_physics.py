@@ -21,7 +21,6 @@ from axicontact._slip import even_gain
 from axiderive import notation as nt
 from axiderive.contact.medium import GRADED, HOMOGENEOUS
 from axiderive.contact.systems import problem
-from axiderive.emit import front_rules
 from axiderive.emit.evaluated_adhesive import adhesive_rows, curve_exponents
 from axiderive.emit.evaluated_graded import pressure_rows
 from axiderive.emit.evaluated_inverses import graded_rows, inverse_rows
@@ -135,22 +134,6 @@ def test_no_misprint_of_a_spread_survives(key: str) -> None:
     count, found = survivors(key, 8, random.Random(key))
     assert count >= 8
     assert found == []
-
-
-def _in_front() -> list[dict[str, Any]]:
-    return [row for rows in front_rules.rule_evaluations().values() for row in rows]
-
-
-def _marked(row: dict[str, Any]) -> Any:
-    key = row["comment"].split()[1]
-    return pytest.param(row, id=key, marks=[] if key.endswith((".u", ".w")) else [pytest.mark.slow])
-
-
-@pytest.mark.parametrize("row", [*map(_marked, _in_front())])
-def test_rules_in_front_are_evaluated_as_printed(row: dict[str, Any]) -> None:
-    assert not wrong(as_read(row, profile="paraboloid"), stored)
-    changed = row["tex"].replace("k", "(k+1)", 1) if "k" in row["tex"] else row["tex"].replace("g'", "2 g'")
-    assert not passes(as_read(row, changed, "paraboloid"))
 
 
 def test_the_share_from_which_growth_is_integrated_is_that_of_the_module() -> None:

@@ -14,12 +14,12 @@ import pytest
 from stored_book import stored
 
 from axiderive import notation as nt
-from axiderive.emit import front, matrix
+from axiderive.emit import matrix
 from axiderive.emit.handbook import templates
 from axiderive.emit.panel import panel as panel_of
 from axiderive.emit.prose import domain, prose
 from axiderive.emit.spread import pool_of
-from axiderive.emit.study import error, extremes, figures, maps
+from axiderive.emit.study import error, extremes, figures, maps, spread
 from axiderive.pdf import problems
 from axiderive.study.problems import NAMES, OTHERS
 
@@ -54,9 +54,10 @@ def test_the_error_panels_show_every_method_where_the_record_has_it(records: dic
 
 def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, Any]) -> None:
     """The names of the vertical axes take room in the first column alone, and all three have 166 mm."""
-    found = figures({"error": records["error"]}, frozenset())
-    lines = templates().get_template("study.tex.j2").render(studies=found).split(r"\hbox to\textwidth{")[1:]
-    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels)
+    found = spread.spread(figures(records, frozenset()), records)
+    text = templates().get_template("study.tex.j2").render(spread=found, ratios=[])
+    lines = text.partition("Where a printed")[0].split(r"\hbox to\textwidth{")[1:]
+    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels) == len(spread.PANELS)
     for line in lines:
         panels = line.count(r"\begin{tikzpicture}")
         assert line.count("run time over that of the function") == panels
@@ -68,6 +69,20 @@ def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, A
         ]
         assert len(widths) == panels
         assert sum(widths) < 166 - 2 * 2
+
+
+def test_the_digits_that_a_printed_formula_keeps_are_those_of_the_record(records: dict[str, Any]) -> None:
+    found = spread.spread(figures(records, frozenset({"cone.p"})), records)
+    assert [one.key for one in found["maps"].square] == list(spread.MAPS)
+    rows = {row["key"]: row for row in found["digits"]}
+    assert rows["cone.p"]["known"]
+    assert not rows["cone.w"]["known"]
+    assert not any(key.startswith("power_law") for key in rows)  # over an exponent, not a ratio
+    for one in records["maps"]["maps"]:
+        for (cell, _), digits in zip(spread.CELLS, rows.get(one["key"], {"digits": ()})["digits"], strict=False):
+            ulps = one["naive"]["worst"][0][cell]
+            assert 10.0 ** -(int(digits) + 1) < max(ulps, 1.0) * 2.0**-53 or int(digits) == 0
+            assert max(ulps, 1.0) * 2.0**-53 <= 10.0 ** -int(digits) or int(digits) == 0
 
 
 def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> None:
@@ -124,21 +139,28 @@ def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> Non
     assert (row["ulps"], row["emitted"], row["naive"]) == ("$1.5$", r"$3\times10^{-16}$", "$0.25$")
 
 
-def test_the_matrix_of_the_book_says_what_the_matrix_says() -> None:
+def test_the_cells_of_the_matrix_count_by_kind() -> None:
     entries = {
         "d": {"status": "closed", "certified": True, "checks": []},
         "p": {"status": "integral", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 46}]},
         "aF": {"status": "root", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 50}]},
     }
     cells = matrix.matrix(["cone", "cone.vis"], {"cone": {"entries": entries}, "cone.vis": {"entries": {}}})
-    (row,) = front.matrix_rows(
-        [{"name": "cone", "title": "Cone", "number": "1.1", "status": cells["profiles"]["cone"]}]
-    )
-    first, *_, last = row["cells"]
-    assert first == r"1\,\ok\;1\,$\int_{46}$\;1\,$\surd$"  # nearly all have fifty digits
-    assert last == r"\textcolor{note}{not verified}"
-    assert row["cells"][1] == r"\textcolor{note}{left out}"
-    assert len(front.matrix_legend()) == len(matrix.LEGEND)
+    own = cells["profiles"]["cone"]
+    assert own["normal"] == "1 ✓, 1 ∫46, 1 √50"
+    assert own["viscoelastic"] == matrix.NOT_VERIFIED
+
+
+def test_what_is_known_of_the_formulas_is_counted() -> None:
+    checks = [{"outcome": "passed", "worst": "1", "digits": 46}, {"outcome": "failed", "worst": "1", "digits": 3}]
+    entries = [
+        {"status": "closed", "certified": True, "twice": {"shown": True}, "checks": checks},
+        {"status": "root", "certified": True, "twice": {"shown": False}, "checks": checks[:1]},
+        {"status": "integral", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 41}]},
+        {"status": "closed", "certified": False, "checks": []},
+    ]
+    counted = {"formulas": 4, "certified": 2, "twice": 1, "closed": 1, "integral": 1, "root": 0, "digits": 41}
+    assert matrix.coverage(entries) == counted
 
 
 @pytest.mark.parametrize("record", nt.all_notation(), ids=lambda record: record.name)

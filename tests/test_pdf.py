@@ -118,7 +118,7 @@ def test_an_entry_ends_on_a_full_page_or_shares_the_last_two(tmp_path):
     head = b"\\documentclass[10pt,a4paper,twoside]{article}\\input{preamble}\\begin{document}\\thispagestyle{empty}x\n"
     sources = {
         "book.tex": head + entries.encode() + b"\n\\end{document}\n",
-        "preamble.tex": templates().get_template("preamble.tex.j2").render(version="0").encode(),
+        "preamble.tex": templates().get_template("preamble.tex.j2").render(version="0", edition="0").encode(),
     }
     pdf._write(tmp_path, sources)
     pdf._until_settled(tmp_path, "book.tex", sources)

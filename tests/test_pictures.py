@@ -20,7 +20,6 @@ from axiderive.emit.sketch_given import load_sketch
 from axiderive.emit.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
 from axiderive.emit.spread import pool_of
 from axiderive.emit.strips import StripNumbers
-from axiderive.emit.study.maps import ABREAST, Figure, Map, Picture
 from axiderive.emit.values import Numbers, sketch_values
 from axiderive.notation import R1, R2, R, b, describe, h, s, wavelength
 from axiderive.profiles import NAMES
@@ -175,20 +174,3 @@ def test_sketches_carry_the_lengths_of_the_profile() -> None:
 def test_the_curve_with_adhesion_runs_to_the_edge_of_its_frame(name: str) -> None:
     x, y = pairs(curves(profile_of(name), drawn(name)).adhesion.stable)[-1]
     assert x >= WIDEST or y >= HIGHEST
-
-
-def test_the_lines_of_the_maps_hold_every_map_once() -> None:
-    def one(i: int, flat: bool) -> Map:
-        picture = Picture((), "0")
-        return Map(f"m{i}", False, ("", "", ""), None if flat else ("", "", ""), picture, picture, 1.0)
-
-    for squares in range(5):
-        for strips in range(9):
-            square, plain = tuple(one(i, False) for i in range(squares)), tuple(one(9 + i, True) for i in range(strips))
-            lines = Figure(plain, square, ()).lines
-            assert sorted(m.key for line in lines for cell in line for m in cell) == sorted(
-                m.key for m in (*square, *plain)
-            )
-            assert all(len(line) == ABREAST for line in lines[:-1])
-            # stacks stand beside squares only, which are as high
-            assert all(len(cell) < 2 or any(c and c[0].up for c in line) for line in lines for cell in line)

@@ -40,6 +40,7 @@ def said() -> tuple[Said, ...]:
     entries = {key: stored(key) for key in FOUND}
     return (
         *sentences.in_front(stored("materials")),
+        *sentences.in_guide(stored("materials"), stored("paraboloid"), stored("paraboloid.adh")),
         *sentences.stable_branch(stored("cone.adh")),
         *sentences.derivations(entries),
         *sentences.of_profiles(entries),

@@ -8,65 +8,33 @@ from collections.abc import Set as AbstractSet
 from typing import Any
 
 from .. import __version__
-from . import front, front_rules, laws, notation_table, references, study
+from ..cache import digest
+from . import front, front_rules, guide, laws, notation_table, references, study
+from .chart import chart
 from .evidence import power_of_ten
 from .prose import escaped
+from .study.spread import CELLS, spread
 from .symbol_index import symbol_index
 from .transcribed import typeset
+from .word_index import word_index
 
 CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
 PLACES = {"plane": 2, "loads": 3, "materials": 4}
 """Chapters of the profiles whose id begins so, counted from zero; the others are compact or complete."""
-
-
-QUESTIONS = (
-    ("Is the pressure given, and not the shape?", ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power")),
-    ("Is the body long, and the same in every section: a roller, a wedge, a rail?", (
-        "plane.parabola", "plane.wedge", "plane.power_law", "plane.truncated_wedge", "plane.rounded_wedge",
-        "plane.rounded_punch", "plane.flat_punch", "plane.eccentric_punch", "plane.quartic", "plane.sextic",
-        "plane.concave_parabola", "plane.concave_quartic", "plane.concave_power",
-    )),
-    ("Does a sharp edge bound the contact whatever the load?", (
-        "flat_punch", "capped_cylinder", "concave_paraboloid", "concave_quartic", "concave_power",
-    )),
-    ("Is the edge of a flat or slightly curved face rounded?", ("rounded_punch", "rounded_curved_punch")),
-    ("Is a tip worn or ground flat?", ("truncated_cone", "truncated_paraboloid")),
-    ("Is a pointed tip blunt?", ("sphere_tipped_cone", "rounded_cone", "hyperboloid")),
-    ("Does the radius of curvature change at a known distance from the axis?", ("capped_paraboloid",)),
-    ("Is the surface wavy, or a single smooth bump?", ("wavy_paraboloid", "gaussian")),
-    ("Is the shape a ball or an ellipsoid, and the contact not small against it?", ("sphere", "ellipsoid")),
-    ("Is the tip pointed, with straight flanks?", ("cone",)),
-    ("Is it round, with one radius of curvature?", ("paraboloid",)),
-    ("Is it flatter than that at the tip, or a power of $r$ that was measured?", (
-        "quartic", "sextic", "power_law", "polynomial",
-    )),
-)  # fmt: skip
-"""What to ask about a body, and the profiles that answer it."""
-
-
-def _chart(summaries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[tuple[str, str, str]]]]:
-    known = {m["name"]: (m["name"], m["number"], m["title"]) for m in summaries}
-    return [(words, [known[name] for name in names if name in known]) for words, names in QUESTIONS]
-
-
 FRONT = (
-    ("How to read an entry", "howto"), ("Notation", "notation"), ("Definitions", "definitions"),
-    ("Rules for every profile", "rules"), ("Viscoelastic laws", "laws"), ("All profiles", "master"),
-    ("Which profile?", "chart"),
+    ("How to read an entry", "howto"), ("Conventions", "conventions"), ("When does it hold?", "validity"),
+    ("Which profile?", "chart"), ("All profiles", "master"), ("Notation", "notation"),
+    ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
 )  # fmt: skip
 BACK = (
-    ("Profile and physics", "matrix"), ("Error against run time", "study"), ("What a call costs", "speed"),
-    ("Stability maps", "maps"), ("Stiff and extreme cases", "extremes"),
-    ("Chapter 11, equation by equation", "chapter"), ("Errata of chapter 11", "errata"),
-    ("References", "references"), ("Index", "symbols"),
+    ("Error against run time", "study"), ("Errata of chapter 11", "errata"), ("References", "references"),
+    ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
 """Titles and labels of the parts before and behind the entries."""
-NEEDED = {
-    "study": "error", "speed": "speed", "maps": "maps", "extremes": "extremes",
-    "chapter": "chapter11", "errata": "chapter11",
-}  # fmt: skip
+WITHIN = {"part:matrix": "part:howto", "part:functions": "part:definitions", "part:gradedrules": "part:rules"}
+"""Labels of sections of the parts, and the part they stand in."""
+NEEDED = {"study": "error", "errata": "chapter11"}
 """What a part prints, by its label, where it is not always there."""
-
 
 Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
 """Title and summaries of each chapter."""
@@ -98,6 +66,15 @@ def _held(chapters: Chapters) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
+def _coverage(summaries: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+    """How the formulas of all profiles are known."""
+    found = Counter[str]()
+    for m in summaries:
+        found.update({name: count for name, count in m["coverage"].items() if name != "digits"})
+    digits = min((m["coverage"]["digits"] for m in summaries if m["coverage"]["digits"]), default=0)
+    return {**found, "digits": digits}
+
+
 def model(
     summaries: Sequence[Mapping[str, Any]],
     chapter11: Mapping[str, Any] | None,
@@ -110,32 +87,41 @@ def model(
     drawn = study.figures(studies or {}, frozenset(keys))
     shown = {**drawn, "chapter11": chapter11}
     left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
+    contents = _contents(chapters, left_out)
     return {
         "chapters": chapters,
         "summaries": summaries,
-        "contents": _contents(chapters, left_out),
+        "contents": contents,
         "suffixes": front.suffixes(),
+        "reading": guide.reading(),
+        "conventions": guide.conventions(),
+        "tips": guide.tips(),
+        "moduli": guide.MODULI,
+        "validity": guide.validity(),
+        "errors": guide.errors(),
+        "coverage": _coverage(summaries),
         "notation": notation_table.by_subject(
             {s for m in summaries for s in m["symbols"]}, {m["name"]: m["number"] for m in summaries}
         ),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
-        "rules": front_rules.rule_rows(),
-        "chart": _chart(summaries),
-        "matrix": front.matrix_rows(summaries),
-        "signs": front.matrix_legend(),
-        "full": front.FULL,
+        "rules": (front_rules.homogeneous(), front_rules.graded()),
+        "chart": chart(summaries),
         "chapter11": chapter11 and _chapter(chapter11),
         "studies": drawn,
+        "spread": spread(drawn, studies or {}),
+        "ratios": [ratio for _, ratio in CELLS],
         "works": [
-            (references.label(short), escaped(" ".join(work))) for short, work in sorted(references.WORKS.items())
+            (references.label(short), escaped(" ".join(work[:2])), work.doi)
+            for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
         ],
         "symbol_index": symbol_index(summaries),
-        "key_groups": front.by_problem(keys),
+        "word_index": word_index(summaries, contents, WITHIN),
         "held": _held(chapters),
         "formulas": len(keys),
         "version": __version__,
+        "edition": digest([(m["name"], m["digest"]) for m in summaries])[:8],
     }
 
 

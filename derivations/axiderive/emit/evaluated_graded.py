@@ -36,14 +36,6 @@ def pressure_rows(key: str, plain: Mapping[str, Entry]) -> Rows:
     return [_row(f"{key}.p", f"{printer(r)}\\le a", [integral, GROWN])]
 
 
-def outside_row(key: str) -> dict[str, Any]:
-    """The displacement beside any contact, from the gap that the half-space closes inside it."""
-    scale, root = Printer()(GRADED.displacement_scale), r"\sqrt{(r-a) (r+a)}"
-    share = r"\frac{g(a)-f(s)}{q^{2}+z^{2}}"
-    integral = rf"w(r)={scale}\, q^{{1-k}}\int_{{0}}^{{a}} {share} z^{{k}}\,\mathrm{{d}}z"
-    return _row(f"{key}.w", r"r\ge a", [integral, r"s=\sqrt{(a-z) (a+z)}", f"q={root}"])
-
-
 def _row(key: str, where: str, parts: list[str]) -> dict[str, Any]:
     return {
         "half": False, "comment": f"evaluation {key}", "label": "Evaluated as", "small": f"${where}$",

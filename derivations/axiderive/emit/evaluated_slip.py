@@ -48,7 +48,7 @@ def slip_rows(key: str, plain: Mapping[str, Entry], graded: bool) -> Rows:
     if nt.coefficients in plain["d"].profile.parameters and not graded:
         return [*_of_terms(key, plain), _row(f"{key}.tau", "$r<c$", integrals(medium)["tau"])]
     if graded:
-        return []  # printed once for all profiles, with the rules of the graded half-space
+        return []  # the integrals are those of the homogeneous half-space, with their own powers
     return grown_rows(key, medium)
 
 

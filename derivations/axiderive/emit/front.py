@@ -1,17 +1,14 @@
-"""Front and back of the book as plain data: table of all profiles, notation, definitions, special functions, keys."""
+"""Front and back of the book as plain data: table of all profiles, definitions, special functions, ends of the keys."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
 from ..abel import masters
 from ..contact import adhesive, complete, normal, tangential, viscoelastic
 from ..contact.medium import HOMOGENEOUS
 from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ..contact.systems import ROUND, SYSTEMS
 from ..entry import COMPACT, COMPLETE, Entry
-from . import matrix
 from .naming import LEFT, label_of
 from .printed_functions import MASTER_NAMES
 from .printer import Printer
@@ -110,44 +107,6 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     return found
 
 
-SIGNS = {"✓": r"\,\ok", "○": r"\,$\circ%s$", "∫": r"\,$\int%s$", "√": r"\,$\surd%s$"}
-"""The signs of the matrix in print, with the digits of those that have them."""
-FULL = "50"
-"""The digits that are not printed behind a sign, because nearly all have them."""
-
-
-def matrix_rows(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """Profile by physics: the cells of `emit.matrix` as LaTeX; profiles of one system have one cell."""
-    rows = []
-    names = [system.name for system in SYSTEMS if system.pool is ROUND]
-    for m in summaries:
-        found = m["status"]
-        cells = [found.get(name, matrix.LEFT_OUT) for name in names] if names[0] in found else list(found.values())
-        rows.append(
-            {"name": m["name"], "title": m["title"], "number": m["number"], "cells": [_sign_text(c) for c in cells]}
-        )
-    return rows
-
-
-def matrix_legend() -> list[tuple[str, str]]:
-    """What the signs of the matrix mean."""
-    return [(_sign_text(sign), words) for sign, words in matrix.LEGEND.items()]
-
-
-def _sign_text(cell: str) -> str:
-    """6 ✓, 4 √50 as LaTeX; the digits stand below the sign."""
-    parts = []
-    for part in cell.split(", "):
-        count, _, found = part.rpartition(" ")
-        sign, digits = found[:1], found[1:]
-        if sign in SIGNS:
-            behind = f"_{{{digits}}}" if digits not in ("", FULL) else ""
-            parts.append(count + (SIGNS[sign] % behind if "%s" in SIGNS[sign] else SIGNS[sign]))
-        else:
-            parts.append(rf"\textcolor{{note}}{{{part.replace('–', '--')}}}")
-    return r"\;".join(parts)
-
-
 DEFINED = ("d", "F", "p", "w", "k")
 """Quantities whose definitions stand in front of the book; the depth of a complete contact is free."""
 
@@ -172,12 +131,3 @@ def definition_rows() -> list[tuple[str, str, str]]:
                     )
                 )
     return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
-
-
-def by_problem(keys: Sequence[str]) -> list[tuple[str, list[str]]]:
-    """Ends of the keys by what they begin with, in alphabetical order."""
-    found: dict[str, list[str]] = {}
-    for key in keys:
-        problem, _, suffix = key.rpartition(".")
-        found.setdefault(problem, []).append(suffix)
-    return sorted(found.items())

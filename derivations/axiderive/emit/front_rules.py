@@ -1,69 +1,132 @@
-"""The rules in front of the book that hold for every profile, and how they are evaluated."""
+"""The spread of rules that hold for every profile: on the homogeneous half-space left, on the graded one right."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
 
-from ..contact import adhesive, tangential
-from ..contact.medium import GRADED
-from ..contact.systems import BY_NAME
+from ..contact import adhesive, normal, tangential, viscoelastic
+from ..contact.medium import GRADED, HOMOGENEOUS, Medium
 from ..entry import COMPACT
-from . import blocks, rules
-from .evaluated import Rows
-from .evaluated_graded import outside_row
-from .evaluated_slip import grown_rows
-from .naming import label_of
-from .width import width
-
-RULED = (
-    ("graded.normal", ("p", "w", "pm")),
-    ("graded.adhesive", ("Dl", "d", "F", "p", "w", "ad", "aF", "ac", "Fc", "dc", "am", "Fm", "dm")),
-    ("graded.tangential", ("F", "u", "us", "tau", "c")),
-)
+from . import rules
+from .naming import LEFT, label_of
+from .printer import Printer
+from .rows import SOLVED, Kind
 
 
-def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], list[list[dict[str, Any]]]]]:
-    """The rules that hold for every profile, on the graded half-space, by the title of their system.
+@dataclass(frozen=True)
+class RuleRow:
+    """A rule in print, and how it is read back: as the row of this kind of any entry with its suffix."""
 
-    Behind them stands how they are evaluated.
-    """
+    system: str
+    suffix: str
+    label: str
+    small: str
+    tex: str
+    remark: str = ""
+    kind: Kind | None = "rule"
+    """None for a defining integral."""
+
+    @property
+    def key(self) -> str:
+        """The end of the keys that the rule gives, and of its own label: fgm.adh.Dl."""
+        return ".".join(part for part in (*GROUPS[self.system], self.suffix) if part)
+
+
+Line = tuple[RuleRow, ...]
+Section = tuple[str, str, Sequence[Line]]
+"""Title, note and lines of one kind of contact; a line holds one rule or two."""
+GROUPS = {
+    "normal": ("",), "adhesive": ("adh",), "tangential": ("tan",), "viscoelastic": ("vis",),
+    "graded.normal": ("fgm",), "graded.adhesive": ("fgm", "adh"), "graded.tangential": ("fgm", "tan"),
+}  # fmt: skip
+QUANTITIES = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
+FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
+TANGENTIAL = (("F",), ("c",), ("tau",), ("u", "us"))
+JKR = r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$"
+SLIP = r"constant $F_{\mathrm N}$; the contact sticks for $r<c$ and slips outside"
+
+
+def homogeneous() -> list[Section]:
+    """The left page."""
     return [
+        ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
+        ("Adhesive contact", JKR, _lines("adhesive", (*FIELDS, ("ac", "am"), *PULLED))),
+        ("Tangential contact", SLIP, _lines("tangential", TANGENTIAL)),
         (
-            blocks.TITLES[system][0],
-            _paired([_rule_row(system, suffix) for suffix in suffixes]),
-            blocks.halved(rule_evaluations().get(system, [])),
-        )
-        for system, suffixes in RULED
+            "Viscoelastic half-space",
+            r"while the contact grows; laws on page \pageref{part:laws}",
+            [(_viscoelastic(kind),) for kind in VISCOELASTIC],
+        ),
     ]
 
 
-def rule_evaluations() -> dict[str, Rows]:
-    """How the catalogue evaluates a rule of the graded half-space for any profile."""
-    return {"graded.normal": [outside_row("fgm")], "graded.tangential": grown_rows("fgm.tan", GRADED)}
+def graded() -> list[Section]:
+    """The right page."""
+    integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
+    return [
+        ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
+        ("Adhesive contact", JKR, _lines("graded.adhesive", (*FIELDS, ("ac",), ("am",), *PULLED))),
+        ("Tangential contact", SLIP, _lines("graded.tangential", TANGENTIAL)),
+    ]
 
 
-HALF = 100.0
-"""Points for a rule on half a line."""
+def rule_rows() -> list[RuleRow]:
+    """All rules of the spread."""
+    return [one for page in (homogeneous(), graded()) for _, _, lines in page for line in lines for one in line]
 
 
-def _paired(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
-    """Neighbours that are short go on one line."""
-    lines: list[list[dict[str, Any]]] = []
-    for row in rows:
-        behind = 10 + 0.6 * width(row["remark"]) if row["remark"] else 0
-        row["narrow"] = width(row["tex"]) + behind <= HALF
-        if row["narrow"] and lines and len(lines[-1]) == 1 and lines[-1][0]["narrow"]:
-            lines[-1].append(row)
-        else:
-            lines.append([row])
-    return lines
+def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
+    return [tuple(_rule(system, suffix) for suffix in line) for line in suffixes]
 
 
-def _rule_row(system: str, suffix: str) -> dict[str, Any]:
+def _rule(system: str, suffix: str) -> RuleRow:
     found = rules.rule(system, suffix)
     assert found is not None
-    tables = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
-    label, small = label_of(suffix, tables[system.rpartition(".")[2]][suffix].label)
-    group = BY_NAME[system].group
+    label, small = label_of(suffix, QUANTITIES[system.rpartition(".")[2]][suffix].label)
     small = f"${found.where}$" if found.where else small
-    return {"suffix": f"{group}.{suffix}", "label": label, "small": small, "tex": found.tex, "remark": found.remark}
+    return RuleRow(system, suffix, label, small, found.tex, found.remark)
+
+
+def _labelled(system: str, suffix: str, tex: str, remark: str, kind: Kind | None) -> RuleRow:
+    return RuleRow(system, suffix, *label_of(suffix, COMPACT[suffix].label), tex, remark, kind)
+
+
+def _inverses(system: str) -> list[Line]:
+    return [
+        tuple(_labelled(system, suffix, SOLVED[suffix], "solved for $a$", "root") for suffix in ("ad", "aF")),
+        (
+            _labelled(system, "Fd", rf"{LEFT['Fd']}=F_{{\mathrm N}}(a)", "where $g(a)=d$", "composition"),
+            _labelled(system, "dF", f"{LEFT['dF']}=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),
+        ),
+    ]
+
+
+def _stiffness(medium: Medium) -> RuleRow:
+    system = "normal" if medium is HOMOGENEOUS else "graded.normal"
+    return _labelled(system, "k", f"{LEFT['k']}={Printer()(medium.stiffness())}", "", "formula")
+
+
+def _mean(system: str) -> RuleRow:
+    return _labelled(system, "pm", r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}", "", "rule")
+
+
+def _integral(suffix: str) -> RuleRow:
+    """Depth or force on the graded half-space from the profile."""
+    return _labelled(
+        "graded.normal", suffix, f"{LEFT[suffix]}={Printer()(normal.definitions(GRADED)[suffix])}", "", None
+    )
+
+
+VISCOELASTIC = {
+    "step": r"F(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
+    "load": r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",
+    "ramp": r"F(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
+}
+
+
+def _viscoelastic(kind: str) -> RuleRow:
+    suffix = f"{kind}_{viscoelastic.LAWS[0].suffix}"
+    label, small = label_of(suffix, "")
+    remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
+    return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind], remark)

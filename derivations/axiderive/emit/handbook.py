@@ -13,6 +13,7 @@ from typing import Any
 import jinja2
 
 from .. import __version__
+from ..cache import digest
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
@@ -89,17 +90,17 @@ def approached(model: Model, system: str) -> list[dict[str, Any]]:
     return [check for line in lines for row in line for check in row.get("checks", ())]
 
 
-SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "status")
+SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "coverage")
 """What the main file needs of a profile; plain data that can be sent between processes."""
 
 
 def summary(model: Model) -> Summary:
     """The part of a page model that the front of the book uses."""
-    return {name: model[name] for name in SUMMARISED} | {"shape": miniature(model)}
+    return {name: model[name] for name in SUMMARISED} | {"shape": miniature(model), "digest": digest(model["blocks"])}
 
 
 def miniature(model: Model) -> dict[str, str]:
-    """Outline of the body and line of contact of its sketch, or the prescribed pressure, for the table of shapes."""
+    """Outline of the body and line of contact of its sketch, or the prescribed pressure, as the front draws it."""
     drawn = model["picture"] or model["tilted_picture"]
     if drawn:
         return {"body": drawn.body, "contact": drawn.contact}
@@ -115,7 +116,9 @@ def book_sources(
     environment = templates()
     model = book.model(summaries, chapter11, studies)
     return {
-        "preamble.tex": environment.get_template("preamble.tex.j2").render(version=__version__),
+        "preamble.tex": environment.get_template("preamble.tex.j2").render(
+            version=__version__, edition=model["edition"]
+        ),
         "handbook.tex": environment.get_template("handbook.tex.j2").render(model),
     }
 

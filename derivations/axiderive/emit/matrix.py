@@ -55,6 +55,25 @@ def twice(found: Iterable[Mapping[str, Any]]) -> str:
     )
 
 
+def coverage(records: Iterable[Mapping[str, Any]]) -> dict[str, int]:
+    """How the formulas of some problems are known: counts, and the least digits of their comparisons.
+
+    Parameters
+    ----------
+    records : iterable of mapping
+        What was found about their entries.
+    """
+    found = list(records)
+    left = [one for one in found if not one["certified"]]
+    return {
+        "formulas": len(found),
+        "certified": len(found) - len(left),
+        "twice": sum(bool(one.get("twice", {}).get("shown")) for one in found if one["certified"]),
+        **{status: sum(one["status"] == status for one in left) for status in KINDS},
+        "digits": min((digits for one in found if (digits := _digits(one["checks"]))), default=0),
+    }
+
+
 def _cell(entries: Mapping[str, Mapping[str, Any]]) -> str:
     certified, others = 0, dict[str, list[int]]()
     for found in entries.values():

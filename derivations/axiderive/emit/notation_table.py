@@ -20,13 +20,9 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
     ":least_load": (r"P_{\mathrm{min}}", "N/m", "least line load of a complete contact"),
     ":kappa": (r"\kappa,\;\kappa_j", "1", "factor of a power of the radius, stated in the panel of its profile"),
     ":coefficients": ("A_j", "m^(1-j)", "coefficients of a polynomial profile"),
-    ":start": (r"a_0,\;a_1", "m", "in rows on iterations: the first radius, and the largest one"),
-    ":waves": ("z", "1", "in rows on iterations: contact radius times the wave number"),
-    ":unknown": (r"x_1,\;y", "1", "in rows on iterations: x at the place named, and t over t_1"),
-    ":excess": (
-        "C", "m, N", "in rows on iterations: factor of the square of t in an excess, that of its first term is c"
-    ),
     ":modulus": ("k", "1", "modulus of the elliptic integrals"),
+    ":last": ("c", "1", "last parameter of a hypergeometric function"),
+    ":shorthands": (r"s,\;\psi,\;\varphi_0", "", "in many rows: the shorthands of the conventions"),
     ":place": ("x", "m", "coordinate of the one-dimensional foundation, and lower limit of an integral over it"),
     ":index": ("j", "1", "index of a sum"),
     ":adhesive_depth": (r"d_{\mathrm{adh}},\;w_{\mathrm{adh}}", "m", "depth and displacement with adhesion"),
@@ -51,16 +47,15 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
 """LaTeX, unit and meaning of what has a name in print, and no record or one of several."""
 SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Contact", (
-        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero",
-        ":least_depth", ":least_force",
-        ":start", ":unknown", ":excess", ":waves",
+        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero", ":least_depth",
+        ":least_force",
     )),
     ("Profile", (
         "theta", "R", "R1", "R2", "b", "n", "A", ":kappa", ":coefficients", ":index", "N", "h", "s", "wavelength", "C",
     )),
     ("Half-space", (
         "E_star", "G_star", "young_1", "young_2", "nu_1", "nu_2", "k", "H", "H_x", "E_0", "c_0", "nu", "beta", "h_N",
-        ":modulus",
+        ":modulus", ":last", ":shorthands",
     )),
     ("Adhesion", (
         "dgamma", "retraction", ":adhesive_depth", ":adhesive_force", ":adhesive_pressure",

@@ -72,6 +72,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
         "status": _status(profile_id, own, evidence),
+        "coverage": matrix.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
         **_figures(profile_id, profile, main, derived),
     }
 

@@ -104,12 +104,14 @@ def _of_front(front: Mapping[str, Any]) -> Iterator[Place]:
         yield plain(one["meaning"]), f"reading.html#symbol.{one['name']}", names, 3
     for one in front["masters"]:
         yield plain(one["remark"]), f"reading.html#{anchor_of(one)}", f"{symbol(one['name'])} special function", 3
-    for label, work in front["works"]:
+    for label, work, _ in front["works"]:
         yield plain(work), f"reading.html#{label}", "reference", 6
 
 
 PARTS: Sequence[tuple[str, str, str]] = (
-    ("Reading an entry", "howto", "conventions signs units certificate help"),
+    ("Reading an entry", "howto", "certificate help"),
+    ("Conventions", "conventions", "signs units modulus half-angle Berkovich Vickers reduced modulus"),
+    ("When does it hold?", "validity", "limits slope layer thickness Tabor yield Dundurs DMT"),
     ("Which profile?", "chart", "choose choice"),
     ("Ends of the keys", "suffixes", "suffix"),
     ("Notation", "notation", "symbols units"),

@@ -25,6 +25,7 @@ _TOKEN = re.compile(
     |\\hyperref\[(?P<label>[^\]]*)\]{_GROUP.replace("(", "(?P<linked>", 1)}
     |\\own\{{(?P<own>[^}}]*)\}}
     |\\eqr\{{(?P<equation>[^}}]*)\}}
+    |\\code\{{(?P<code>[^}}]*)\}}
     |\\pageref\{{part:(?P<part>\w+)\}}
     |\\textcolor\{{note\}}{_GROUP.replace("(", "(?P<aside>", 1)}
     |\\rule(?:\[[^\]]*\])?\{{[^}}]*\}}\{{[^}}]*\}}
@@ -77,6 +78,8 @@ def _pieces(text: str, link: Link) -> Iterator[Markup | str]:
             yield link(f"own:{found['own']}", f".{found['own']}")
         elif found["equation"]:
             yield link(f"eq:{found['equation']}", found["equation"])
+        elif found["code"]:
+            yield Markup("<code>{}</code>").format(words(found["code"], link))
         elif found["part"]:
             yield link(f"part:{found['part']}", PARTS[found["part"]])
         elif found["numbered"]:

@@ -1,4 +1,4 @@
-"""The formulas outside the rows of the problems: definitions, special functions, laws, panels, the table of profiles.
+"""The formulas outside the rows of the problems: definitions, rules, special functions, laws, panels, all profiles.
 
 Each comes with the value it has to have, found without its LaTeX.
 """
@@ -21,13 +21,15 @@ from ...profiles.profile import Profile
 from ...proof.evaluate import case_at, evaluate, holds
 from ...proof.sampling import points
 from ...proof.shape import number
-from .. import front, laws, page
+from .. import front, front_rules, laws, page
 from .. import panel as panels
 from ..printer import Printer
-from .compare import DIGITS, difference
+from ..rows import Region, Row
+from .compare import DIGITS, difference, worst_residual
 from .grammar import read
 from .left import NORMAL, bound
 from .nodes import environment
+from .points import points_of
 from .printed import Printed, name_in_print, named
 from .printed import holds as in_range
 
@@ -124,6 +126,52 @@ SAMPLES = {
     "c": "2.3", "R": "2.1", "nu": "0.75",
 }  # fmt: skip
 """Arguments at which the special functions are compared with their definitions."""
+
+
+SUBJECTS = {
+    "normal": "rounded_punch", "adhesive": "truncated_paraboloid.adh", "tangential": "truncated_paraboloid.tan",
+    "viscoelastic": "sphere.vis", "graded.normal": "quartic.fgm", "graded.adhesive": "paraboloid.fgm.adh",
+    "graded.tangential": "paraboloid.fgm.tan",
+}  # fmt: skip
+"""Problems whose entries the rules are compared with: roots where an equation is solved, no integrals in fields."""
+OF_DEPTH, POWER = "cone", r",\qquad m=2"
+"""A contact whose force is printed as a function of the depth, and the power of the depth that it goes with."""
+
+
+def rules(stored: Callable[[str], Entries]) -> list[Reading]:
+    """The rules for every profile, each against an entry that follows from it, in any text of its own."""
+    return [Reading(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front_rules.rule_rows()]
+
+
+def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], Any]:
+    of_depth = one.suffix in ("step", "ramp")
+    key = f"{OF_DEPTH}.vis" if of_depth else SUBJECTS[one.system]
+    entries = stored(key)
+    base = {"F": stored(OF_DEPTH)["Fd"]} if of_depth else stored(_base(key))
+    if one.kind is None:
+        return _integral(entries, one.suffix)
+    kind, (first, *others) = one.kind, [entries[s] for s in entries if one.suffix in (s, s.partition("_")[0])]
+    power = POWER if one.suffix == "ramp" else ""
+
+    def residual(tex: str) -> Any:
+        return worst_residual(Row(first, kind, (Region("", (tex + power,)),), also=tuple(others)), entries, 1, 29, base)
+
+    return residual
+
+
+def _base(key: str) -> str:
+    """The normal contact on the same medium."""
+    return key.removesuffix(".adh").removesuffix(".tan").removesuffix(".vis")
+
+
+def _integral(entries: Entries, suffix: str) -> Callable[[str], Any]:
+    """A defining integral with the functions of these entries put in."""
+    ((case, values),) = points_of(entries[suffix], "formula", entries, 1, 23)
+    # an end of the integral that is less singular leaves more digits
+    values = values | {nt.k: sp.Rational(3, 5)}
+    want = evaluate(case.expr, values, DIGITS)
+    with mp.workdps(WORKING):
+        return against(_with_functions(entries, values), want, NORMAL[suffix])
 
 
 def functions() -> list[Reading]:

@@ -32,19 +32,27 @@ LISTED = {
     "definition of a name": (
         r"c_{\mathrm N}(x)=H\,|x|^k", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x\,|x|^k",
         r"c_{\mathrm T}(x)=H_x|x|^k", r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
-        r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\pi/2-\theta", r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
+        r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
+        r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}", r"\sqrt{R\,d}",
+        r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
         r"g(a)-g(b)\approx c\,t+C\,t^2", r"F_{\mathrm N}(a)-F_{\mathrm N}(b)\approx c\,t+C\,t^2",
         r"g(a)-g(b)\approx c\,t^{k+1}+C\,t^2", r"F_{\mathrm N}(a)-F_{\mathrm N}(b)\approx c\,t^{k+1}+C\,t^2",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
-        r"0\le r\le a", r"|x|\le a", "r=a", r"x=\pm a", "r=0", "x=e", "r<b<a", "a>b", "r<a", "r<c", "r>c",
+        r"0\le r\le a", r"|x|\le a", "r=a", r"x=\pm a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c",
         "p(r;c)=0", "t<b", "g(t)=0",
     ),
     "a place or a case that a sketch or a note points to": (
         r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
         r"4\,|e|-3\,a", "n>1",
     ),
+    "a case that a number is given for": (
+        r"\nu=\tfrac12", r"\nu=0.3", r"\nu=0.5", r"\nu=0", r"a=0.1\,R", r"a=0.3\,R", r"\mu_{\mathrm T}=5",
+    ),
+    "a number of the guide, computed in emit.facts": (r"0.3100\,p_0", r"0.4809\,a", r"p_0=1.6\,Y"),
+    "a result of the work that is cited": (r"(1-2\nu)/(2-2\nu)", r"(1-\nu)\ln(3-4\nu)/(1-2\nu)"),
+    "an equation that is a row beside it": ("g(a)=d", r"F_{\mathrm N}(a)=F_{\mathrm N}"),
     "where a start is read, and what it is raised to": (
         "t=1", r"x=\tfrac{1}{2}", "t=t_1 y=10^{-4}", "t_0>1", "2/(k+3)",
     ),
@@ -58,9 +66,8 @@ LISTED = {
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
     "an axis, a legend or a case of a study": (
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
-        r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"n\to \infty", r"k\to -1", r"k\to 0", r"k\to 1",
+        r"\tfrac12", "1-10^{-3}", "1-10^{-6}", "1-10^{-12}", r"b\to 0", r"R\to \infty",
     ),
-    "what a function takes the place of, and a root as it is computed": (r"x-\arctan x", "x^2-y^2", "(x-y)(x+y)"),
     "a condition of the derivation": (r"g' \ge  0", "g'=0"),
 }  # fmt: skip
 """Formulas in sentences that name, order or point, letter by letter."""
@@ -142,6 +149,55 @@ def _laws() -> Iterator[Said]:
         r"\Phi_m(t)=\int_0^1 m\,\xi^{m-1}E\bigl(t(1-\xi)\bigr)\,\mathrm d\xi",
         _equal(ramp, moduli | {"Phi_m()": lambda t: ramp if t == time else mp.mpf(0)}),
     )
+
+
+ROUNDED = mp.mpf("0.002")
+"""A number of three digits."""
+
+
+def in_guide(bodies: Entries, plain: Entries, adhesive: Entries) -> Iterator[Said]:
+    """Of the conventions and of the page on validity, by the elastic constants and the paraboloid."""
+    with mp.workdps(2 * DIGITS):
+        yield from _moduli(bodies["E_star"])
+        values = {nt.R: sp.Rational(7, 4), nt.E_star: sp.Rational(5, 3), nt.dgamma: sp.Rational(3, 7)}
+        env = named(values)
+        yield Said(r"-\tfrac32\pi\Delta\gamma R", _equal(evaluate(adhesive["Fc"].cases[0].expr, values, DIGITS), env))
+        values[nt.a] = radius = evaluate(adhesive["ac"].cases[0].expr, values, DIGITS)
+        shift = evaluate(adhesive["Dl"].cases[0].expr, values, DIGITS)
+        number = (env["R"] * env["Delta gamma"] ** 2 / env["E*"] ** 2) ** (mp.mpf(1) / 3)
+        yield Said(
+            r"\Delta\ell=3.09\,\mu_{\mathrm T}\,z_0",
+            _nearly(shift, {"Delta ell": shift, "mu_T": number, "z_0": mp.mpf(1)}),
+        )
+        middle = evaluate(plain["p"].cases[0].expr, {**values, nt.r: sp.S.Zero}, DIGITS)
+        force = evaluate(plain["F"].cases[0].expr, {**values, nt.a: radius}, DIGITS)
+        yield Said(r"\pi^3R^2p_0^3/(6E^{*2})", _equal(force, env | {"p_0": middle}))
+
+
+def _moduli(entry: Entry) -> Iterator[Said]:
+    """The contact modulus of a rigid indenter, and of two bodies of one material."""
+    young, poisson, rigid = sp.Rational(7, 3), sp.Rational(2, 9), sp.Integer(10) ** (3 * DIGITS)
+    cases = (
+        ((young, poisson, rigid, poisson), (r"E^{*}=E/(1-\nu^2)", r"E/(1-\nu^2)", r"2G/(1-\nu)")),
+        ((young, poisson, young, poisson), (r"E/(2-2\nu^2)",)),
+        ((young, sp.Rational(1, 2), rigid, poisson), (r"\tfrac43 E",)),
+    )
+    for numbers, texts in cases:
+        values = dict(zip((nt.young_1, nt.nu_1, nt.young_2, nt.nu_2), numbers, strict=True))
+        want = evaluate(entry.cases[0].expr, values, DIGITS)
+        modulus, ratio = (mp.mpf(x.p) / x.q for x in numbers[:2])
+        env = {"E": modulus, "nu": ratio, "G": modulus / (2 * (1 + ratio)), "E*": want}
+        yield from (Said(tex, _equal(want, env)) for tex in texts)
+
+
+def _nearly(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
+    """Every member of the statement against a value, to the digits of its number."""
+
+    def wrong(tex: str) -> bool:
+        with mp.workdps(DIGITS):
+            return any(difference(member(env), want) > ROUNDED for member in read(tex)[0].members)
+
+    return wrong
 
 
 def stable_branch(adhesive: Entries) -> Iterator[Said]:

@@ -9,8 +9,6 @@ from typing import Any
 SIDE = 21.5
 """Millimetres of a map of two ratios, and of the width of one."""
 STRIP = 3.0
-ABREAST, STACKED = 3, 2
-"""Maps side by side on a page, and those of one ratio that are as high as one of two."""
 LEVELS = (5.0, 1e3, 1e6, 1e9, 1e12)
 """Errors in ulps up to which a cell has the colour of its level; beyond them there is one more, and one for NaN."""
 NAMES = ("5", "10^{3}", "10^{6}", "10^{9}", "10^{12}")
@@ -55,15 +53,6 @@ class Figure:
     square: tuple[Map, ...]
     legend: tuple[tuple[str, str], ...]
     width: float = SIDE
-
-    @property
-    def lines(self) -> list[list[tuple[Map, ...]]]:
-        """The maps line by line; those of one ratio fill up, one above the other, the last line of squares."""
-        cells: list[tuple[Map, ...]] = [(one,) for one in self.square]
-        room = STACKED * (-len(cells) % ABREAST)
-        stacks = [self.plain[i : i + STACKED] for i in range(0, min(room, len(self.plain)), STACKED)]
-        cells += [*stacks, *[()] * (-(len(cells) + len(stacks)) % ABREAST), *((one,) for one in self.plain[room:])]
-        return [cells[i : i + ABREAST] for i in range(0, len(cells), ABREAST)]
 
 
 def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
