@@ -11,13 +11,6 @@ from ..entry import Entry
 from . import laws
 from .approaches import approach_rows
 from .arrangement import lines, ordered
-from .evaluated import evaluation_rows
-from .evaluated_adhesive import adhesive_rows
-from .evaluated_fields import field_rows
-from .evaluated_graded import pressure_rows
-from .evaluated_inverses import graded_rows, inverse_rows
-from .evaluated_plane import plane_rows
-from .evaluated_slip import slip_rows
 from .limits import limit_rows
 from .prose import prose
 from .reductions import reduction_rows
@@ -63,7 +56,7 @@ class Block:
     words: str = ""
     """In place of rows: why there are none."""
     further: list[list[dict[str, Any]]] = field(default_factory=list)
-    """Lines of rows without a key: evaluation forms, limits, the universal curve."""
+    """Lines of rows without a key: approaches, limits, the universal curve."""
 
 
 def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
@@ -136,40 +129,24 @@ def blocks(
 def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
-    """Rows that follow from those of the problem: evaluation forms, limits as checked, adhesive power-law curves."""
+    """Rows that follow from those of the problem: approaches, limits as checked, adhesive power-law curves."""
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
         return [
-            *evaluations(problem, entries, evidence),
-            *inverse_rows(problem.profile, entries),
             *approach_rows(problem.profile, entries),
             *limit_rows(problem.profile, entries, evidence),
             *reduction_rows(problem.profile, entries),
         ]
     if system in ("plane", "loads"):
         return [
-            *evaluations(problem, entries, evidence),
             *approach_rows(problem.profile, entries),
             *reduction_rows(problem.profile, entries),
         ]
+    if not system.endswith("adhesive") or "Fc" not in entries:
+        return []
     graded = system.startswith("graded")
     plain = derived.get(Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name).key, {})
-    if problem.profile.contact != "compact" or "d" not in plain:
-        return []
-    if system.endswith("adhesive"):
-        found = adhesive_rows(problem.key, plain, graded)
-        return [*found, *(universal_rows(problem.key, plain["d"], graded) if "Fc" in entries else [])]
-    if system.endswith("tangential"):
-        return slip_rows(problem.key, plain, graded)
-    return [*pressure_rows(problem.key, plain), *graded_rows(problem.key, plain)] if system == "graded.normal" else []
-
-
-def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """How the generated functions of a problem compute what the rows above say, where that is another formula."""
-    if problem.system.name == "plane":
-        return plane_rows(problem.profile, entries)
-    found = evaluation_rows(problem.profile, entries, evidence) if problem.system.name == "normal" else []
-    return [*found, *field_rows(problem.profile, entries)]
+    return universal_rows(problem.key, plain["d"], graded) if "d" in plain else []
 
 
 def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:

@@ -1,17 +1,13 @@
-"""The rules in front of the book that hold for every profile, and how they are evaluated."""
+"""The rules in front of the book that hold for every profile."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from ..contact import adhesive, tangential
-from ..contact.medium import GRADED
 from ..contact.systems import BY_NAME
 from ..entry import COMPACT
 from . import blocks, rules
-from .evaluated import Rows
-from .evaluated_graded import outside_row
-from .evaluated_slip import grown_rows
 from .naming import label_of
 from .width import width
 
@@ -22,24 +18,12 @@ RULED = (
 )
 
 
-def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]], list[list[dict[str, Any]]]]]:
-    """The rules that hold for every profile, on the graded half-space, by the title of their system.
-
-    Behind them stands how they are evaluated.
-    """
+def rule_rows() -> list[tuple[str, list[list[dict[str, Any]]]]]:
+    """The rules that hold for every profile, on the graded half-space, by the title of their system."""
     return [
-        (
-            blocks.TITLES[system][0],
-            _paired([_rule_row(system, suffix) for suffix in suffixes]),
-            blocks.halved(rule_evaluations().get(system, [])),
-        )
+        (blocks.TITLES[system][0], _paired([_rule_row(system, suffix) for suffix in suffixes]))
         for system, suffixes in RULED
     ]
-
-
-def rule_evaluations() -> dict[str, Rows]:
-    """How the catalogue evaluates a rule of the graded half-space for any profile."""
-    return {"graded.normal": [outside_row("fgm")], "graded.tangential": grown_rows("fgm.tan", GRADED)}
 
 
 HALF = 100.0

@@ -17,7 +17,6 @@ from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
 from . import book, references, spread
-from .study.timing import timing
 from .width import width
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -54,11 +53,7 @@ def handbook_sources(
     """
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")
-    measured = (studies or {}).get("error")
-    files = {
-        f"profiles/{name}.tex": template.render(model, timing=measured and timing(measured, ruled(model)))
-        for name, model in models.items()
-    }
+    files = {f"profiles/{name}.tex": template.render(model) for name, model in models.items()}
     return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
 
 

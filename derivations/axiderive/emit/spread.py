@@ -63,7 +63,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
-        "approached": proven.approach_summary([line for block in shown.values() for line in block.further]),
+        "proved": proven.summary(own, evidence),
         "uncertified": proven.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],

@@ -33,8 +33,6 @@ LISTED = {
         r"c_{\mathrm N}(x)=H\,|x|^k", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x\,|x|^k",
         r"c_{\mathrm T}(x)=H_x|x|^k", r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\pi/2-\theta", r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
-        r"g(a)-g(b)\approx c\,t+C\,t^2", r"F_{\mathrm N}(a)-F_{\mathrm N}(b)\approx c\,t+C\,t^2",
-        r"g(a)-g(b)\approx c\,t^{k+1}+C\,t^2", r"F_{\mathrm N}(a)-F_{\mathrm N}(b)\approx c\,t^{k+1}+C\,t^2",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
@@ -44,9 +42,6 @@ LISTED = {
     "a place or a case that a sketch or a note points to": (
         r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
         r"4\,|e|-3\,a", "n>1",
-    ),
-    "where a start is read, and what it is raised to": (
-        "t=1", r"x=\tfrac{1}{2}", "t=t_1 y=10^{-4}", "t_0>1", "2/(k+3)",
     ),
     "a symmetry, and the half that is printed": ("f(-x)=f(x)", r"x\ge 0"),
     "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
@@ -60,7 +55,6 @@ LISTED = {
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
         r"b\to 0", r"b\to a", r"R\to \infty", r"a\to R", r"n\to 0", r"n\to \infty", r"k\to -1", r"k\to 0", r"k\to 1",
     ),
-    "what a function takes the place of, and a root as it is computed": (r"x-\arctan x", "x^2-y^2", "(x-y)(x+y)"),
     "a condition of the derivation": (r"g' \ge  0", "g'=0"),
 }  # fmt: skip
 """Formulas in sentences that name, order or point, letter by letter."""
