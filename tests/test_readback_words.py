@@ -230,7 +230,7 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
                 mutants += 1
     assert set(count) == set(KINDS)
     assert sum(count.values()) >= 45
-    assert mutants >= 60
+    assert mutants >= 50
 
 
 def _passes(one: object) -> bool:
