@@ -19,6 +19,7 @@ from axiderive.contact.systems import problems
 from axiderive.emit.blocks import rows_of
 from axiderive.emit.evidence import kind_of, summary
 from axiderive.emit.handbook import handbook_sources
+from axiderive.emit.in_print import printed
 from axiderive.emit.page import spaced
 from axiderive.emit.prose import prose
 from axiderive.emit.references import WORKS, label
@@ -128,7 +129,7 @@ def test_every_key_is_printed_once_and_every_reference_has_a_target(
         wanted = {e.key for key, es in derived.items() for e in es.values() if f"{key}.".startswith(f"{name}.")}
         places = re.findall(r"\\(?:tolab\{|f(?:row|pair).*\{)([\w.]+)\}\}?$|\\tolab\{([\w.]+)\}", text, flags=re.M)
         targets = {f"{name}.{suffix}" for pair in places for suffix in pair if suffix}
-        targets |= {f"{name}.{left}" for left in re.findall(r"\{([\w.]+)\}\}\{\{", text)}
+        targets |= {f"{name}.{left}" for left in re.findall(r"\{([\w.]+)\}\}\{[\[{]", text)}
         assert wanted <= targets, wanted - targets
         assert {f"{name}.{suffix}" for suffix in re.findall(r"\\own\{([\w.]+)\}", text)} <= wanted
 
@@ -139,9 +140,9 @@ def test_what_is_compiled_is_what_was_read_back(sources: dict[str, str], derived
         if problem.key not in derived:
             continue
         text = sources[f"profiles/{problem.profile_id}.tex"]
-        for one in rows_of(problem.system, derived[problem.key], derived, problem.name):
-            for region in one.regions:
-                assert f"{{{region.tex}" in (sources["handbook.tex"] if one.listed else text), one.key
+        for one in printed(problem.system, rows_of(problem.system, derived[problem.key], derived, problem.name)):
+            for region in () if one.listed else one.regions:
+                assert f"{{{region.tex}" in text, one.key
                 assert not region.condition or f"${region.condition}$" in text
 
 

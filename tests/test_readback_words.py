@@ -9,7 +9,7 @@ from functools import cache
 
 import pytest
 from misprints import misprints, range_misprints
-from stored_book import HANDBOOK, KEYS, PROFILES, evidence, stored
+from stored_book import HANDBOOK, KEYS, PRINTED, evidence, stored
 from test_misprints import NOT_A_NUMBER
 
 from axiderive.contact.systems import problem
@@ -23,8 +23,8 @@ from axiderive.emit.readback.statements import Said
 from axiderive.emit.readback.tables import Proved, check_values, proved, worked_example
 from axiderive.emit.spread import pool_of
 
-SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PROFILES))
-SPREADS = ("cone", "sphere", "capped_cylinder", "polynomial", "plane.rounded_punch", "plane.concave_power")
+SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PRINTED))
+SPREADS = ("cone", "ellipsoid", "capped_cylinder", "polynomial", "plane.rounded_punch", "plane.concave_power")
 """Spreads with numbers of every kind: adhesion, places on a border, given depth, coefficients, given load."""
 FOUND = ("flat_punch", "plane.flat_punch", "gaussian", "gaussian.fgm", "hyperboloid", "capped_cylinder")
 
@@ -152,7 +152,7 @@ def _numbers(name: str) -> list[Printout]:
     "name",
     [
         name if name in SPREADS else pytest.param(name, marks=pytest.mark.slow)
-        for name in PROFILES
+        for name in PRINTED
         if r"{Check values}" in text_of(f"profiles/{name}.tex")
     ],
 )
@@ -190,7 +190,7 @@ def test_numbers_are_read_in_the_units_of_the_si(tex: str, value: str) -> None:
         number(tex + "x")
 
 
-@pytest.mark.parametrize("name", PROFILES)
+@pytest.mark.parametrize("name", PRINTED)
 def test_the_line_on_the_evidence_counts_what_is_stored(name: str) -> None:
     """Every formula that is not proved is a root or an integral, or an elastic constant and left uncounted."""
     records = [

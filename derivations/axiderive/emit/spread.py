@@ -10,7 +10,7 @@ from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import blocks, front, matrix, page, references
+from . import blocks, front, matrix, page, references, special
 from . import evidence as proven
 from .curves import curves
 from .given import axes_of
@@ -28,6 +28,8 @@ from .worked import worked, worked_bodies, worked_given
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
+FAMILIES = ("flat_punch", "cone", "paraboloid")
+"""Whose graded contact is drawn in print; the others look alike."""
 
 
 def pool_of(profile_id: str) -> Pool:
@@ -68,9 +70,13 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
+        "shown": [row["suffix"] for block in shown.values() for line in block.lines for row in line]
+        + [end for block in shown.values() for line in block.lines for row in line for end in row["also"]],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
+        "special": special.tables(profile_id),
+        "host": special.HOSTS.get(profile_id, ""),
         "status": _status(profile_id, own, evidence),
         **_figures(profile_id, profile, main, derived),
     }
@@ -104,6 +110,7 @@ NOTHING: dict[str, Any] = {
     "complete": False,
     "axes": (),
     "graded": (),
+    "families": False,
 }
 
 
@@ -130,6 +137,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if "p" in graded else (),
+        "families": "p" in graded and profile_id in FAMILIES,
         "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough),
