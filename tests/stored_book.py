@@ -10,12 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from axiderive.contact.systems import BY_NAME, Problem, problem, problems
+from axiderive.emit import in_print
 from axiderive.emit.blocks import rows_of
 from axiderive.emit.readback import front
 from axiderive.emit.readback.borders import Place, misplaced, places_of
 from axiderive.emit.readback.compare import residuals, worst_residual
 from axiderive.emit.readback.front import Reading
 from axiderive.emit.rows import Region, Row
+from axiderive.emit.special import HOSTS
 from axiderive.emit.spread import pool_of
 from axiderive.entry import Entry
 from axiderive.work import read_entries
@@ -24,6 +26,8 @@ CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 HANDBOOK = CATALOGUE / "handbook"
 KEYS = tuple(p.key for p in problems())
 PROFILES = tuple(dict.fromkeys(p.profile_id for p in problems()))
+PRINTED = tuple(name for name in PROFILES if name not in HOSTS)
+"""Profiles with an entry of their own in print."""
 SEED = 29
 
 
@@ -49,9 +53,15 @@ def base_of(own: Problem) -> str:
 
 @cache
 def rows(key: str) -> list[Row]:
-    """The rows of a problem as they are printed."""
+    """All rows of a problem, as the web edition shows them."""
     own = problem(key)
     return rows_of(own.system, stored(key), {k: stored(k) for k in (base_of(own), key)}, own.name)
+
+
+@cache
+def printed(key: str) -> list[Row]:
+    """The rows of a problem that stand in the book, those that are said by a rule marked as listed."""
+    return in_print.printed(problem(key).system, rows(key))
 
 
 def residual(key: str, one: Row, count: int = 1, seed: int = SEED) -> Any:

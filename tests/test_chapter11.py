@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import inspect
+import json
+import re
 import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,6 +14,7 @@ from typing import Any
 import mpmath as mp
 import pytest
 from selected import few
+from stored_book import CATALOGUE
 
 from axiderive import cli
 from axiderive.chapter11 import runner
@@ -19,6 +22,7 @@ from axiderive.chapter11.draw import Draw
 from axiderive.chapter11.equation import Formula
 from axiderive.chapter11.errata import REMARKS, agreement, errata
 from axiderive.chapter11.first_principles import Step, steps
+from axiderive.emit.transcribed import NAMES, typeset
 
 MISPRINTED = {66, 88, 102, 106, 110}
 DIGITS = 30
@@ -204,3 +208,26 @@ def test_first_principles(step: Step) -> None:
     """Exact, and not because everything is taken to vanish."""
     assert step.holds()
     assert not replace(step, right=3 * step.right + 1).holds()
+
+
+def test_what_is_set_of_the_chapter_is_what_was_transcribed() -> None:
+    """Every text goes back to its transcription, blanks, brackets and braces apart."""
+    record = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())
+    texts = [row["title"] for row in record["rows"]] + [step["claim"] for step in record["steps"]]
+    texts += [text for erratum in record["errata"] for text in erratum.values()]
+    for text in texts:
+        assert _bare(_untyped(typeset(text))) == _bare(text)
+    assert sum(r"\(" in typeset(text) for text in texts) > 80
+    assert typeset("a radius r <= a, a^2") == r"a radius \(r \le a\), \(a^{2}\)"
+
+
+def _untyped(tex: str) -> str:
+    tex = tex.replace(r"\sqrt", "sqrt").replace(r"\int", "int").replace(r"\pm", "+-").replace(r"\,", "", 0)
+    tex = tex.replace(r"\lvert ", "abs(").replace(r"\rvert", ")").replace("--", "-")
+    for name, printed in sorted(NAMES.items(), key=lambda item: -len(item[1])):
+        tex = tex.replace(printed, name)
+    return tex.replace(r"\,", "").replace(r"\(", "").replace(r"\)", "")
+
+
+def _bare(text: str) -> str:
+    return re.sub(r"[\s(){}]", "", text)

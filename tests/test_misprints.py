@@ -9,9 +9,10 @@ from collections import Counter
 import mpmath as mp
 import pytest
 from misprints import KINDS, misprints
-from stored_book import KEYS, changed, differs, front_readings, rows
+from stored_book import KEYS, changed, differs, front_readings, printed, rows
 
 from axiderive.contact.systems import SYSTEMS, problem
+from axiderive.emit.rows import Row
 
 READ_BACK = mp.mpf(10) ** -20
 NOT_A_NUMBER = (
@@ -31,6 +32,24 @@ def _survives(key: str, row: int, region: int, tex: str, count: int, seed: int) 
         return not differs(key, changed(one, one.regions[region], tex), READ_BACK, count, seed)
     except NOT_A_NUMBER:
         return False
+
+
+def _joined(key: str) -> list[Row]:
+    return [one for one in printed(key) if one.parts]
+
+
+@pytest.mark.parametrize("key", ["sphere", "rounded_punch", "cone.adh", "paraboloid.fgm.adh"])
+def test_a_misprint_of_a_row_of_several_formulas_does_not_survive(key: str) -> None:
+    rng = random.Random(f"several {key}")
+    tried = 0
+    for one in _joined(key):
+        for _, tex in itertools.islice(misprints(one.regions[0].tex, rng), 5):
+            tried += 1
+            try:
+                assert differs(key, changed(one, one.regions[0], tex), READ_BACK, 1, 29), tex
+            except NOT_A_NUMBER:
+                continue
+    assert tried >= 8
 
 
 def _tried(keys: list[str], wanted: int, rng: random.Random) -> list[tuple[str, int, int, str, str]]:

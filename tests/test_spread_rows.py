@@ -94,14 +94,11 @@ def test_further_rows_stand_in_their_blocks() -> None:
     derived = {key: stored(key) for key in ("power_law", "power_law.adh")}
     found = blocks("power_law", derived, {}, {"power_law": evidence("power_law")})
     labels = [[re.sub(r"\\hyperref\[.*?\]|[{}]", "", row["label"]) for row in line] for line in found["normal"].further]
-    assert labels == [
-        ["Evaluated as"], ["Evaluated as"], ["Edge", "Far field"], ["Axis"], ["Cone", "Paraboloid"],
-        ["Quartic profile", "Sextic profile"],
-    ]  # fmt: skip
+    assert labels == [["Axis"]]  # the special cases stand in a table
+    assert [row["label"] for row in found["normal"].approached if row.get("ruled")][:2] == ["Edge", "Far field"]
     assert [row["label"] for line in found["adhesive"].further for row in line] == [
-        "Evaluated as", "Solved for $s$", "Solved for $s$", "Universal curve",
-    ]  # fmt: skip
-    assert found["tangential"].further == []  # was not asked for
+        "Universal curve",
+    ]
 
 
 def test_measured_errors_stand_beside_the_evidence() -> None:

@@ -62,6 +62,10 @@ class Approach:
                 return printed
         return ""
 
+    def is_named(self, printed: str) -> bool:
+        """Whether the formula stands there by the name of another row, as it does for every profile."""
+        return bool(self.named) and printed == rf"{self.left}\to {self.named}"
+
     def on_the_way(self, values: Mapping[Any, Any], distance: sp.Expr = DISTANCE) -> dict[Any, Any]:
         """The values with those that move put at a distance from the end."""
         at = dict(values)
@@ -135,6 +139,7 @@ def approach_row(
             "small": f"${small}$",
             "tex": GAP.join(texts),
             "remark": "",
+            "ruled": name == "far-field" or all(map(Approach.is_named, kept, texts)),
             "checks": [part.check | {"tex": text} for part, text in zip(kept, texts, strict=True)],
         }
     ]

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..entry import Entry
-from .naming import PREFIXES
-from .rows import Row, row
+from .rows import LETTER, Row, row
 from .width import width
 
 HALF = 122.0
 """Points for the formula of half a row, beside a key of two letters."""
-LETTER = 3.3
-"""Points of a letter of the key."""
 
 
 ORDER = (
@@ -24,7 +21,7 @@ ORDER = (
 
 def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
     """Rows in printing order: depth and force first, fields last, two narrow ones on one line."""
-    narrow = [one for one in rows if one.narrow and _half(one)]
+    narrow = [one for one in rows if one.narrow and fits_half(one)]
     if not {"d", "F"} <= {one.suffix for one in narrow}:
         narrow = [one for one in narrow if one.suffix not in ("d", "F")]
     wide = [one for one in rows if one not in narrow]
@@ -37,13 +34,12 @@ def _place(one: Row, wide: bool) -> float:
     return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
 
 
-def _half(one: Row) -> bool:
+def fits_half(one: Row) -> bool:
+    """Whether a formula takes half a line with the words and the key behind it."""
     parts = one.remark.split("$")
     remark = sum(0.84 * width(part) if i % 2 else 3.7 * len(part) for i, part in enumerate(parts))
     behind = 12 + remark + (12 if one.uses else 0) if one.remark else 0
-    first, *ends = one.key.split(".")
-    key = ".".join(ends[1:] if first in PREFIXES else ends)
-    return one.regions[0].width + behind + LETTER * max(0, len(key) - 2) <= HALF
+    return one.regions[0].width + behind + LETTER * max(0, len(one.ends) - 2) <= HALF
 
 
 def ordered(entries: Mapping[str, Entry]) -> list[Row]:

@@ -11,17 +11,13 @@ from ..entry import Entry
 from . import laws
 from .approaches import approach_rows
 from .arrangement import lines, ordered
-from .evaluated import evaluation_rows
-from .evaluated_adhesive import adhesive_rows
-from .evaluated_fields import field_rows
-from .evaluated_graded import pressure_rows
-from .evaluated_inverses import graded_rows, inverse_rows
-from .evaluated_plane import plane_rows
-from .evaluated_slip import slip_rows
+from .in_print import printed as in_print
 from .limits import limit_rows
 from .prose import prose
 from .reductions import reduction_rows
 from .rows import Row
+from .special import HOSTS
+from .superposition import sum_rows
 from .universal import universal_rows
 
 TITLES = {
@@ -60,10 +56,12 @@ class Block:
     lines: list[list[dict[str, Any]]]
     listed: list[str]
     """Ends of the keys whose rule stands in front of the book."""
+    further: list[list[dict[str, Any]]] = field(default_factory=list)
+    """Lines of rows without a key: approaches, limits, the universal curve."""
+    approached: list[dict[str, Any]] = field(default_factory=list)
+    """All of them, with those that a rule in front of the book says for every profile."""
     words: str = ""
     """In place of rows: why there are none."""
-    further: list[list[dict[str, Any]]] = field(default_factory=list)
-    """Lines of rows without a key: evaluation forms, limits, the universal curve."""
 
 
 def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
@@ -86,7 +84,7 @@ def printed(one: Row, profile_id: str) -> dict[str, Any]:
         "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
         "suffix": ending(one.entry, profile_id),
         "also": [ending(entry, profile_id) for entry in one.also],
-        "shown": ", ".join([ending(one.entry, profile_id), *(e.suffix.partition("_")[2] for e in one.also)]),
+        "shown": one.ends,
         "label": label,
         "small": small,
         "regions": [{"condition": r.condition, "tex": r.tex, "remark": r.remark} for r in one.regions],
@@ -124,10 +122,9 @@ def blocks(
             continue
         problem = Problem(system, name)
         if problem.key in derived:
-            rows = rows_of(system, derived[problem.key], derived, problem.name)
-            found[system.name] = _block(system, profile_id, rows, heading(system, derived[problem.key]))
+            rows = in_print(system, rows_of(system, derived[problem.key], derived, problem.name))
             further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
-            found[system.name].further.extend(halved(further))
+            found[system.name] = _block(system, profile_id, rows, further, heading(system, derived[problem.key]))
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found
@@ -136,40 +133,31 @@ def blocks(
 def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
-    """Rows that follow from those of the problem: evaluation forms, limits as checked, adhesive power-law curves."""
+    """Rows that follow from those of the problem: approaches, limits as checked, adhesive power-law curves."""
     system, entries = problem.system.name, derived[problem.key]
     if system == "normal":
         return [
-            *evaluations(problem, entries, evidence),
-            *inverse_rows(problem.profile, entries),
+            *sum_rows(problem.name),
             *approach_rows(problem.profile, entries),
-            *limit_rows(problem.profile, entries, evidence),
-            *reduction_rows(problem.profile, entries),
+            *_limits(
+                problem, [*limit_rows(problem.profile, entries, evidence), *reduction_rows(problem.profile, entries)]
+            ),
         ]
     if system in ("plane", "loads"):
         return [
-            *evaluations(problem, entries, evidence),
             *approach_rows(problem.profile, entries),
-            *reduction_rows(problem.profile, entries),
+            *_limits(problem, reduction_rows(problem.profile, entries)),
         ]
+    if not system.endswith("adhesive") or "Fc" not in entries:
+        return []
     graded = system.startswith("graded")
     plain = derived.get(Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name).key, {})
-    if problem.profile.contact != "compact" or "d" not in plain:
-        return []
-    if system.endswith("adhesive"):
-        found = adhesive_rows(problem.key, plain, graded)
-        return [*found, *(universal_rows(problem.key, plain["d"], graded) if "Fc" in entries else [])]
-    if system.endswith("tangential"):
-        return slip_rows(problem.key, plain, graded)
-    return [*pressure_rows(problem.key, plain), *graded_rows(problem.key, plain)] if system == "graded.normal" else []
+    return universal_rows(problem.key, plain["d"], graded) if "d" in plain else []
 
 
-def evaluations(problem: Problem, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """How the generated functions of a problem compute what the rows above say, where that is another formula."""
-    if problem.system.name == "plane":
-        return plane_rows(problem.profile, entries)
-    found = evaluation_rows(problem.profile, entries, evidence) if problem.system.name == "normal" else []
-    return [*found, *field_rows(problem.profile, entries)]
+def _limits(problem: Problem, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The limits; those of a profile whose special cases stand in its entry are said there."""
+    return [one | {"ruled": True} for one in rows] if problem.profile_id in HOSTS.values() else rows
 
 
 def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
@@ -196,7 +184,7 @@ def _reason(message: str) -> str:
 
 def _silent(system: System, words: str) -> Block:
     title, _ = TITLES[system.name]
-    return Block(title, "", [], [], words)
+    return Block(title, "", [], [], words=words)
 
 
 def rows_of(
@@ -208,11 +196,15 @@ def rows_of(
     return laws.rows(entries, derived[Problem(BY_NAME["normal"], name).key])
 
 
-def _block(system: System, profile_id: str, rows: list[Row], head: tuple[str, str]) -> Block:
+def _block(
+    system: System, profile_id: str, rows: list[Row], further: list[dict[str, Any]], head: tuple[str, str]
+) -> Block:
     shown = [one for one in rows if not one.listed]
     pairs = [(one,) for one in shown] if system.name == "viscoelastic" else lines(shown)
     return Block(
         *head,
         [[printed(one, profile_id) for one in pair] for pair in pairs],
-        [ending(one.entry, profile_id) for one in rows if one.listed],
+        [ending(entry, profile_id) for one in rows if one.listed for entry in (one.entry, *one.also)],
+        halved([one for one in further if not one.get("ruled")]),
+        further,
     )

@@ -47,7 +47,11 @@ def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
         "front": front,
         "back": back,
         "chapters": [
-            (members[0]["chapter"], title, [(m["number"], m["title"], f"sec:{m['name']}") for m in members])
+            (
+                members[0]["chapter"],
+                title,
+                [(m["number"], m["title"], f"sec:{m['name']}") for m in members if not m["host"]],
+            )
             for title, members in chapters
         ],
     }

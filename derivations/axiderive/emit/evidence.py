@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from ..entry import Entry
-from .approach import DECADES
 from .prose import prose
 
 
@@ -53,16 +52,28 @@ def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, An
     }
 
 
-def approach_summary(lines: Sequence[Sequence[Mapping[str, Any]]]) -> dict[str, int]:
-    """How many limits were compared with their entries close to them: least digits, all points."""
-    checks = [check for line in lines for row in line for check in row.get("checks", ())]
-    if not checks:
-        return {}
+def summary(own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]) -> dict[str, int] | None:
+    """The evidence of a profile in numbers: formulas, those proved, roots, integrals, the fewest digits that agreed.
+
+    None where a formula is not recorded, or agreed with nothing.
+    """
+    recorded = [
+        (entry, evidence.get(key, {}).get("entries", {}).get(suffix, {}))
+        for key, entries in own.items()
+        for suffix, entry in entries.items()
+    ]
+    digits = [
+        [c["digits"] for c in r.get("checks", ()) if c["outcome"] == "passed" and c.get("digits")] for _, r in recorded
+    ]
+    if not all(digits):
+        return None
+    others = [entry.status for entry, record in recorded if not record.get("certified")]
     return {
-        "formulas": len(checks),
-        "digits": min(check["digits"] for check in checks),
-        "points": sum(check["count"] for check in checks),
-        "distance": DECADES,
+        "formulas": len(recorded),
+        "proved": len(recorded) - len(others),
+        "digits": min(map(min, digits)),
+        "roots": others.count("root"),
+        "integrals": others.count("integral"),
     }
 
 

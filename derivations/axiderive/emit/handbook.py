@@ -17,8 +17,7 @@ from ..cache import digest
 from ..contact.systems import profile_ids
 from ..entry import Entry
 from ..profiles import COMPLETE_NAMES
-from . import book, references, spread
-from .study.timing import timing
+from . import book, references, special, spread
 from .width import width
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -55,10 +54,10 @@ def handbook_sources(
     """
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")
-    measured = (studies or {}).get("error")
     files = {
-        f"profiles/{name}.tex": template.render(model, timing=measured and timing(measured, ruled(model)))
+        f"profiles/{name}.tex": template.render(model, hosted=[models[i] for i in special.hosted(name) if i in models])
         for name, model in models.items()
+        if not model["host"]
     }
     return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
 
@@ -85,12 +84,12 @@ def ruled(model: Model) -> list[str]:
 
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:
-    """What was checked of the limits that a spread prints: key, formula, digits and points."""
-    lines = model["blocks"][system]["further"] if system in model["blocks"] else []
-    return [check for line in lines for row in line for check in row.get("checks", ())]
+    """What was checked of the limits of a contact: key, formula, digits and points."""
+    rows = model["blocks"][system]["approached"] if system in model["blocks"] else []
+    return [check for row in rows for check in row.get("checks", ())]
 
 
-SUMMARISED = ("name", "title", "number", "chapter", "keys", "symbols", "master_row", "coverage")
+SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "master_row", "coverage")
 """What the main file needs of a profile; plain data that can be sent between processes."""
 
 
@@ -124,14 +123,14 @@ def book_sources(
 
 
 def numbered(ids: Sequence[str]) -> dict[str, str]:
-    """Section numbers, counted within the chapters of `book.CHAPTERS`."""
+    """Section numbers, counted within the chapters of `book.CHAPTERS`; a special case has that of its host."""
     counts = [0] * len(book.CHAPTERS)
     found = {}
-    for profile_id in ids:
+    for profile_id in (i for i in ids if special.HOSTS.get(i) not in ids):
         chapter = _chapter(profile_id)
         counts[chapter] += 1
         found[profile_id] = f"{chapter + 1}.{counts[chapter]}"
-    return found
+    return {i: found[special.HOSTS[i] if special.HOSTS.get(i) in ids else i] for i in ids}
 
 
 def _chapter(profile_id: str) -> int:

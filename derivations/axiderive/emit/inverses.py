@@ -24,10 +24,11 @@ from ..stable.slopes import ROOT
 from .code import python
 from .compact import Compact
 from .growth import QUANTITY, exponents, powers, start, tip_exponent
-from .places import PLACES
 from .private import Private
 from .waves import wave_lines
 
+BEYOND, BELOW = "{0} * np.sqrt(1.0 + t * t), {0} * t", "{0} * np.tanh(t), {0} / np.cosh(t)"
+"""A radius and its root over the unknown, exact next to a flat face or a break, and to an end of the profile."""
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
 
 
@@ -125,13 +126,13 @@ class Inverses:
         slope = self.compact.slopes["beyond" if self.profile.truncated else "tip"][0]
         if self.profile.truncated:
             b = str(self.compact.b)
-            place = PLACES["beyond"].code.format(b)
+            place = BEYOND.format(b)
             scale = f"{python(HOMOGENEOUS.stiffness() / a)} * root * root" if suffix == "aF" else "root * root / a"
             rate = f"{scale} * {slope.call('a', 'root')}"
             needs = {b}
         else:
             R = str(self.compact.scale("tip")[1])
-            place = PLACES["below"].code.format(R)
+            place = BELOW.format(R)
             scale = f"{python(HOMOGENEOUS.stiffness())} * t" if suffix == "aF" else "t"
             rate = f"{scale} * root * root / {R} * {slope.call('a', 'root')}"
             needs = {R}

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -13,7 +12,6 @@ from ..contact import viscoelastic
 from ..entry import Entry
 from ..notation import E_star, d, time, v
 from .arrangement import HALF
-from .evaluated_ramps import ramp_rows
 from .naming import LEFT
 from .printer import Printer
 from .rows import Region, Row
@@ -37,8 +35,6 @@ class LawText:
     relaxation: str
     creep: str
     ramp: str
-    evaluated: tuple[dict[str, Any], ...] = ()
-    """How the ramp is evaluated, where that is another formula."""
 
     @property
     def paired(self) -> bool:
@@ -68,7 +64,6 @@ def _law(law: viscoelastic.Law) -> LawText:
         f"J(t)={printer(law.creep)}",
         # E_1 and the index of 1F1 behind it are read as one without more space
         rf"\Phi_{{m}}(t)={printer(law.ramp)}".replace(r"\, {}_{1}", r"\,\, {}_{1}"),
-        tuple(ramp_rows(law)),
     )
 
 

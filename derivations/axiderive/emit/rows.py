@@ -12,7 +12,7 @@ from ..contact.systems import BODIES
 from ..entry import Entry
 from ..notation import a_c, c
 from .height import brackets_around, size_around
-from .naming import LEFT, label_of, left_of, system_of
+from .naming import LEFT, PREFIXES, label_of, left_of, system_of
 from .printer import Printer
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import radius_name, rule
@@ -20,7 +20,9 @@ from .shorthand import LINE, Short, shortened, with_kappa
 from .tidied import tidied
 from .width import width
 
-Kind = Literal["formula", "root", "composition", "rule", "definition"]
+LETTER = 3.3
+"""Points of a letter of the key."""
+Kind = Literal["formula", "root", "composition", "rule", "definition", "joined"]
 INDENT = r"\enspace\enspace "
 EXPLICIT = 250.0
 """Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
@@ -34,6 +36,8 @@ class Region:
     lines: tuple[str, ...]
     remark: str = ""
     """Words that lead from this formula to that of the next range."""
+    points: float = 0.0
+    """Its width where it is several formulas."""
 
     @property
     def tex(self) -> str:
@@ -43,7 +47,7 @@ class Region:
 
     @property
     def width(self) -> float:
-        return max(map(width, self.lines))
+        return self.points or max(map(width, self.lines))
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,11 @@ class Row:
     listed: bool = False
     """Whether the spread names the key only, because the rule stands in front of the book for all profiles."""
     also: tuple[Entry, ...] = ()
-    """Further entries that the same row gives, one for every viscoelastic law."""
+    """Further entries that the same row gives, one for every viscoelastic law, or one for every part."""
+    parts: tuple[Row, ...] = ()
+    """The rows whose formulas stand side by side in this one."""
+    title: tuple[str, str] | None = None
+    """Label and words of a row of several parts."""
 
     @property
     def key(self) -> str:
@@ -71,9 +79,16 @@ class Row:
         return self.entry.suffix
 
     @property
+    def ends(self) -> str:
+        """The keys as they stand behind the formula, without the profile: adh.ac, Fc, dc."""
+        first, *ends = self.key.split(".")
+        own = ".".join(ends[1:] if first in PREFIXES else ends)
+        return ", ".join([own, *(entry.suffix.partition("_")[2] or entry.suffix for entry in self.also)])
+
+    @property
     def label(self) -> tuple[str, str]:
         """Label and the grey words under it: Contact radius, from force."""
-        return label_of(self.suffix, self.entry.quantity.label)
+        return self.title or label_of(self.suffix, self.entry.quantity.label)
 
     @property
     def narrow(self) -> bool:

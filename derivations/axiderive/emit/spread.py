@@ -10,7 +10,7 @@ from ..contact.systems import POOLS, SYSTEMS, Pool, Problem
 from ..entry import Entry
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import blocks, front, matrix, page, references
+from . import blocks, front, matrix, page, references, special
 from . import evidence as proven
 from .curves import curves
 from .given import axes_of
@@ -63,14 +63,18 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
-        "approached": proven.approach_summary([line for block in shown.values() for line in block.further]),
+        "proved": proven.summary(own, evidence),
         "uncertified": proven.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
+        "shown": [row["suffix"] for block in shown.values() for line in block.lines for row in line]
+        + [end for block in shown.values() for line in block.lines for row in line for end in row["also"]],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
+        "special": special.tables(profile_id),
+        "host": special.HOSTS.get(profile_id, ""),
         "status": _status(profile_id, own, evidence),
         "coverage": matrix.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
         **_figures(profile_id, profile, main, derived),

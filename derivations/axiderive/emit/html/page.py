@@ -168,7 +168,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         source = modules[problem.module]
         known = Known(problem, records, agreed, signatures(source), examples(source))
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
-        further = _apart([_further(one, model["name"]) for line in block["further"] for one in line])
+        further = _apart([_further(one, model["name"]) for one in block["approached"]])
         shown = [known.row(one) for one in rows]
         sections.append(Section(anchor, title, note, shown, further=further, figures=drawn.get(name, ())))
     return {**model, "sections": sections, "sketch": sketch(model)}

@@ -36,10 +36,10 @@ class Place:
     parts: tuple[bool, ...] = ()
 
 
-def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place], partial: bool = False) -> Iterator[str]:
+def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) -> Iterator[str]:
     """Complaints about printed ranges that do not tell the cases of an entry apart as the cases are defined.
 
-    Every case belongs to one range, with `partial` to one at most, and no range holds outside of the cases.
+    Every case belongs to one range, and no range holds outside of the cases.
     """
     if conditions == [""]:
         return
@@ -48,7 +48,7 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place], 
         env = {name: mp.mpf(value) for name, value in _names(place.values)}
         found = tuple(holds(condition, env) for condition in conditions)
         wanted = known.setdefault((place.case, place.parts), found)
-        if found != wanted or sum(found) > 1 or (place.case is not None and not partial and not any(found)):
+        if found != wanted or sum(found) > 1 or (place.case is not None and not any(found)):
             where = "outside" if place.case is None else f"in case {place.case + 1}"
             yield f"{entry.key}: {conditions} hold as {found} {where}, at {place.values}"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import mpmath as mp
@@ -13,6 +14,7 @@ from ...entry import Case, Entry
 from ...proof.evaluate import case_at, decades, evaluate
 from ...proof.shape import number
 from .. import laws
+from ..in_print import texts_of
 from ..naming import system_of
 from ..rows import Row, row
 from ..values import evaluated
@@ -46,12 +48,22 @@ def worst_residual(one: Row, entries: Entries, count: int = 3, seed: int = 17, b
 def residuals(one: Row, entries: Entries, count: int = 3, seed: int = 17, base: Entries | None = None) -> Iterator[Any]:
     """The relative differences one after the other."""
     base = entries if base is None else base
+    if one.parts:
+        yield from _parts(one, entries, count, seed, base)
+        return
     printed = Printed(entries, base)
     for entry in (one.entry, *one.also):
         for case, values in points_of(entry, one.kind, entries, count, seed):
             # a displacement far outside leaves a^7/r of terms of the size of r^5 a
             with mp.workdps(INTEGRATING if integrates(one, base) else WORKING + 10 * decades(values)):
                 yield from _compared(one, entry, printed, case, values)
+
+
+def _parts(one: Row, entries: Entries, count: int, seed: int, base: Entries) -> Iterator[Any]:
+    """Every formula of a row of several as the row of its own that it stands for."""
+    for part, text in zip(one.parts, texts_of(one.regions[0].tex), strict=True):
+        own = replace(part, regions=(replace(part.regions[0], lines=(text,)),))
+        yield from residuals(own, entries, count, seed, base)
 
 
 def integrates(one: Row, base: Entries) -> bool:

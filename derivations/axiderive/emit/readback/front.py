@@ -202,7 +202,6 @@ def laws_of_materials() -> list[Reading]:
             want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
             found.append(Reading(f"law: {text.name}", tex, against(env, want, name.replace("()", "(t)"))))
         # what is used early holds at any time, and at this one a misprint of what is used late shows
-        found += [Reading(f"law: {text.name}, evaluated", one["tex"], found[-1].residual) for one in text.evaluated]
     return found
 
 

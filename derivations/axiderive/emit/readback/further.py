@@ -1,4 +1,4 @@
-r"""Rows without a key of their own in the compiled source: evaluation forms, limits, universal curves.
+r"""Rows without a key of their own in the compiled source: limits and universal curves.
 
 Which entries they are about stands in the comment above them: `%% limit cone.d`.
 """
@@ -6,7 +6,7 @@ Which entries they are about stands in the comment above them: `%% limit cone.d`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,24 +14,26 @@ import mpmath as mp
 import sympy as sp
 
 from ... import notation as nt
+from ...entry import Entry
 from ...proof.evaluate import case_at, evaluate
 from ...proof.unevaluated import evaluate_case
 from .compare import DIGITS, difference
-from .evaluations import as_named, evaluation_differs
-from .exact import Stored
 from .grammar import read
+from .left import bound, name_of
 from .nodes import Node
 from .points import points_of
 from .printed import name_in_print, named
-from .source import arguments, without_remark
+from .source import GAP as LINES
+from .source import OPENING, arguments, without_remark
 from .statements import CLOSE
-from .unknowns import correction_differs, unknown_differs
 
+Stored = Callable[[str], Mapping[str, Entry]]
+"""The entries of a problem by its key."""
 GAP = r",\enspace "
 NEAR = sp.Rational(1, 10**60)
 """How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
-KINDS = ("evaluation", "limit", "universal", "solved", "corrected")
-"""Kinds that are read here; approaches to an end, rules and slopes of an integral have readers of their own."""
+KINDS = ("limit", "universal", "sum")
+"""Kinds that are read here; approaches to an end have a reader of their own."""
 ENDS = {
     "edge": (r"r\to a", r"x\to a"), "far-field": (r"r\to\infty", r"x\to\infty"), "axis": (r"r\to 0",),
     "middle": (r"x\to 0", r"r\to 0"), "small-contact": (r"a\to 0",), "onset": (r"a\to b",),
@@ -66,11 +68,7 @@ def further(text: str) -> Iterator[Further]:
 
 def wrong(one: Further, stored: Stored) -> bool:
     """Whether a row says something else than the entries it is about."""
-    readers = {
-        "evaluation": evaluation_differs, "limit": _limit, "universal": _universal, "solved": unknown_differs,
-        "corrected": correction_differs,
-    }  # fmt: skip
-    return readers[one.kind](one, stored)
+    return {"limit": _limit, "universal": _universal, "sum": _sum}[one.kind](one, stored)
 
 
 def _limit(one: Further, stored: Stored) -> bool:
@@ -112,7 +110,8 @@ def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, store
             want = evaluate_case(case, at, DIGITS)
             # a printed limit is a formula of the simpler profile, which does not know the symbol
             env = {name: number for name, number in named(at).items() if name != name_in_print(symbol)}
-            own = as_named(entry, want, env)
+            own = bound(name_of(entry), want, env)
+            own = bound("g(a)", want, own) if suffix == "d" else own
             try:
                 tested.append(all(difference(read(text)[0].members[0](own), want) <= CLOSE for text in (left, right)))
             except ValueError:  # a root of the case that does not hold here
@@ -149,3 +148,38 @@ def _universal(one: Further, stored: Stored) -> bool:
 def _unequal(members: Sequence[Node], env: Mapping[str, Any]) -> bool:
     first, *others = [member(env) for member in members]
     return not others or any(abs(other - first) > CLOSE * (1 + abs(first)) for other in others)
+
+
+_PART = re.compile(r"\\text\{(plus |minus )?\\hyperref\[sec:(\w+)\]\{[^}]*\}, page~\\pageref\{sec:(\w+)\}, with \}(.*)")
+
+
+def _sum(one: Further, stored: Stored) -> bool:
+    """Whether the parts that are named do not add to the entries at equal contact radius."""
+    lines = one.tex.removeprefix(OPENING).removesuffix(r"\end{aligned}").split(LINES)
+    parts = [match.groups() for match in map(_PART.fullmatch, lines) if match]
+    if len(parts) != len(lines) or any(name != page for _, name, page, _ in parts):
+        return True
+    profile = one.keys[0].rpartition(".")[0]
+    entries = stored(profile)
+    for suffix in (key.rpartition(".")[2] for key in one.keys):
+        for case, values in points_of(entries[suffix], "formula", entries, 1, 13):
+            with mp.workdps(2 * DIGITS):
+                want = evaluate(case.expr, values, DIGITS)
+                if difference(sum(_share(part, suffix, values, stored) for part in parts), want) > CLOSE:
+                    return True
+    return False
+
+
+def _share(part: Sequence[str], suffix: str, values: Mapping[Any, Any], stored: Stored) -> Any:
+    """What a part adds to a quantity; nothing while its flat face is not pressed in."""
+    sign, name, _, text = part
+    entry = stored(name)[suffix]
+    own = {name_in_print(symbol): symbol for symbol in entry.profile.parameters}
+    given = {}
+    for statement in read(text):
+        given[own[statement.members[0].name]] = sp.Float(str(statement.members[1](named(values))), 2 * DIGITS)
+    known = {**values, **given}
+    if entry.profile.truncated and known[nt.a] < known[nt.b]:
+        return 0
+    value = evaluate(case_at(entry, known).expr, known, DIGITS)
+    return -value if sign == "minus " else value

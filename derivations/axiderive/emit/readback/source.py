@@ -12,7 +12,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-Kind = Literal["row", "definition", "function", "cell", "panel", "slope", "further"]
+Kind = Literal["row", "definition", "function", "cell", "panel", "slope", "further", "special"]
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,9 @@ def formulas(text: str) -> list[Formula]:
     found += [Formula("slope", tex) for tex in _SLOPE.findall(text)]
     for line in text.splitlines():
         label, _, content = line.strip().partition(" & ")
-        if line.startswith(r"\hyperref[sec:"):
+        if label.isdecimal() and r" & $\displaystyle " in content:
+            found += [Formula("special", tex, label) for tex in _CELL.findall(line)]
+        elif line.startswith(r"\hyperref[sec:"):
             found += [Formula("cell", tex) for tex in _CELL.findall(line)]
         elif label in ("Profile", "Pressure"):
             found += [Formula("panel", tex) for tex in _SHAPE.findall(content)]

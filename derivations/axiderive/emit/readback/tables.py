@@ -1,4 +1,4 @@
-"""Tables of check values and worked examples of the compiled source, each number with what it has to be."""
+"""Check values, worked examples and the line on the evidence in the compiled source, with what they have to be."""
 
 from __future__ import annotations
 
@@ -27,6 +27,41 @@ _LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$
 WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
 SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
+
+
+_PROVED = re.compile(
+    r"\\textcolor\{note\}\{Evidence:\}\\enspace(\d+) of (\d+) formulas? proved; [\w ]+ to at least (\d+) digits"
+    r"(?:; (\d+) (?:is the root of an equation|are roots of equations))?(?:; (\d+) (?:is an integral|are integrals))?"
+    r"\. All of it: \\href\{html/([\w.]+)\.html\}"
+)
+
+
+@dataclass(frozen=True)
+class Proved:
+    """What the line on the evidence of a spread states, and the page it names."""
+
+    proved: int
+    formulas: int
+    digits: int
+    roots: int
+    integrals: int
+    page: str
+
+
+def proved(text: str) -> Proved:
+    """The line on the evidence of a spread, from its source.
+
+    Raises
+    ------
+    LookupError
+        If the spread has none.
+    """
+    match = _PROVED.search(text)
+    if match is None:
+        message = "no line on the evidence"
+        raise LookupError(message)
+    *numbers, page = match.groups(default="0")
+    return Proved(*map(int, numbers), page)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""What a spread says of error against run time, read back from its source against the rows that were measured."""
+"""What a page of the web edition says of error against run time, read back against the rows that were measured."""
 
 from __future__ import annotations
 

@@ -1,0 +1,108 @@
+"""Profiles that are a special case of another one: in print they stand in its entry, with their keys as anchors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from .. import notation as nt
+from ..contact.systems import problem
+from ..entry import Entry
+from ..notation import E_star, L, R, a, h, n, r, theta, x
+from .printer import Printer
+from .prose import prose
+
+HOSTS = {
+    "quartic": "power_law", "sextic": "power_law", "sphere": "ellipsoid",
+    "concave_paraboloid": "concave_power", "concave_quartic": "concave_power",
+    "plane.quartic": "plane.power_law", "plane.sextic": "plane.power_law",
+    "plane.concave_parabola": "plane.concave_power", "plane.concave_quartic": "plane.concave_power",
+}  # fmt: skip
+"""The profile whose entry holds that of the special case."""
+MEMBERS: dict[str, dict[int, str]] = {
+    "power_law": {1: "cone", 2: "paraboloid", 3: "", 4: "quartic", 6: "sextic"},
+    "plane.power_law": {1: "plane.wedge", 2: "plane.parabola", 3: "", 4: "plane.quartic", 6: "plane.sextic"},
+    "concave_power": {2: "concave_paraboloid", 4: "concave_quartic"},
+    "plane.concave_power": {2: "plane.concave_parabola", 4: "plane.concave_quartic"},
+}
+"""Profile of each power n; none where the formulas follow from those of the host."""
+COLUMNS = {
+    "power_law": (("d", "F", "aF", "p"), ("w",)),
+    "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
+    "concave_power": (("F", "dmin", "Fmin", "rz", "p"), ("w",)),
+    "plane.concave_power": (("Pmin", "xz", "p", "s"), ("d",)),
+}
+"""What each of the two tables of a host gives."""
+UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}
+"""Units in which a profile is r^n or -r^n; that of length is a, where the formula has it."""
+NAMES = {
+    "d": "g(a)", "F": r"F_{\mathrm N}", "aF": "a", "p": "p(r)", "w": "w(r)", "P": "P", "aP": "a",
+    "s": r"\mathrm dw/\mathrm dx", "dmin": r"d_{\min}", "Fmin": r"F_{\min}", "rz": "r_0", "xz": "x_0",
+    "Pmin": r"P_{\min}",
+}  # fmt: skip
+"""Heads of the columns."""
+
+
+def hosted(host: str) -> list[str]:
+    """The special cases that stand in the entry of a profile."""
+    return [name for name, own in HOSTS.items() if own == host]
+
+
+def cubic(place: sp.Symbol) -> dict[str, sp.Expr]:
+    """Formulas of n = 3 in which the incomplete Beta functions of the power law are elementary."""
+    inside, outside = sp.sqrt(1 - place**2), sp.sqrt(place**2 - 1)
+    line = place**2 * sp.acosh(1 / place) + inside
+    if place == x:
+        far = sp.sqrt(L**2 - 1)
+        return {
+            "p": 3 * line / sp.pi,
+            "s": -6 * (place**2 * sp.asin(1 / place) - outside) / sp.pi,
+            "d": (4 * sp.acosh(L) + 2 * L**3 * sp.asin(1 / L) - 2 * L * far) / sp.pi,
+        }
+    return {
+        "p": sp.Rational(9, 8) * line,
+        "w": sp.Rational(3, 2) * sp.asin(1 / place) + (place**2 + sp.S.Half) * outside - place**3,
+    }
+
+
+def tables(host: str) -> list[dict[str, Any]]:
+    """The two tables of a profile: heads, and for every power the profile of its own and the cells."""
+    if host not in MEMBERS:
+        return []
+    return [
+        {
+            "heads": [_head(suffix, host.startswith("plane.")) for suffix in suffixes],
+            "suffixes": suffixes,
+            "rows": [_row(host, power, name, suffixes) for power, name in MEMBERS[host].items()],
+        }
+        for suffixes in COLUMNS[host]
+    ]
+
+
+def _head(suffix: str, in_plane: bool) -> str:
+    plane = {"d": "d", "p": "p(x)"}
+    return plane.get(suffix, NAMES[suffix]) if in_plane else NAMES[suffix]
+
+
+def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[str, Any]:
+    entries = problem(name or host).derive()
+    profile = problem(name or host).profile
+    return {
+        "power": power,
+        "name": name,
+        "hosted": name in HOSTS,
+        "title": prose(profile.title) if name else "",
+        "cells": [Printer()(value(entries, suffix, power)) for suffix in suffixes],
+    }
+
+
+def value(entries: Mapping[str, Entry], suffix: str, power: int) -> sp.Expr:
+    """The formula of a quantity in the units of the table."""
+    entry = entries[suffix]
+    place = x if "s" in entries else r
+    if n in entry.profile.parameters and suffix in cubic(place):
+        return cubic(place)[suffix]
+    expr = entry.cases[-1].expr.subs({**UNIT, n: sp.Integer(power)})
+    return expr if suffix in ("aF", "aP") else expr.subs(a, 1)

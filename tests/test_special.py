@@ -1,0 +1,125 @@
+"""Special cases in the entry of their host: the cells of the tables, and the profiles that are sums of others."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import random
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import mpmath as mp
+import pytest
+import sympy as sp
+from misprints import misprints
+from stored_book import HANDBOOK, stored
+from test_misprints import NOT_A_NUMBER
+
+from axiderive import notation as nt
+from axiderive.emit.readback.further import Further, wrong
+from axiderive.emit.readback.grammar import read
+from axiderive.emit.readback.points import points_of
+from axiderive.emit.readback.printed import named
+from axiderive.emit.readback.source import formulas
+from axiderive.emit.special import COLUMNS, HOSTS, MEMBERS, hosted
+from axiderive.emit.superposition import SUMS, sum_rows
+from axiderive.proof.evaluate import case_at, evaluate
+
+READ_BACK = mp.mpf(10) ** -20
+DIGITS = 40
+UNITS = {nt.a: sp.S.One, nt.A: sp.S.One, nt.h: sp.S.One, nt.E_star: sp.S.One, nt.theta: sp.pi / 4, nt.R: sp.S.Half}
+"""A point at which the profiles are r^n or -r^n: A = tan(theta) = 1/(2 R) = 1."""
+PLACES = {"p": sp.Rational(3, 8), "w": sp.Rational(19, 12), "s": sp.Rational(19, 12)}
+_HEAD = re.compile(r"^%% special (\S+) (\d+) (.*)$", re.M)
+
+
+def cells(host: str) -> Iterator[tuple[int, str, str]]:
+    """Power, quantity and formula of every cell, from the source that TeX sets."""
+    text = (HANDBOOK / "profiles" / f"{host}.tex").read_text(encoding="utf-8")
+    found = iter([one for one in formulas(text) if one.kind == "special"])
+    for _, power, suffixes in _HEAD.findall(text):
+        for suffix in suffixes.split():
+            cell = next(found)
+            assert cell.suffix == power
+            yield int(power), suffix, cell.tex
+    assert next(found, None) is None
+
+
+def residual(host: str, power: int, suffix: str, tex: str) -> Any:
+    """How far a cell is from the entry of its profile, or of the host, where lengths and moduli are one."""
+    entry = stored(MEMBERS[host][power] or host)[suffix]
+    values = {**UNITS, nt.n: sp.Integer(power), nt.d: sp.Rational(11, 4), nt.F: sp.Rational(5, 7)}
+    values |= {nt.P: sp.Rational(7, 5), nt.L: sp.Rational(8, 3), nt.r: PLACES.get(suffix, sp.S.Half)}
+    values |= {nt.x: PLACES.get(suffix, sp.S.Half)}
+    with mp.workdps(2 * DIGITS):
+        want = evaluate(case_at(entry, values).expr, values, DIGITS)
+        (statement,) = read(tex)
+        env = {**named(values), "F_N": mp.mpf(5) / 7}
+        got = statement.members[-1](env)
+        return abs(got - want) / abs(want) if want else abs(got)
+
+
+@pytest.mark.parametrize("host", MEMBERS)
+def test_the_tables_of_special_cases_say_what_the_entries_are(host: str) -> None:
+    """Those of n = 3 against the power law itself, whose incomplete Beta functions are elementary there."""
+    wanted = [(n, suffix) for suffixes in COLUMNS[host] for n in MEMBERS[host] for suffix in suffixes]
+    found = list(cells(host))
+    assert [(power, suffix) for power, suffix, _ in found] == wanted
+    rng, mutants = random.Random(host), 0
+    for power, suffix, tex in found:
+        assert residual(host, power, suffix, tex) < READ_BACK, tex
+        for _, changed in itertools.islice(misprints(tex, rng), 3):
+            with contextlib.suppress(*NOT_A_NUMBER):
+                assert residual(host, power, suffix, changed) > READ_BACK, f"{tex} as {changed}"
+            mutants += 1
+    assert mutants > 2 * len(found)
+
+
+def test_special_cases_have_no_entry_but_anchors() -> None:
+    for name, host in HOSTS.items():
+        assert not (HANDBOOK / "profiles" / f"{name}.tex").exists()
+        assert name in hosted(host)
+        text = (HANDBOOK / "profiles" / f"{host}.tex").read_text(encoding="utf-8")
+        part = text[text.index(rf"\label{{sec:{name}}}") :]
+        anchors = set(re.findall(r"\\tolab\{([\w.]+)\}|\{([\w.]+)\}\}?$", part, re.M))
+        assert {suffix for suffix in stored(name)} <= {one for pair in anchors for one in pair}
+
+
+def _row(name: str, **changed: str) -> Further:
+    (one,) = sum_rows(name)
+    kind, *keys = one["comment"].split()
+    return Further(kind, tuple(keys), one["small"], changed.get("tex", one["tex"]))
+
+
+@pytest.mark.parametrize("name", SUMS)
+def test_the_parts_of_a_sum_add_to_its_entries(name: str) -> None:
+    """At points of every case to forty digits, from the data; and the row in print says the same."""
+    entries = stored(name)
+    for suffix in ("d", "F", "p", "w"):
+        for case, values in points_of(entries[suffix], "formula", entries, 2, 5):
+            total = mp.mpf(0)
+            with mp.workdps(2 * DIGITS):
+                for part in SUMS[name]:
+                    at = {**values, **{s: e.xreplace(values) for s, e in part.parameters.items()}}
+                    own = stored(part.name)[suffix]
+                    if not own.profile.truncated or values[nt.a] > values[nt.b]:
+                        total += part.sign * evaluate(case_at(own, at).expr, at, 2 * DIGITS)
+                want = evaluate(case.expr, values, 2 * DIGITS)
+                assert abs(total - want) < mp.mpf(10) ** -DIGITS * abs(want), (suffix, case.chain)
+    assert not wrong(_row(name), stored)
+
+
+@pytest.mark.parametrize("name", SUMS)
+def test_no_misprint_of_a_sum_passes(name: str) -> None:
+    tex = _row(name).tex
+    others = [tex.replace("plus ", "minus "), tex.replace("minus ", "plus "), tex.replace("paraboloid", "quartic")]
+    others += [tex.replace("R=", "b="), tex.replace("R_1", "R_2"), tex.replace(r"\tan", r"\sin")]
+    others += [tex.replace("=", "=2 "), tex.replace(", with }", ", with }2 ")]
+    tried = [text for text in others if text != tex]
+    assert len(tried) >= 5
+    for text in tried:
+        try:
+            assert wrong(_row(name, tex=text), stored), text
+        except NOT_A_NUMBER:
+            continue
