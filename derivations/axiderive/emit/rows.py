@@ -141,12 +141,22 @@ def _root_or_formula(entry: Entry) -> Row:
     return _formula(entry)
 
 
+BETTER = {
+    "cone.w": r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",
+    "capped_paraboloid.ad": r"a=\frac{\sqrt{2} D}{\sqrt{2 D-q^{2} b^{2}+q \sqrt{4 D^{2}-4 D b^{2}+q^{2} b^{4}}}},"
+    r"\qquad D=d R_1,\quad q=\frac{R_1-R_2}{R_2}",
+}
+"""Shorter or more accurate forms of the last case of an entry than its own, read back like any other."""
+
+
 def _formula(entry: Entry) -> Row:
     left = left_of(entry)
     found = []
     for pairs, expr in regions(entry):
         found.append(_region(entry, pairs, expr, left))
         left = left.partition("=")[0]
+    if entry.key in BETTER:
+        found[-1] = replace(found[-1], lines=(BETTER[entry.key],))
     if len(found) > 1 and isinstance(expr, sp.Equality):
         found[-2] = replace(found[-2], remark=f"and beyond, ${left}$ is the root of")
     return Row(entry, "formula", tuple(found))

@@ -38,6 +38,11 @@ def sum_rows(name: str) -> list[dict[str, Any]]:
     """The row of a profile that is a sum, none of any other."""
     if name not in SUMS:
         return []
+    parts = [(_sign(part, i), _linked(part), _values(part)) for i, part in enumerate(SUMS[name])]
+    lines = (
+        rf"\text{{{sign}{link}, page~\pageref{{sec:{part.name}}}, with }}{values}"
+        for (sign, link, values), part in zip(parts, SUMS[name], strict=True)
+    )
     return [
         {
             "half": False,
@@ -45,14 +50,21 @@ def sum_rows(name: str) -> list[dict[str, Any]]:
             "comment": f"sum {name}.d {name}.F {name}.p {name}.w",
             "label": "Sum",
             "small": "at equal $a$",
-            "tex": Region("", tuple(_part(part, i) for i, part in enumerate(SUMS[name]))).tex,
-            "remark": "",
+            "tex": Region("", tuple(lines)).tex,
+            "remark": "where $a>b$; $p$ and $w$ too",
+            "words": ", ".join(f"{sign}{link} with ${values}$" for sign, link, values in parts) + " where $a>b$",
         }
     ]
 
 
-def _part(part: Part, index: int) -> str:
-    link = rf"\hyperref[sec:{part.name}]{{{load(part.name).title.lower()}}}, page~\pageref{{sec:{part.name}}}, "
-    joint = ("" if index == 0 else "plus " if part.sign > 0 else "minus ") + link + "with "
-    values = ",\\; ".join(f"{Printer()(s)}={Printer()(e)}" for s, e in part.parameters.items() if s != e)
-    return rf"\text{{{joint}}}{values}"
+def _sign(part: Part, index: int) -> str:
+    return "" if index == 0 else "plus " if part.sign > 0 else "minus "
+
+
+def _linked(part: Part) -> str:
+    return rf"\hyperref[sec:{part.name}]{{{load(part.name).title.lower()}}}"
+
+
+def _values(part: Part) -> str:
+    """The parameters that have another name or value there."""
+    return ",\\; ".join(f"{Printer()(s)}={Printer()(e)}" for s, e in part.parameters.items() if s != e)

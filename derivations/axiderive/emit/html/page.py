@@ -139,6 +139,8 @@ def _further(one: Mapping[str, Any], profile_id: str) -> Further:
     target = TARGET.search(one["label"] + one["remark"])
     kind, key = one["comment"].split()[:2]
     anchor = f"{kind}.{target[1] if target else key.removeprefix(profile_id + '.')}"
+    if "words" in one:
+        return Further(anchor, one["label"], one["small"], "", one["words"])
     return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
 
 
