@@ -116,8 +116,9 @@ def killed_builds(program: Path, root: Path, reference: Reference, count: int, s
     return hit
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [100])
+@pytest.mark.parametrize(
+    "count", [pytest.param(10, marks=pytest.mark.slow), pytest.param(100, marks=pytest.mark.sweep)]
+)
 def test_a_killed_build_is_recovered(program: Path, tmp_path: Path, reference, count: int) -> None:
     """Every tenth run starts anew, so that early phases are hit as well as late ones."""
     hit, together = 0, min(count, 10)
