@@ -33,9 +33,17 @@ SHARED = (
     "..._integrals: difference_root",
     "..._ring: lifted_at_zero_pressure, ring_of_zero_pressure",
     "..._slip: stick_force",
+)
+LATE = (
     "..._stable: stable_radius",
     "..._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
+"""Imported by the functions that call them, as are those of the files LATE_FILES: an import of a module brings along
+what its depth and its force need."""
+LATE_FILES = (
+    "_graded_across", "_graded_branches", "_graded_displacement", "_graded_fall", "_graded_inverse",
+    "_graded_pressure", "_graded_slip",
+)  # fmt: skip
 
 
 @dataclass
@@ -60,6 +68,11 @@ class Writer:
     @property
     def own_check(self) -> str:
         return "_check" if self.group == "normal" else "normal._check"
+
+    @property
+    def homogeneous(self) -> str:
+        """The module of the half-space without grading, which the package of the normal contact loads when asked."""
+        return f"normal.{self.profile.name}"
 
     @cached_property
     def example(self) -> Example:
@@ -94,7 +107,7 @@ class Writer:
         shown = [*self.example.head(), f">>> value = {own.name}.profile({', '.join(passed)})", ">>> round(value, 6)"]
         notes = [f"Valid for {own.validity}. Negative or NaN field values give NaN."]
         doc = docstring.docstring(own, quantity, None, notes, [*shown, example.result(number)])
-        body = [f"return normal.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
+        body = [f"return {self.homogeneous}.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
         self.public.append(Function("profile", ["r"], self.geometry, docstring.SUMMARY["f"], doc, body))
 
     def shape_of(self, place: str) -> str:
@@ -108,7 +121,7 @@ class Writer:
                 used = used - {str(symbol)} | {str(s) for s in expr.free_symbols}
         if self.profile.contact == "complete":
             used.add("a")
-        return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
+        return f"{self.homogeneous}._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
 
     def rule(
         self,
@@ -126,7 +139,8 @@ class Writer:
             for symbol, expr in self.profile.abbreviations
             if re.search(rf"\b{symbol}\b", body)
         ]
-        source = private(name, fields, needs, [*own, *lines], doc, returns)
+        late = text.imported([*LATE, *imports(late=True)], body)
+        source = private(name, fields, needs, [*late, *([""] if late else []), *own, *lines], doc, returns)
         if self.summed:
             head, body = source.replace(" A: Array", " A: tuple[float, ...]").split("\n", 1)
             source = "\n".join([*fit(head, 0), body])
@@ -140,12 +154,15 @@ class Writer:
 
     def source(self, title: str) -> str:
         body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)
-        body = body.replace(text.NORMAL, self.profile.name)
-        return body.replace("from ..normal import", "from ...normal import") if self.group == "normal" else body
+        if self.group == "normal":
+            own = f"from ..normal import {text.NORMAL} as normal\n"
+            return body.replace(own, "").replace("\nfrom ..._", "\nfrom ... import normal\nfrom ..._", 1)
+        return body.replace(text.NORMAL, self.profile.name)
 
 
 @cache
-def imports() -> tuple[str, ...]:
-    """The public functions of the runtime by module."""
-    found = {path.stem: re.findall(r"^def ([a-z]\w+)\(", path.read_text(), re.M) for path in RUNTIME.glob("_*.py")}
-    return tuple(f"...{stem}: {', '.join(names)}" for stem, names in sorted(found.items()))
+def imports(late: bool = False) -> tuple[str, ...]:
+    """The public functions of the runtime by module, of those that are imported `late` or with a module."""
+    paths = sorted(path for path in RUNTIME.glob("_*.py") if (path.stem in LATE_FILES) == late)
+    found = {path.stem: re.findall(r"^def ([a-z]\w+)\(", path.read_text(), re.M) for path in paths}
+    return tuple(f"...{stem}: {', '.join(names)}" for stem, names in found.items())

@@ -74,7 +74,7 @@ class _Normal:
         typed, passed = (", ".join(part.format(name) for name in names) for part in ("{}: ArrayLike", "{0}={0}"))
         head = fit(f"def _check({typed}, *, k: ArrayLike, **material: ArrayLike) -> None:", 0)
         if not self.family.has("waves"):
-            body = [f"normal._check({passed}, k=k, **material)"]
+            body = [f"{self.writer.homogeneous}._check({passed}, k=k, **material)"]
         else:
             (rule,) = self.profile.rules
             body = [

@@ -177,13 +177,20 @@ def _needed(imports: Sequence[str], body: str) -> list[str]:
     lines += ["from typing import TYPE_CHECKING", ""]
     if "np." in code:
         lines += ["import numpy as np", ""]
+    lines += imported(imports, code)
+    if "normal." in code:
+        lines.append(f"from ..normal import {NORMAL} as normal")
+    return lines
+
+
+def imported(imports: Sequence[str], code: str) -> list[str]:
+    """The from-imports of the names that the code holds."""
+    lines = []
     for line in sorted(imports):
         source, _, names = line.partition(": ")
         used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", code)]
         if used:
             lines += from_import(source, used)
-    if "normal." in code:
-        lines.append(f"from ..normal import {NORMAL} as normal")
     return lines
 
 
@@ -194,7 +201,8 @@ def private(
     typed = [f"{own}: {'str' if own == 'control' else 'Array'}" for own in (*fields, *needs)]
     head = fit(f"def {name}({', '.join(typed)}) -> {returns}:", 0)
     shown = [f'    """{doc}"""'] if doc else []
-    return "\n".join([*head, *shown, *(f"    {line}" for own in lines for line in fit(own))]) + "\n"
+    body = (f"    {line}".rstrip() for own in lines for line in fit(own))
+    return "\n".join([*head, *shown, *body]) + "\n"
 
 
 def evaluate(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache, wraps
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +25,7 @@ ROWS = 2 * DEPTH + 2
 BELOW_ONE = np.nextafter(1.0, 0.0)
 
 
-class Course(NamedTuple):
+class Course:
     """The sides of a singular radius.
 
     `unit` is the value of r**2 - centre**2 where a panel ends, the last one if `closed`, and `within` that of
@@ -33,11 +33,11 @@ class Course(NamedTuple):
     sqrt(edge**2 - r**2) next to an `edge`, and to 1/r far out where there is no last panel.
     """
 
-    centre: float
-    unit: float
-    closed: bool
-    edge: float | None = None
-    within: float | None = None
+    # a named tuple would take as long as the rest of this file
+    def __init__(
+        self, centre: float, unit: float, closed: bool, edge: float | None = None, within: float | None = None
+    ) -> None:
+        self.centre, self.unit, self.closed, self.edge, self.within = centre, unit, closed, edge, within
 
     def sides(self, r: Array) -> Array:
         """0 inside the centre, 1 outside; one 1 if there is no inner side."""

@@ -57,6 +57,8 @@ def _needs_arrays(function: FunctionType, seen: set[FunctionType]) -> bool:
     names = _names(function.__code__)
     if names & NEEDS_ARRAYS or any(_of_arrays(*attribute) for attribute in _attributes(function.__code__)):
         return True
+    if any(step.opname == "IMPORT_NAME" for step in get_instructions(function.__code__)):
+        return True  # what it imports has NumPy for `np`
     spaces = [function.__globals__, *(vars(m) for n in names if _own(m := function.__globals__.get(n), ModuleType))]
     called: list[Any] = [space.get(name) for space in spaces for name in names]
     return any(_needs_arrays(f, seen) for f in called if _own(f, FunctionType) and f not in seen)

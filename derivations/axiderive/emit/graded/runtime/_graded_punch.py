@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from ._elementwise import Array
-from ._graded_displacement import punch_share
 from ._graded_rules import raised
 from ._integrals import difference_root
 
@@ -38,6 +37,9 @@ def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
 
 def punch_displacement(r: Array, a: Array, k: Array) -> Array:
     """Displacement per depth."""
+    # not imported with the module, which has more to it than its displacement
+    from ._graded_displacement import punch_share
+
     return np.where(r > a, punch_share(r, a, k), 1.0)
 
 
