@@ -157,11 +157,16 @@ def _table(course: Course, r: Array, side: Array, values: Array) -> Array:
     """Coefficients by degree and panel."""
     points, waves, powers, slopes = _points()
     values = (values / course.trend(r)).T
+    # of differences to one of the values the sums below lose nothing, of the values 3 units in a whole panel
+    first = values[POINTS // 2]
+    values = values - first
     # the radii are rounded: the values belong to places next to the points
     _, place = _panels(course.scaled(r, np.broadcast_to(side, r.shape)))
     values = values - slopes @ (waves @ values) * (place - points).T
     # in two steps: the powers of a Chebyshev polynomial cancel to six digits
-    return powers @ (waves @ values)
+    table = powers @ (waves @ values)
+    table[0] += first
+    return table
 
 
 @cache
