@@ -148,6 +148,16 @@ def test_rules_over_the_profile_hold_whatever_the_contact_is_to_its_lengths(text
             )
 
 
+def test_a_force_takes_up_what_the_rounded_radius_lost():
+    """F is 2 E* b d next to a flat face, to the share d/b; through the radius alone it loses 4e-5 at the last depth."""
+    space, given = {}, {"c": 1.0, "b": 1.0, "E_star": 1.0}
+    exec(module_of("c*Max(0, r - b)**(3/2)").files["own.py"], space)
+    for depth in (1e-8, 1e-10, 1e-12):
+        force = space["force_from_depth"](depth, **given)
+        assert force == pytest.approx(2.0 * depth, rel=depth, abs=0.0)
+        assert space["depth_from_force"](force, **given) == pytest.approx(depth, rel=1e-15, abs=0.0)
+
+
 def test_a_force_that_would_lose_digits_is_not_emitted_in_closed_form():
     profile = own_profile("c*Max(0, r - b)**3").profile
     with pytest.raises(ValueError, match="loses digits; emit it by"):

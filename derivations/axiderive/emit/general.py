@@ -16,6 +16,7 @@ from ..contact.general import Layer, beyond, excess, layers
 from ..notation import E_star, r
 from ..profiles.profile import Piece, Profile
 from .code import python
+from .inverses import changed
 from .layers import closed, radius_text, reach, text
 from .private import LINE, Private, PrivateFunctions
 from .python import _private, _profile_function
@@ -238,7 +239,8 @@ class _General:
         radius = self._add(f"radius_from_{curve}", (field,), lines)
         other = "depth" if curve == "force" else "force"
         name = "force_from_depth" if curve == "depth" else "depth_from_force"
-        self._add(name, (field,), [f"return {self.functions.functions[other].call(radius.call())}"])
+        outer = self.functions.functions[other]
+        self._add(name, (field,), [f"a = {radius.call()}", *changed(field, outer, target, "a")])
 
     def _length(self) -> str:
         """A length of the profile as first guess."""

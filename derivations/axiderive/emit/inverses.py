@@ -31,6 +31,17 @@ from .waves import wave_lines
 TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
 
 
+def changed(field: str, target: Private, curve: Private, *given: str) -> list[str]:
+    """The lines of F(a(d)) or d(a(F)): the radius is rounded, and dF/dd = 2 E* a makes good what it lost."""
+    stiffness = python(HOMOGENEOUS.stiffness())
+    missed = f"{field} - {curve.call(*given)}"
+    change = f"{stiffness} * ({missed})" if field == "d" else f"({missed}) / ({stiffness})"
+    return [
+        f"change = np.where((a > 0.0) & (a < np.inf), {change}, 0.0)",
+        f"return {target.call(*given)} + change",
+    ]
+
+
 @dataclass
 class Inverses:
     """The private functions behind the inverse entries of one compact profile."""
@@ -93,7 +104,7 @@ class Inverses:
         if self.compact.rooted:
             contact = self.functions.functions.get(f"contact_from_{TARGET[inner][0]}") or self._contact(inner)
             target, curve = (self.functions.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
-            lines = [f"a, root = {contact.call()}", *self._changed(field, target, curve, "a", "root")]
+            lines = [f"a, root = {contact.call()}", *changed(field, target, curve, "a", "root")]
             return self.functions.add(name, (field,), lines, {*contact.needs, *target.needs, *curve.needs, "E_star"})
         radius = self.functions.functions[self.compact.entries[inner].quantity.function]
         target = self.functions.functions[outer]
@@ -104,17 +115,8 @@ class Inverses:
 
     def _corrected(self, name: str, field: str, target: Private, radius: Private, curve: Private) -> Private:
         """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
-        lines = [f"a = {radius.call()}", *self._changed(field, target, curve, "a")]
+        lines = [f"a = {radius.call()}", *changed(field, target, curve, "a")]
         return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs, *curve.needs, "E_star"})
-
-    def _changed(self, field: str, target: Private, curve: Private, *given: str) -> list[str]:
-        stiffness = python(HOMOGENEOUS.stiffness())
-        missed = f"{field} - {curve.call(*given)}"
-        change = f"{stiffness} * ({missed})" if field == "d" else f"({missed}) / ({stiffness})"
-        return [
-            f"change = np.where((a > 0.0) & (a < np.inf), {change}, 0.0)",
-            f"return {target.call(*given)} + change",
-        ]
 
     def _contact(self, suffix: str) -> Private:
         """Contact radius and its root together: near the end of the domain the radius alone says too little."""
