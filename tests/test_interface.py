@@ -298,3 +298,15 @@ def test_arrays_of_parameters_broadcast() -> None:
     together = rounded_punch.pressure(0.4, np.full((2, 1), 0.9), R=R, b=0.5, E_star=1.0)
     apart = [rounded_punch.pressure(0.4, 0.9, R=value, b=0.5, E_star=1.0) for value in R]
     np.testing.assert_allclose(together, [apart, apart], rtol=1e-14)
+
+
+def test_a_message_about_many_numbers_is_short() -> None:
+    from axicontact.tangential import cone
+
+    with pytest.raises(
+        ValueError, match=r"a = \[0\.5, 0\.5, 0\.5, \.\.\.\], 5000 numbers: c <= a is violated"
+    ) as caught:
+        cone.tangential_force(np.full(5000, 0.5), 0.7, theta=0.3, E_star=1.0, mu=0.3)
+    assert len(str(caught.value)) < 250
+    with pytest.raises(ValueError, match=r"c = 0\.7, a = \[0\.5, 0\.9\]: c <= a is violated"):
+        cone.tangential_force([0.5, 0.9], 0.7, theta=0.3, E_star=1.0, mu=0.3)

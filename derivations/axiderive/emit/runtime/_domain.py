@@ -44,9 +44,17 @@ def require(**parameters: ArrayLike) -> None:
 def require_order(holds: ArrayLike, relation: str, reason: str, **values: ArrayLike) -> None:
     """Raise ValueError with the values and the reason if a relation between parameters is violated."""
     if not np.all(holds):
-        given = ", ".join(f"{name} = {np.asarray(value).tolist()!r}" for name, value in values.items())
+        given = ", ".join(f"{name} = {_shown(value)}" for name, value in values.items())
         message = f"{given}: {relation} is violated; {reason}"
         raise ValueError(message)
+
+
+def _shown(value: ArrayLike) -> str:
+    """The numbers in a message: all of a few, the first ones of many."""
+    array = np.asarray(value)
+    if array.size <= 8:
+        return repr(array.tolist())
+    return f"[{', '.join(map(repr, array.ravel()[:3].tolist()))}, ...], {array.size} numbers"
 
 
 def require_reach(a: ArrayLike, b: ArrayLike, instead: str = "normal.flat_punch") -> None:
