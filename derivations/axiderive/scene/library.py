@@ -75,6 +75,7 @@ class Module:
     """What the text under a constant says of it."""
 
     def __post_init__(self) -> None:
+        self.text = _with_imports_outside(self.text)
         tree = ast.parse(self.text)
         self.lines = self.text.splitlines(keepends=True)
         self.starts = [0]
@@ -119,6 +120,18 @@ class Module:
     def source(self, node: Any) -> str:
         start, end = self.span(node)
         return self.bytes[start:end].decode()
+
+
+def _with_imports_outside(text: str) -> str:
+    """The text with what functions import from the package behind it, where it is read as an import of the module."""
+    lines, moved = text.splitlines(keepends=True), []
+    for function in (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)):
+        for node in ast.walk(function):
+            if isinstance(node, ast.ImportFrom) and node.level and node.end_lineno:
+                moved.append(ast.unparse(node) + "\n")
+                blank = node.end_lineno < len(lines) and not lines[node.end_lineno].strip()
+                lines[node.lineno - 1 : node.end_lineno + blank] = [""] * (node.end_lineno + blank - node.lineno + 1)
+    return "".join([*lines, *moved])
 
 
 def _annotations(node: ast.AST) -> set[int]:

@@ -45,6 +45,9 @@ LATE_FILES = (
     "_graded_pressure", "_graded_slip",
 )  # fmt: skip
 
+HOMOGENEOUS = f"from ...normal import {text.NORMAL} as normal"
+"""The module without grading, of which a normal contact needs the shape of the indenter alone."""
+
 
 @dataclass
 class Writer:
@@ -68,11 +71,6 @@ class Writer:
     @property
     def own_check(self) -> str:
         return "_check" if self.group == "normal" else "normal._check"
-
-    @property
-    def homogeneous(self) -> str:
-        """The module of the half-space without grading, which the package of the normal contact loads when asked."""
-        return f"normal.{self.profile.name}"
 
     @cached_property
     def example(self) -> Example:
@@ -107,7 +105,7 @@ class Writer:
         shown = [*self.example.head(), f">>> value = {own.name}.profile({', '.join(passed)})", ">>> round(value, 6)"]
         notes = [f"Valid for {own.validity}. Negative or NaN field values give NaN."]
         doc = docstring.docstring(own, quantity, None, notes, [*shown, example.result(number)])
-        body = [f"return {self.homogeneous}.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
+        body = [HOMOGENEOUS, "", f"return normal.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
         self.public.append(Function("profile", ["r"], self.geometry, docstring.SUMMARY["f"], doc, body))
 
     def shape_of(self, place: str) -> str:
@@ -121,7 +119,7 @@ class Writer:
                 used = used - {str(symbol)} | {str(s) for s in expr.free_symbols}
         if self.profile.contact == "complete":
             used.add("a")
-        return f"{self.homogeneous}._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
+        return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
 
     def rule(
         self,
@@ -140,6 +138,7 @@ class Writer:
             if re.search(rf"\b{symbol}\b", body)
         ]
         late = text.imported([*LATE, *imports(late=True)], body)
+        late += [HOMOGENEOUS] if self.group == "normal" and "normal." in body else []
         source = private(name, fields, needs, [*late, *([""] if late else []), *own, *lines], doc, returns)
         if self.summed:
             head, body = source.replace(" A: Array", " A: tuple[float, ...]").split("\n", 1)
@@ -155,8 +154,7 @@ class Writer:
     def source(self, title: str) -> str:
         body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)
         if self.group == "normal":
-            own = f"from ..normal import {text.NORMAL} as normal\n"
-            return body.replace(own, "").replace("\nfrom ..._", "\nfrom ... import normal\nfrom ..._", 1)
+            body = body.replace(f"from ..normal import {text.NORMAL} as normal\n", "", 1)
         return body.replace(text.NORMAL, self.profile.name)
 
 

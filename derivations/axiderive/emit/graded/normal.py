@@ -12,7 +12,7 @@ from ...notation import a
 from ..docstring import SUMMARY
 from ..layout import fit
 from .families import Family, family
-from .module import Writer
+from .module import HOMOGENEOUS, Writer
 
 INVERSES = ("ad", "aF", "Fd", "dF")
 METHOD = {
@@ -74,7 +74,7 @@ class _Normal:
         typed, passed = (", ".join(part.format(name) for name in names) for part in ("{}: ArrayLike", "{0}={0}"))
         head = fit(f"def _check({typed}, *, k: ArrayLike, **material: ArrayLike) -> None:", 0)
         if not self.family.has("waves"):
-            body = [f"{self.writer.homogeneous}._check({passed}, k=k, **material)"]
+            body = [HOMOGENEOUS, "", f"normal._check({passed}, k=k, **material)"]
         else:
             (rule,) = self.profile.rules
             body = [
@@ -90,7 +90,7 @@ class _Normal:
                 "    k=k,",
                 ")",
             ]
-        self.writer.private.append("\n".join([*head, *(f"    {line}" for line in body)]) + "\n")
+        self.writer.private.append("\n".join([*head, *(f"    {line}".rstrip() for line in body)]) + "\n")
 
     def domain(self) -> str:
         """The condition on the contact radius, "" where there is none."""

@@ -92,7 +92,7 @@ class Function:
         head = fit(f"def {self.name}({', '.join(typed)}) -> {self.returns}:", 0)
         shown = ["", "Examples", "--------", *self.example] if self.example else []
         doc = [f'    """{self.summary}', "", *(f"    {line}".rstrip() for line in (*self.doc, *shown)), '    """']
-        return "\n".join([*head, *doc, *(f"    {line}" for own in self.body for line in fit(own))]) + "\n"
+        return "\n".join([*head, *doc, *(f"    {line}".rstrip() for own in self.body for line in fit(own))]) + "\n"
 
 
 def parameters(names: Sequence[str], symbols: Mapping[str, sp.Symbol], fields: bool) -> list[str]:
