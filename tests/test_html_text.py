@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import re
 
 import pytest
@@ -93,3 +94,10 @@ def test_symbols_in_letters(latex: str, wanted: str) -> None:
 def test_functions_have_their_letter_as_address() -> None:
     assert anchor_of({"name": r"{}_{2}\mathrm{F}_{1}(p,q;c;z)"}) == "function.2F_1"
     assert anchor_of({"name": r"\mathbf{H}_{\nu}(z)"}) == "function.H_nu"
+
+
+def test_the_search_knows_the_words_of_the_index(site: dict[str, str]) -> None:
+    places = {title: address for title, address, *_ in json.loads(site["assets/keys.js"][20:].rstrip(";\n"))["places"]}
+    assert places["Berkovich indenter: Cone"] == "cone.html"
+    assert places["Tabor's number: When does it hold?"] == "reading.html#validity"
+    assert "run time: Error against run time" not in places  # a page of its own, found by its own words

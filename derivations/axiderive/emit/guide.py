@@ -198,13 +198,13 @@ MODULI = (
 
 
 def errors() -> list[tuple[str, str, tuple[str, ...], list[tuple[str, list[str]]]]]:
-    """By how many per cent stiffness or force exceeds the formula: title, abscissa, its values, shares by case."""
+    """By how many per cent the force exceeds that of the formula: title, abscissa, its values, shares by case."""
     angles, ratios, layers = (80.0, 75.0, 70.3, 65.0), (0.1, 0.2, 0.3, 0.5), (0.01, 0.02, 0.05, 0.1)
     return [
-        ("Cone, real slope", "half-angle", tuple(f"{x:g}°" for x in angles), [
+        ("Cone, slope not small", "half-angle", tuple(f"{x:g}°" for x in angles), [
             (rf"$\nu={nu}$", _shares(facts.slope_factor(x, nu) for x in angles)) for nu in (0, 0.3)
         ]),
-        ("Sphere, not a paraboloid", "$a/R$", tuple(f"{x:g}" for x in ratios), [
+        ("Sphere taken for a paraboloid", "$a/R$", tuple(f"{x:g}" for x in ratios), [
             ("at the same $a$", _shares(map(facts.sphere_over_paraboloid, ratios)))
         ]),
         ("Paraboloid on a bonded layer", r"$\sqrt{R\,d}$ over the thickness", tuple(f"{x:g}" for x in layers), [

@@ -36,7 +36,13 @@ def search_index(
         "profiles": profiles,
         "systems": [[_short(system.title), SEARCHED.get(system.name, "")] for system in SYSTEMS],
         "keys": rows,
-        "places": [*_of_profiles(models), *_of_front(front), *_of_chapter(front["chapter11"]), *_of_studies(studied)],
+        "places": [
+            *_of_profiles(models),
+            *_of_front(front),
+            *_of_words(front["word_index"], models),
+            *_of_chapter(front["chapter11"]),
+            *_of_studies(studied),
+        ],
     }
     return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
 
@@ -122,6 +128,17 @@ PARTS: Sequence[tuple[str, str, str]] = (
     ("References", "references", "literature sources works"),
 )
 """Title, anchor and further words of the parts of the page on reading."""
+
+
+def _of_words(index: Sequence[tuple[str, Sequence[str]]], models: Mapping[str, Any]) -> Iterator[Place]:
+    """The words of the index of the book, each with the profiles and the parts on reading that it leads to."""
+    parts = {anchor: title for title, anchor, _ in PARTS}
+    for word, labels in index:
+        for kind, _, target in (label.partition(":") for label in labels):
+            if kind == "sec" and target in models:
+                yield f"{plain(word)}: {plain(models[target]['title'])}", f"{target}.html", "", 12
+            elif kind == "part" and target in parts:
+                yield f"{plain(word)}: {parts[target]}", f"reading.html#{target}", "", 12
 
 
 def _of_chapter(chapter: Mapping[str, Any] | None) -> Iterator[Place]:
