@@ -150,14 +150,18 @@ def _loaded(contact: Contact, shown: list[tuple[str, str]], separation: str, adh
     depth = _depth(contact, radius)
     known = {"a": radius} | ({"d": depth} if "dF" in contact.entries and "d" not in contact.entries else {})
     load = contact.given["P" if contact.plane else "F_N"]
+
+    def pressure(place: Any) -> Any:
+        return mp.re(contact.pressure(place, **known))
+
     breaks = next(iter(contact.entries.values())).profile.breaks
     ends = [mp.mpf(0), *(mp.mpf(str(contact.values[b])) for b in breaks), radius]
     return {
         "a": lambda: radius,
         "d": lambda: depth,
         r"\bar p": lambda: contact.mean(radius, load),
-        r"p_{\mathrm{max}}": lambda: largest(lambda place: contact.pressure(place, **known), ends),
-        "p": lambda place: contact.pressure(place, **known),
+        r"p_{\mathrm{max}}": lambda: largest(pressure, ends),
+        "p": pressure,
         "w(2a)": lambda: contact.displacement(2 * radius, **known),
         r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive, separation, radius),
     }
