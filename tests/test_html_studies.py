@@ -16,13 +16,16 @@ from stored_book import CATALOGUE, KEYS, stored
 from web_page import Page
 
 from axiderive.emit import study as studies_of_book
+from axiderive.emit.graded.frames import frames
 from axiderive.emit.handbook import page_models
 from axiderive.emit.html import html_sources, study
 from axiderive.emit.html.drawing import Figure, pairs
+from axiderive.emit.html.figures import figures
 from axiderive.emit.study import error
+from axiderive.profiles import load
 from axiderive.study.problems import NAMES, OTHERS
 
-SAMPLE = ("power_law", "paraboloid", "rounded_punch", "plane.eccentric_punch", "loads.power")
+SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
 WIDELY = {*NAMES, *OTHERS}
 """Problems that the part on the study draws; the others stand on the pages of their profiles."""
 LARGEST = 1_000_000
@@ -225,13 +228,13 @@ def test_the_evidence_stands_by_column_with_addresses(site: dict[str, str], mode
     assert f"{worst:.2g}" in cells[heads.index("error")]
 
 
-def test_graded_plots_stand_with_the_graded_contact(site: dict[str, str], models: Any) -> None:
+def test_graded_plots_stand_with_the_graded_contact(models: Any) -> None:
     """Of the paraboloid and the cone; what grading does to them it does to the others."""
-    page = site["paraboloid.html"]
-    assert page.index('id="about.graded.normal"') < page.index('id="plot.graded-pressure"')
-    assert "plot.graded-displacement" in Page(page).ids
     assert models["loads.power"]["graded"] == models["power_law"]["graded"] == ()
-    pressure, _ = models["paraboloid"]["graded"]
+    drawn = frames(load("paraboloid"), stored("paraboloid"), stored("paraboloid.fgm"))
+    shown = figures({"plots": (), "curves": None, "axes": (), "graded": drawn, "first": "normal"})
+    assert [figure.anchor for figure in shown["graded.normal"]] == ["plot.graded-pressure", "plot.graded-displacement"]
+    pressure, _ = drawn
     assert [curve.label for curve in pressure.curves] == ["-0.5", "0", "0.5"]
     # the mean of p over the circle is its mean: the trapezoidal rule in r^2, coarse beside the tip and the edge
     for curve in pressure.curves:

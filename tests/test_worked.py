@@ -28,7 +28,7 @@ from axiderive.emit.worked.further import GRADED, SOLIDS
 @cache
 def _example(name: str) -> dict[str, Any]:
     plane = name.startswith("plane.")
-    derived = {problem.key: stored(problem.key) for problem in problems_of(name)} | {"cone": stored("cone")}
+    derived = {problem.key: stored(problem.key) for problem in problems_of(name)}
     found: dict[str, Any] = worked(name, profile_of(name), derived, StripNumbers if plane else Numbers)
     return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from .labels import HIGHEST, TALL, Curve, Rows, coordinates, labelled
@@ -63,7 +63,7 @@ def axes(
     back = (_inverse(x, logarithmic[0]), _inverse(y, logarithmic[1]))
     placed = placed[len(marks) :]
     shown = [replace(c, x=back[0](c.x), y=back[1](c.y / HIGHEST)) if c.label else c for c in placed]
-    ticks = (_ticks(x, logarithmic[0], 4), _ticks(y, logarithmic[1], 4))
+    ticks = (_ticks(x, logarithmic[0], 4), _ticks(y, logarithmic[1], 3.5))
     return Axes(
         names, x, y, ticks, tuple(shown[: len(family)]), *words, tuple(shown[len(family) :]), marks, logarithmic
     )
@@ -75,13 +75,13 @@ def _beside(mark: Mark, x: float, y: float) -> Curve:
     return Curve("", name, x + 0.01 * len(name), y - LOW_TALL / 2, "center")
 
 
-def _scale(ends: Span, logarithmic: bool):  # type: ignore[no-untyped-def]
+def _scale(ends: Span, logarithmic: bool) -> Callable[[float], float]:
     """From a value to the share of the axis below it."""
     low, high = map(math.log10, ends) if logarithmic else ends
     return lambda value: ((math.log10(value) if logarithmic else value) - low) / (high - low)
 
 
-def _inverse(ends: Span, logarithmic: bool):  # type: ignore[no-untyped-def]
+def _inverse(ends: Span, logarithmic: bool) -> Callable[[float], float]:
     low, high = map(math.log10, ends) if logarithmic else ends
 
     def value(share: float) -> float:
@@ -91,12 +91,12 @@ def _inverse(ends: Span, logarithmic: bool):  # type: ignore[no-untyped-def]
     return value
 
 
-def _ticks(ends: Span, logarithmic: bool, most: int) -> tuple[float, ...]:
+def _ticks(ends: Span, logarithmic: bool, most: float) -> tuple[float, ...]:
     """Round numbers from one end to the other: at most so many steps."""
     if logarithmic:
         low, high = math.ceil(math.log10(ends[0]) - 1e-9), math.floor(math.log10(ends[1]) + 1e-9)
-        step = -(-(high - low) // most) or 1
+        step = math.ceil((high - low) / most) or 1
         return tuple(float(f"1e{power}") for power in range(low, high + 1, step))
-    step = next(s for s in (0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0) if (ends[1] - ends[0]) / s <= most + 1e-9)
-    first = math.ceil(ends[0] / step - 1e-9)
-    return tuple(step * i for i in range(first, math.floor(ends[1] / step + 1e-9) + 1))
+    wide = next(s for s in (0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0) if (ends[1] - ends[0]) / s <= most + 1e-9)
+    first = math.ceil(ends[0] / wide - 1e-9)
+    return tuple(wide * i for i in range(first, math.floor(ends[1] / wide + 1e-9) + 1))

@@ -42,6 +42,7 @@ def plots(profile: Profile, numbers: Numbers) -> tuple[Axes, ...]:
     words = f"over its mean, for {name}, {against}." if name else f"over its mean, {against}."
     axis = "$x/a$" if plane else "$r/a$"
     pressure = axes((axis, r"$p/\bar p$"), (0.0, 1.0), (0.0, HIGHEST), rows, ("Pressure", words), known)
+    second: Axes | None
     if plane:
         second = _reach(numbers)
     elif profile.contact == "complete":
@@ -229,7 +230,7 @@ def _between(profile: Profile, numbers: Numbers) -> Axes:
         names.append(label)
         references.append(([(x, y0 * (x / x0) ** exponent) for x in _steps(*ends)], label))
     bottom, top = 10 ** math.floor(math.log10(rows[0][1])), 10 ** math.ceil(math.log10(rows[-1][1]))
-    marks = ()
+    marks: tuple[Mark, ...] = ()
     if profile.breaks and not profile.truncated:
         name = nt.describe(profile.breaks[0]).latex
         x, y = state(numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -156,7 +156,7 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
         wanted = known[0] if known else _loaded(contact, shown, solid.separation, adhesive or {})
         for name, tex in shown:
             if tex == r"\infty":
-                _require_infinite(contact, name, wanted)
+                _require_infinite(contact, name, wanted["a"](), wanted["d"])
                 continue
             yield Printout(f"worked example {name}", tex, wanted[name]())
 
@@ -191,26 +191,27 @@ def _loaded(contact: Contact, shown: list[tuple[str, str]], separation: str, adh
         "a": lambda: radius,
         "d": lambda: depth,
         r"\bar p": lambda: contact.mean(radius, load),
-        r"p_{\mathrm{max}}": lambda: largest(lambda place: contact.pressure(place, **known), ends),
-        "p": lambda place: contact.pressure(place, **known),
+        r"p_{\mathrm{max}}": lambda: largest(lambda place: mp.re(contact.pressure(place, **known)), ends),
         "w(2a)": lambda: contact.displacement(2 * radius, **known),
         r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive, separation, radius),
     }
 
 
-def _require_infinite(contact: Contact, name: str, wanted: Wanted) -> None:
+def _require_infinite(contact: Contact, name: str, radius: Any, depth: Callable[[], Any]) -> None:
     """That the printed pressure does not come to an end where it is said to be infinite.
 
     Raises
     ------
     ValueError
-        If it grows by less over the last ten decades towards that place than over the ten before them.
+        If it grows by less over the last five decades towards that place than over the five before them.
     """
-    places = {"0": lambda: mp.mpf(0), "a": wanted["a"], "b": lambda: mp.mpf(str(contact.values[nt.b]))}
-    at, radius = places[name[2:-1]](), wanted["a"]()
+    known = {"a": radius} | ({"d": depth()} if "dF" in contact.entries and "d" not in contact.entries else {})
+    places = {"0": mp.mpf(0), "a": radius}
+    at = places[name[2:-1]] if name[2:-1] in places else mp.mpf(str(contact.values[nt.b]))
     # from the side where the face is in contact, and from above its tip
     side = -1 if at else 1
-    near, nearer, nearest = (wanted["p"](at + side * radius * mp.mpf(10) ** -power) for power in (3, 8, 13))
+    beside = (at + side * radius * mp.mpf(10) ** -power for power in (3, 8, 13))
+    near, nearer, nearest = (mp.re(contact.pressure(place, **known)) for place in beside)
     if not nearest - nearer > 0.9 * (nearer - near) > 0:
         message = f"{name} is printed as infinite and comes to {nearest}"
         raise ValueError(message)

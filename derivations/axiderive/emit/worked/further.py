@@ -36,24 +36,28 @@ def further(profile_id: str, derived: Derived, case: Case, contact: Numbers) -> 
             numbers = [(name, quantity_text(value, unit), key) for name, value, unit, key in shown]
             found.append({"title": title, "words": words, "numbers": numbers})
     if profile_id in BLUNTED:
-        found.insert(0, _sharp(contact, derived["cone"]))
+        found.insert(0, _sharp(contact))
     return found
 
 
 BLUNTED = ("rounded_cone", "sphere_tipped_cone")
 
 
-def _sharp(contact: Numbers, cone: Entries) -> dict[str, Any]:
-    """The force on a cone without the tip at the same depth: whether the blunting matters."""
-    force = Numbers(cone["Fd"].profile, cone, contact.values | {nt.d: contact.depth}, DIGITS)("Fd")
+def _sharp(contact: Numbers) -> dict[str, Any]:
+    """The force on a cone without the tip at the same depth: whether the blunting matters.
+
+    The formula is that of the entry of the cone, with which the number is read back: an entry is printed from its own.
+    """
+    with mp.workdps(DIGITS):
+        force = 2 * contact["E_star"] * contact.depth**2 / (mp.pi * mp.tan(contact["theta"]))
     numbers = [(r"F_{\mathrm N}", quantity_text(force, "N"), "")]
     return {"title": "Sharp cone", "words": "of the same inclination at the same depth", "numbers": numbers}
 
 
 def _with_friction(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple[str, str, Shown]:
-    """Half of the force at which everything slips."""
+    """Half of the force at which everything slips, to three digits."""
     friction, radius = sp.Rational(case.material.friction), contact["a"]
-    pulled = friction * sp.Rational(str(case.load)) / 2
+    pulled = sp.Rational(f"{float(friction) * case.load / 2:.3g}")  # as it is printed
     values = contact.values | {nt.mu: friction, nt.G_star: case.material.shear, nt.F_x: pulled}
     lowest = contact[contact.profile.breaks[0].name] if contact.profile.truncated else radius / 10**6
 
