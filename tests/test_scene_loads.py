@@ -22,7 +22,7 @@ def test_the_module_agrees_with_the_definition_and_its_test_runs(load, tmp_path)
     assert set(errors) == {"displacement"}
     assert max(errors.values()) < WORST
     assert run_plainly(result, tmp_path) == "3 values agree\n"
-    assert titles(result.files[f"profiles/loads.{load}.tex"]) == ["Displacement", "Derivation", "Evidence"]
+    assert titles(result.files[f"profiles/loads.{load}.tex"]) == ["Displacement"]
 
 
 def test_frozen_values_are_folded_in():

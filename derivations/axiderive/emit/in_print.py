@@ -16,6 +16,8 @@ from .superposition import SUMS
 JOINT = r",\quad\enspace "
 """Between the formulas that share a row."""
 JOINT_WIDTH = 15.0
+MOST_LINES = 10
+"""Of a row in print; a longer one is left to the web edition and its definition."""
 PULL_OFF = (("ac", "Fc", "dc"), ("am", "Fm", "dm"))
 """Radius, force and depth at pull-off, under force control and under depth control."""
 SAME_FOR_ALL = {
@@ -31,8 +33,10 @@ SAME_FOR_ALL = {
 
 def printed(system: System, rows: Sequence[Row]) -> list[Row]:
     """The rows in print; those the book says by a rule are marked as listed."""
-    if not rows or rows[0].entry.profile.contact != "compact" or system.name in ("plane", "loads"):
+    if not rows or system.name in ("plane", "loads"):
         return list(rows)
+    if rows[0].entry.profile.contact != "compact":
+        return [replace(one, listed=system.name == "graded.normal" and one.suffix in ("k", "dF")) for one in rows]
     known = {one.suffix: one for one in rows}
     found: list[Row] = []
     for one in rows:
@@ -72,6 +76,8 @@ def _is_ruled(system: System, one: Row) -> bool:
     if one.suffix in SAME_FOR_ALL.get(system.name, ()) or one.kind in ("rule", "root", "composition"):
         # what a law does to a closed formula is printed with it
         return system.name != "viscoelastic" or r"F_{\mathrm N}(" in one.regions[0].tex
+    if sum(len(region.lines) for region in one.regions) > MOST_LINES:
+        return True
     return one.suffix == "pm" and not (one.narrow and fits_half(one))
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -11,21 +10,24 @@ import sympy as sp
 from .. import __version__
 from .. import notation as nt
 from ..contact import general
+from ..contact.systems import problem
 from ..emit import notation_table
 from ..emit.arrangement import ordered
 from ..emit.laws import laws
+from ..emit.laws import rows as law_rows
 from ..emit.page import symbols
 from ..emit.panel import shape_tex
 from ..emit.plane import document
 from ..emit.printer import Printer
 from ..emit.prose import prose
 from ..emit.ranges import chain_of, condition, regions
+from ..emit.rows import Row
 from ..entry import Entry
 from ..index import NoCatalogueError, package
 from ..profiles.profile import Profile
-from . import interface
+from ..work import read_entries
+from . import interface, sources
 from .request import Request
-from .sections import sections_for
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \documentclass[10pt,a4paper,twoside]{article}
@@ -50,9 +52,18 @@ CLAIMS = {
     "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
 }
 """What holds for the formulas of a profile of one's own."""
-ELSEWHERE = re.compile(r"\b(?:of|on) page \\pageref\{part:\w+\}")
-"""Another part of the handbook: a page of a scene stands alone."""
-LAWS, ON_FIRST = r"of the four laws on page \pageref{part:laws}", "of the law on the first page"
+SECTIONS = {
+    "normal": {"": "Normal contact"},
+    "adhesive": {"": "Normal contact", "adh": "Adhesive contact"},
+    "tangential": {"": "Normal contact", "tan": "Tangential contact"},
+    "graded": {"": "Normal contact", "fgm": "Power-law graded half-space"},
+    "graded.adhesive": {"fgm": "Power-law graded half-space", "fgm.adh": "Adhesive contact, graded half-space"},
+    "graded.tangential": {"fgm": "Power-law graded half-space", "fgm.tan": "Tangential contact, graded half-space"},
+    "viscoelastic": {"": "Normal contact", "vis": "Viscoelastic half-space"},
+    "plane": {"": "Plane contact"},
+    "loads": {"": "Displacement"},
+}
+"""Headings by the group of their keys, for each kind of contact."""
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -72,16 +83,18 @@ def page_sources(
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     name = interface.id_of(request.physics, profile.name)
     path = f"profiles/{name}.tex"
-    texts = None if request.own else _stored(path, request.physics)
-    if texts is None:
-        closed = entries["d"].status == "closed"
+    preamble = None if request.own else _stored("preamble.tex")
+    if preamble is None:
+        closed = "d" not in entries or entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
-        # LaTeX of a profile of the catalogue is stored
+        # that of the catalogue is stored
         from ..emit.handbook import templates
 
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
-        texts = {path: body, "preamble.tex": preamble}
+    else:
+        body = _sections(name, profile, request.physics)
+    texts = {path: body, "preamble.tex": preamble}
     material = (interface.record(name).name for name in interface.MATERIAL[request.physics])
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
     here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
@@ -154,21 +167,39 @@ def integrals(profile: Profile, entries: Mapping[str, Entry]) -> str:
 
 def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]) -> str:
     """Shape, formulas by range, and whether each is certified."""
+    return "\n".join([rf"\par {shape_tex(profile)}\par\vspace{{3mm}}", *_rows(ordered(entries), evidence), ""])
+
+
+def _sections(name: str, profile: Profile, physics: str) -> str:
+    """Shape and formulas of a profile of the catalogue, as they are stored, for one kind of contact."""
     lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
-    for row in ordered(entries):
-        certified = evidence.get("entries", {}).get(row.suffix, {}).get("certified")
-        label, small = row.label
-        lines.append(rf"\par\vspace{{2mm}}\textbf{{{label}}} {small} {'(certified)' if certified else ''}\par")
-        lines += [rf"$\displaystyle {region.tex}$ \quad {_math(region.condition)}\par" for region in row.regions]
+    headings = SECTIONS.get(physics) or SECTIONS[physics.partition(".")[0]]
+    known: dict[str, dict[str, Entry]] = {}
+    for group, title in headings.items():
+        key = f"{name}.{group}".rstrip(".")
+        record = sources.evidence(key) or {}
+        known[group] = read_entries(problem(key), record.get("entries", {}))
+        rows = law_rows(known[group], known[""]) if group == "vis" else ordered(known[group])
+        lines += [rf"\sect{{{title}}}", *_rows(rows, record.get("evidence", {}))]
     return "\n".join([*lines, ""])
 
 
-def _stored(path: str, physics: str) -> dict[str, str] | None:
+def _rows(rows: Sequence[Row], evidence: Mapping[str, Any]) -> Iterator[str]:
+    for row in rows:
+        certified = evidence.get("entries", {}).get(row.suffix, {}).get("certified")
+        label, small = row.label
+        yield (
+            rf"\par\vspace{{2mm}}\textbf{{{label}}} {small} {'(certified)' if certified else ''} \key{{{row.ends}}}\par"
+        )
+        words = rf"\remark{{{row.remark} {row.uses}}}" if row.remark else ""
+        yield from (
+            rf"$\displaystyle {region.tex}{words}$ \quad {_math(region.condition)}\par" for region in row.regions
+        )
+
+
+def _stored(path: str) -> str | None:
     try:
-        folder = package().parent / "handbook"
-        page, preamble = ((folder / name).read_text() for name in (path, "preamble.tex"))
-        own = {path: sections_for(page, physics), "preamble.tex": preamble}
-        return {name: ELSEWHERE.sub("in the handbook", text.replace(LAWS, ON_FIRST)) for name, text in own.items()}
+        return (package().parent / "handbook" / path).read_text()
     except (NoCatalogueError, OSError):
         return None
 
