@@ -71,6 +71,8 @@ FURTHER: tuple[tuple[str, str, str], ...] = (
     (r"s,\;\psi,\;\varphi_0", "", "in many rows: the shorthands of the conventions"),
 )  # fmt: skip
 """LaTeX, unit and meaning of letters that stand for something else in some places."""
+SAID = {"x": "distance from the middle of a plane contact"}
+"""Meanings in print that are shorter than those of the records, which speak of derivations too."""
 INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
@@ -98,7 +100,7 @@ def _row(name: str) -> Row:
         limits = ""
     else:
         n = nt.describe(name)
-        latex, unit, meaning, limits = n.latex, n.unit, n.meaning, domain(n)
+        latex, unit, meaning, limits = n.latex, n.unit, SAID.get(name, n.meaning), domain(n)
     anchor = name.replace(":", "print-")
     return {"name": anchor, "latex": latex, "unit": _unit(unit), "meaning": prose(meaning), "domain": limits}
 
