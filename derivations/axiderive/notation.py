@@ -213,7 +213,7 @@ sigma = _define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed p
 
 # auxiliary: integration variables, never arguments of a function
 t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
-x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact")
+x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
 u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
 psi = _define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
 C = _define(

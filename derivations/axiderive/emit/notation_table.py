@@ -70,6 +70,8 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Prescribed pressure", ("p_0", "sigma")),
 )  # fmt: skip
 """Names of records in the order of the table; those with a colon are of `IN_PRINT`."""
+SAID = {"x": "distance from the middle of a plane contact"}
+"""Meanings in print that are shorter than those of the records, which speak of derivations too."""
 INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
@@ -118,7 +120,7 @@ def _row(name: str) -> Row:
         limits = ""
     else:
         n = nt.describe(name)
-        latex, unit, meaning, limits = n.latex, n.unit, n.meaning, domain(n)
+        latex, unit, meaning, limits = n.latex, n.unit, SAID.get(name, n.meaning), domain(n)
     anchor = name.replace(":", "print-")
     return {"name": anchor, "latex": latex, "unit": _unit(unit), "meaning": prose(meaning), "domain": limits}
 
