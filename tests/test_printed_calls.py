@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from stored_book import HANDBOOK, PROFILES
+from stored_book import HANDBOOK, PRINTED
 
 from axiderive import notation as nt
 from axiderive.emit.spread import pool_of
 
-SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PROFILES}
+SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PRINTED}
 CHECKED = [name for name, text in SPREADS.items() if "]{Check values}" in text]
 GIVEN = [name for name in CHECKED if name.startswith("loads.") or name == "plane.eccentric_punch"]
 """What has no profile: a circle or a strip of unit size under a unit load."""
