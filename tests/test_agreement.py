@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from selected import few
 from test_interface import PARAMETERS
 
 from axicontact._along import LEAST
@@ -19,7 +20,7 @@ NUMBERS = {"E_star": 1.3, "G_star": 0.9, "H": 1.7, "H_x": 1.1, "k": 0.3, "mu": 0
 MOST = 6.0
 """Units of the last place; 6 were the most of 4e5 values at drawn contacts, where two libraries' functions differ."""
 RADII = 14.0
-"""The same of displacements at many radii of one contact; 13 were measured. The rule itself is up to 5.8 from the exact
+"""The same of displacements at many radii of one contact; 13 were measured. The rule itself is up to 6.6 from the exact
 value and the polynomials through its values up to 5.4."""
 CURVE = 14.0
 """The same of stable radii of a power law, each by an iteration of its own on a curve of powers; 11 were measured."""
@@ -59,7 +60,7 @@ def size(name: str, group: str, fields: list[str], given: dict[str, Any], *value
     return np.abs(plain(*values, **{k: v for k, v in given.items() if k in inspect.signature(plain).parameters}))
 
 
-@pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("group", few(GROUPS, ["normal", "tangential"], pytest.mark.slow))
 def test_single_numbers_and_arrays_agree(group: str) -> None:
     dice, rows, count = np.random.default_rng(11), [], 0
     picked = PICKED["graded" if "graded" in group else "normal"]

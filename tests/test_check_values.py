@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from stored_book import HANDBOOK, PROFILES, stored
+from stored_book import HANDBOOK, PRINTED, stored
 
 from axiderive import notation as nt
 from axiderive.emit.page import BREAKS
 from axiderive.emit.spread import pool_of, problems_of
 from axiderive.letters import name_of
 
-SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PROFILES}
+SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PRINTED}
 CHECKED = [name for name, text in SPREADS.items() if "]{Check values}" in text]
 GIVEN = [name for name in CHECKED if name.startswith("loads.") or name == "plane.eccentric_punch"]
 """What has no profile: a circle or a strip of unit size under a unit load."""

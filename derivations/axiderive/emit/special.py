@@ -39,7 +39,7 @@ UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, s
 """Units in which a profile is r^n or -r^n; that of length is a, where the formula has it."""
 NAMES = {
     "d": "g(a)", "F": r"F_{\mathrm N}", "aF": "a", "p": "p(r)", "w": "w(r)", "P": "P", "aP": "a",
-    "s": r"\mathrm dw/\mathrm dx", "dmin": r"d_{\min}", "Fmin": r"F_{\min}", "rz": "r_0", "xz": "x_0",
+    "s": r"\frac{\mathrm dw}{\mathrm dx}", "dmin": r"d_{\min}", "Fmin": r"F_{\min}", "rz": "r_0", "xz": "x_0",
     "Pmin": r"P_{\min}",
 }  # fmt: skip
 """Heads of the columns."""

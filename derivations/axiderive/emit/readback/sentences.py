@@ -31,7 +31,7 @@ Entries = Mapping[str, Entry]
 LISTED = {
     "definition of a name": (
         r"c_{\mathrm N}(x)=H\,|x|^k", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x\,|x|^k",
-        r"c_{\mathrm T}(x)=H_x|x|^k", r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
+        r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
         r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}", r"\sqrt{R\,d}",
         r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
@@ -42,7 +42,7 @@ LISTED = {
         "p(r;c)=0", "t<b", "g(t)=0",
     ),
     "a place or a case that a sketch or a note points to": (
-        r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "r=a/2", "x=a/2", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
+        r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
         r"4\,|e|-3\,a", "n>1",
     ),
     "a case that a number is given for": (
@@ -55,7 +55,7 @@ LISTED = {
     "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
     "an order of magnitude": (
         r"a \ll  R", r"a \ll  R_1", r"a \ll  R_2", r"a \ll", r"h \ll  s", r"a-b \ll  R", r"a-b \ll  R_2",
-        r"\tan \theta \ll  1", r"n\,A\,a^{n-1} \ll  1", r"4\,A\,a^3 \ll  1", r"6\,A\,a^5 \ll  1", "a^2/R^2", "r^2",
+        r"\tan \theta \ll  1", r"n\,A\,a^{n-1} \ll  1", "r^2",
         r"P \sim  a^n", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim  d^{1+1/n}",
     ),
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
