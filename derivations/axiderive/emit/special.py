@@ -31,7 +31,7 @@ MEMBERS: dict[str, dict[int, str]] = {
 COLUMNS = {
     "power_law": (("d", "F", "aF", "p"), ("w",)),
     "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
-    "concave_power": (("F", "dmin", "Fmin", "rz", "p"), ("w",)),
+    "concave_power": (("F", "dmin", "Fmin", "rz", "w"), ("p",)),
     "plane.concave_power": (("Pmin", "xz", "p", "s"), ("d",)),
 }
 """What each of the two tables of a host gives."""

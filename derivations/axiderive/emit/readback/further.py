@@ -177,7 +177,7 @@ def _share(part: Sequence[str], suffix: str, values: Mapping[Any, Any], stored: 
     own = {name_in_print(symbol): symbol for symbol in entry.profile.parameters}
     given = {}
     for statement in read(text):
-        given[own[statement.members[0].name]] = sp.Float(str(statement.members[1](named(values))), 2 * DIGITS)
+        given[own[statement.members[0].name]] = sp.Float(str(statement.members[1](named(dict(values)))), 2 * DIGITS)
     known = {**values, **given}
     if entry.profile.truncated and known[nt.a] < known[nt.b]:
         return 0

@@ -60,8 +60,9 @@ def proved(text: str) -> Proved:
     if match is None:
         message = "no line on the evidence"
         raise LookupError(message)
-    *numbers, page = match.groups(default="0")
-    return Proved(*map(int, numbers), page)
+    *counts, page = match.groups(default="0")
+    certified, formulas, digits, roots, integrals = map(int, counts)
+    return Proved(certified, formulas, digits, roots, integrals, page)
 
 
 @dataclass(frozen=True)
