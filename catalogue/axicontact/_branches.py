@@ -8,6 +8,7 @@ the profile is a change of sign like any other.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,11 +18,11 @@ from ._elementwise import Array
 Load = Callable[[Array], Array]
 
 
-class Branches:
+class Branches(NamedTuple):
     """Ends of the stable branches along a first axis, in ascending order; NaN where there are fewer."""
 
-    def __init__(self, first: Array, last: Array) -> None:
-        self.first, self.last = first, last
+    first: Array
+    last: Array
 
 
 def branches(rate: Load, radii: Array, high: Array | float, control: str, E_star: Array, dgamma: Array) -> Branches:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -142,11 +143,13 @@ def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: A
     return np.where(a <= b, tip, _broken(lambda s, z: slope * a * (a / (a + s)), within, r, a, k, at))
 
 
-class _Gap:
+class _Gap(NamedTuple):
     """What weighs the fall, outside with the share of a flat punch and inside, where q is a, for d - f(a) alone."""
 
-    def __init__(self, outside: Array, q: Array, even: Array, grown: Array) -> None:
-        self.outside, self.q, self.even, self.grown = outside, q, even, grown
+    outside: Array
+    q: Array
+    even: Array
+    grown: Array
 
 
 def _gap(r: Array, a: Array, k: Array) -> _Gap:
@@ -180,11 +183,13 @@ def _smooth(shape: Shape, r: Array, a: Array, k: Array, c: Array | float = np.in
     return _joined(gap, a, near + over_angle(own, a, gap.q, np.full_like(gap.q, np.pi / 2.0), k), _fall(shape, r, a))
 
 
-class _Break:
+class _Break(NamedTuple):
     """sqrt(a**2 - b**2), b**2 - r**2, and the -end**2 of b**2 - s**2 at which the fall within is singular."""
 
-    def __init__(self, b: Array, root: Array, more: Array, end: Array | float = np.inf) -> None:
-        self.b, self.root, self.more, self.end = b, root, more, end
+    b: Array
+    root: Array
+    more: Array
+    end: Array | float = np.inf
 
 
 def _break_at(r: Array, a: Array, b: Array) -> _Break:

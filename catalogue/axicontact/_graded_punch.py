@@ -37,8 +37,7 @@ def punch_pressure(r: Array, a: Array, H: Array, k: Array) -> Array:
 
 def punch_displacement(r: Array, a: Array, k: Array) -> Array:
     """Displacement per depth."""
-    # not imported with the module, which has more to it than its displacement
-    from ._graded_displacement import punch_share
+    from ._graded_displacement import punch_share  # a module has more to it than its displacement
 
     return np.where(r > a, punch_share(r, a, k), 1.0)
 

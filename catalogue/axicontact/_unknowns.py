@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,22 +16,16 @@ CLOSEST = 18.3
 """artanh(a/R) of the last radius that is told from R."""
 
 
-class Unknown:
-    """x `of` the radius a; a and da/dx of x, `back`; the largest x that makes sense.
+class Unknown(NamedTuple):
+    """x of the radius a; a and da/dx of x; the largest x that makes sense."""
 
-    `order` is the highest power of x with which an excess begins, `unit` the x up to which a load may be flat
-    as far as it is known, for a branch that starts below.
-    """
-
-    def __init__(
-        self,
-        of: Callable[[Array], Array],
-        back: Callable[[Array], tuple[Array, Array]],
-        end: Array | float = np.inf,
-        order: Array | float = 2.0,
-        unit: float = 0.0,
-    ) -> None:
-        self.of, self.back, self.end, self.order, self.unit = of, back, end, order, unit
+    of: Callable[[Array], Array]
+    back: Callable[[Array], tuple[Array, Array]]
+    end: Array | float = np.inf
+    order: Array | float = 2.0
+    """The highest power of x with which an excess begins."""
+    unit: float = 0.0
+    """The x up to which a load may be flat as far as it is known, for a branch that starts below."""
 
 
 def radius_itself() -> Unknown:

@@ -79,7 +79,7 @@ def pull_off(control: str = "force", *, a: ArrayLike, h: ArrayLike, E_star: Arra
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like

@@ -90,9 +90,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -137,9 +137,9 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -189,9 +189,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -245,9 +245,9 @@ def displacement(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -292,9 +292,9 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: Array
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -341,9 +341,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: Array
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -401,9 +401,9 @@ def pull_off(control: str = "force", *, h: ArrayLike, b: ArrayLike, E_star: Arra
     control : {"force", "depth"}
         What is held while the contact is unloaded.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like

@@ -91,7 +91,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -140,7 +140,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -192,7 +192,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -246,7 +246,7 @@ def displacement(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -294,7 +294,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -344,7 +344,7 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -404,7 +404,7 @@ def pull_off(control: str = "force", *, h: ArrayLike, s: ArrayLike, E_star: Arra
     control : {"force", "depth"}
         What is held while the contact is unloaded.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like

@@ -92,7 +92,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dg
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -140,7 +140,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dg
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -194,7 +194,7 @@ def pressure(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -247,7 +247,7 @@ def displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -294,7 +294,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -343,7 +343,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -405,7 +405,7 @@ def pull_off(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like

@@ -92,7 +92,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -141,7 +141,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -199,7 +199,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -254,7 +254,7 @@ def displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -302,7 +302,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -351,7 +351,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like
@@ -411,7 +411,7 @@ def pull_off(control: str = "force", *, R: ArrayLike, b: ArrayLike, E_star: Arra
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     dgamma : array_like

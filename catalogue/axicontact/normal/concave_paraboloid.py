@@ -47,7 +47,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
 
     Returns
     -------
@@ -92,7 +92,7 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Res
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -141,7 +141,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -190,7 +190,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> R
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
 
     Returns
     -------
@@ -233,7 +233,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -280,7 +280,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayL
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -325,7 +325,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
 
     Returns
     -------
@@ -368,7 +368,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
 
     Returns
     -------
@@ -411,7 +411,7 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

@@ -47,7 +47,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
 
@@ -93,7 +93,7 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: Arr
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_star : array_like
@@ -148,7 +148,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: Array
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_star : array_like
@@ -202,7 +202,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
 
@@ -246,7 +246,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_star : array_like
@@ -294,7 +294,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_star : array_like
@@ -344,7 +344,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
 
@@ -388,7 +388,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
 
@@ -433,7 +433,7 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_star : array_like

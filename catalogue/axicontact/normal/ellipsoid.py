@@ -51,9 +51,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     r : array_like
         Distance from the axis [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
 
     Returns
     -------
@@ -96,9 +96,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
 
     Returns
     -------
@@ -140,9 +140,9 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -190,9 +190,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -241,9 +241,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> R
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
 
     Returns
     -------
@@ -286,9 +286,9 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -332,9 +332,9 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -378,9 +378,9 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
 
     Returns
     -------
@@ -423,9 +423,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: Array
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -470,9 +470,9 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -517,9 +517,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

@@ -50,9 +50,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     r : array_like
         Distance from the axis [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
 
     Returns
     -------
@@ -96,9 +96,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
 
     Returns
     -------
@@ -143,9 +143,9 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -195,9 +195,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -247,9 +247,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> R
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
 
     Returns
     -------
@@ -292,9 +292,9 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -339,9 +339,9 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -387,9 +387,9 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
 
     Returns
     -------
@@ -433,9 +433,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -480,9 +480,9 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -527,9 +527,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

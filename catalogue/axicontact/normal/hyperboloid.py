@@ -51,7 +51,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
 
     Returns
     -------
@@ -96,7 +96,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
 
     Returns
     -------
@@ -140,7 +140,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -191,7 +191,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -241,7 +241,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
 
     Returns
     -------
@@ -286,7 +286,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -332,7 +332,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -378,7 +378,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
 
     Returns
     -------
@@ -423,7 +423,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -470,7 +470,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -517,7 +517,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

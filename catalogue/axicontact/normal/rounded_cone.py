@@ -53,7 +53,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -99,7 +99,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -200,7 +200,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -253,7 +253,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -298,7 +298,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -346,7 +346,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -393,7 +393,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -440,7 +440,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -487,7 +487,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -534,7 +534,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

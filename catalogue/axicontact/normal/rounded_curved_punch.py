@@ -56,7 +56,7 @@ def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Resu
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -100,7 +100,7 @@ def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -148,7 +148,7 @@ def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: A
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -207,7 +207,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -262,7 +262,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b:
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -309,7 +309,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -359,7 +359,7 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -404,7 +404,7 @@ def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -453,7 +453,7 @@ def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -502,7 +502,7 @@ def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -551,7 +551,7 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

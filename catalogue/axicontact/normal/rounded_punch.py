@@ -53,7 +53,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -144,7 +144,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -200,7 +200,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -253,7 +253,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -300,7 +300,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -348,7 +348,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -396,7 +396,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -441,7 +441,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -488,7 +488,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -535,7 +535,7 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

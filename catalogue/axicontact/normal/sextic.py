@@ -1,6 +1,6 @@
 """Sextic profile.
 
-Flatter than the quartic: most of the load is carried near the rim of the contact.
+Flatter at the tip than the quartic: most of the load is carried near the rim of the contact.
 """
 
 from __future__ import annotations

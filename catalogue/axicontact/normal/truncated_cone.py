@@ -52,7 +52,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -97,7 +97,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -143,7 +143,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -198,7 +198,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -250,7 +250,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -296,7 +296,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -344,7 +344,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -392,7 +392,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -437,7 +437,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -484,7 +484,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -531,7 +531,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

@@ -1,6 +1,6 @@
 """Wavy paraboloid.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) 
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
 
@@ -96,7 +96,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) ->
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
 
@@ -145,7 +145,7 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -201,7 +201,7 @@ def pressure(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -256,7 +256,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wave
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
 
@@ -302,7 +302,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -352,7 +352,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Array
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -401,7 +401,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
 
@@ -449,7 +449,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -497,7 +497,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Ar
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -545,7 +545,7 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Ar
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like

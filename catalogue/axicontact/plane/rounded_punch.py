@@ -38,7 +38,7 @@ def profile(x: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -83,7 +83,7 @@ def load(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Resu
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -136,7 +136,7 @@ def pressure(x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -188,7 +188,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -239,7 +239,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -286,7 +286,7 @@ def half_width_from_load(P: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Ar
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

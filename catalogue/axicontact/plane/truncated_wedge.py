@@ -36,7 +36,7 @@ def profile(x: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -81,7 +81,7 @@ def load(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -131,7 +131,7 @@ def pressure(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 
@@ -182,7 +182,7 @@ def slope(x: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -231,7 +231,7 @@ def depth(L: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Resu
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
 
     Returns
     -------
@@ -278,7 +278,7 @@ def half_width_from_load(P: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Distance from the middle to the break between two parts of the profile [m], b > 0.
+        Half-width of the flat face [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
 

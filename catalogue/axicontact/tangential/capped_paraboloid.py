@@ -47,7 +47,7 @@ def tangential_force(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -118,7 +118,7 @@ def traction(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -190,7 +190,7 @@ def tangential_displacement(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like
@@ -259,7 +259,7 @@ def stick_radius(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -312,7 +312,7 @@ def full_slip_displacement(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like

@@ -39,9 +39,9 @@ def tangential_force(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -100,9 +100,9 @@ def traction(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -159,9 +159,9 @@ def tangential_displacement(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like
@@ -220,9 +220,9 @@ def stick_radius(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -270,9 +270,9 @@ def full_slip_displacement(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like

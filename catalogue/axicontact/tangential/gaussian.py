@@ -41,7 +41,7 @@ def tangential_force(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -110,7 +110,7 @@ def traction(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -170,7 +170,7 @@ def tangential_displacement(
     c : array_like
         Radius of the stick zone [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -233,7 +233,7 @@ def stick_radius(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like
@@ -284,7 +284,7 @@ def full_slip_displacement(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_star : array_like

@@ -42,7 +42,7 @@ def tangential_force(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -105,7 +105,7 @@ def traction(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -166,7 +166,7 @@ def tangential_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like
@@ -230,7 +230,7 @@ def stick_radius(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -282,7 +282,7 @@ def full_slip_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like

@@ -42,7 +42,7 @@ def tangential_force(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -113,7 +113,7 @@ def traction(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -173,7 +173,7 @@ def tangential_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like
@@ -236,7 +236,7 @@ def stick_radius(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     mu : array_like
@@ -287,7 +287,7 @@ def full_slip_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_star : array_like
         Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
     G_star : array_like

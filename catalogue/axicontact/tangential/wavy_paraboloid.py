@@ -1,6 +1,6 @@
 """Wavy paraboloid under a tangential load.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def tangential_force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -115,7 +115,7 @@ def traction(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -186,7 +186,7 @@ def tangential_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -256,7 +256,7 @@ def stick_radius(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like
@@ -316,7 +316,7 @@ def full_slip_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_star : array_like

@@ -57,7 +57,7 @@ def step_force_maxwell(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -113,7 +113,7 @@ def step_load_radius_maxwell(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -167,7 +167,7 @@ def step_force_kelvin_voigt(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -223,7 +223,7 @@ def step_load_radius_kelvin_voigt(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -285,7 +285,7 @@ def step_force_standard_solid(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -354,7 +354,7 @@ def step_load_radius_standard_solid(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -420,7 +420,7 @@ def step_force_power_creep(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -488,7 +488,7 @@ def step_load_radius_power_creep(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

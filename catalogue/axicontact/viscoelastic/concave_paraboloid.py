@@ -38,7 +38,7 @@ def step_force_maxwell(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -90,7 +90,7 @@ def step_force_kelvin_voigt(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -142,7 +142,7 @@ def step_force_standard_solid(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -196,7 +196,7 @@ def step_force_power_creep(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

@@ -37,7 +37,7 @@ def step_force_maxwell(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E : array_like
@@ -91,7 +91,7 @@ def step_force_kelvin_voigt(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E : array_like
@@ -153,7 +153,7 @@ def step_force_standard_solid(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E_inf : array_like
@@ -220,7 +220,7 @@ def step_force_power_creep(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     E : array_like

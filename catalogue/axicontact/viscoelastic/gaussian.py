@@ -55,7 +55,7 @@ def step_force_maxwell(
     d : array_like
         Indentation depth of the point r = 0 [m], d >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like
@@ -109,7 +109,7 @@ def step_load_radius_maxwell(
     F : array_like
         Normal force [N], F >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like
@@ -162,7 +162,7 @@ def step_force_kelvin_voigt(
     d : array_like
         Indentation depth of the point r = 0 [m], d >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like
@@ -216,7 +216,7 @@ def step_load_radius_kelvin_voigt(
     F : array_like
         Normal force [N], F >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like
@@ -269,7 +269,7 @@ def step_force_standard_solid(
     d : array_like
         Indentation depth of the point r = 0 [m], d >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_inf : array_like
@@ -326,7 +326,7 @@ def step_load_radius_standard_solid(
     F : array_like
         Normal force [N], F >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E_inf : array_like
@@ -382,7 +382,7 @@ def step_force_power_creep(
     d : array_like
         Indentation depth of the point r = 0 [m], d >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like
@@ -438,7 +438,7 @@ def step_load_radius_power_creep(
     F : array_like
         Normal force [N], F >= 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     E : array_like

@@ -58,7 +58,7 @@ def step_force_maxwell(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -113,7 +113,7 @@ def step_load_radius_maxwell(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -167,7 +167,7 @@ def step_force_kelvin_voigt(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -222,7 +222,7 @@ def step_load_radius_kelvin_voigt(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -276,7 +276,7 @@ def step_force_standard_solid(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -335,7 +335,7 @@ def step_load_radius_standard_solid(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -393,7 +393,7 @@ def step_force_power_creep(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -450,7 +450,7 @@ def step_load_radius_power_creep(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

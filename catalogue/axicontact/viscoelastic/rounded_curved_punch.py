@@ -60,7 +60,7 @@ def step_force_maxwell(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -118,7 +118,7 @@ def step_load_radius_maxwell(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -174,7 +174,7 @@ def step_force_kelvin_voigt(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -232,7 +232,7 @@ def step_load_radius_kelvin_voigt(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -298,7 +298,7 @@ def step_force_standard_solid(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -369,7 +369,7 @@ def step_load_radius_standard_solid(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -437,7 +437,7 @@ def step_force_power_creep(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -507,7 +507,7 @@ def step_load_radius_power_creep(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

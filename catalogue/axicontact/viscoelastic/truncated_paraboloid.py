@@ -57,7 +57,7 @@ def step_force_maxwell(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -109,7 +109,7 @@ def step_load_radius_maxwell(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -162,7 +162,7 @@ def step_force_kelvin_voigt(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -214,7 +214,7 @@ def step_load_radius_kelvin_voigt(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -267,7 +267,7 @@ def step_force_standard_solid(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -324,7 +324,7 @@ def step_load_radius_standard_solid(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -381,7 +381,7 @@ def step_force_power_creep(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -435,7 +435,7 @@ def step_load_radius_power_creep(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

@@ -1,6 +1,6 @@
 """Wavy paraboloid on a viscoelastic half-space.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def step_force_maxwell(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like
@@ -115,7 +115,7 @@ def step_load_radius_maxwell(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like
@@ -171,7 +171,7 @@ def step_force_kelvin_voigt(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like
@@ -229,7 +229,7 @@ def step_load_radius_kelvin_voigt(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like
@@ -295,7 +295,7 @@ def step_force_standard_solid(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_inf : array_like
@@ -367,7 +367,7 @@ def step_load_radius_standard_solid(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E_inf : array_like
@@ -437,7 +437,7 @@ def step_force_power_creep(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like
@@ -507,7 +507,7 @@ def step_load_radius_power_creep(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     E : array_like

@@ -88,7 +88,7 @@ def pull_off(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like

@@ -85,7 +85,7 @@ def pull_off(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

@@ -94,7 +94,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -146,7 +146,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -204,7 +204,7 @@ def pressure(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -264,7 +264,7 @@ def displacement(
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -318,7 +318,7 @@ def radius_from_depth(
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -373,7 +373,7 @@ def radius_from_force(
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -430,7 +430,7 @@ def pull_off(
     control : {"force", "depth"}
         What is held while the contact is unloaded.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like

@@ -98,7 +98,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -154,7 +154,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -209,7 +209,7 @@ def pressure(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -266,7 +266,7 @@ def displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -323,7 +323,7 @@ def radius_from_depth(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -382,7 +382,7 @@ def radius_from_force(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -439,7 +439,7 @@ def pull_off(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

@@ -1,6 +1,6 @@
 """Wavy paraboloid with adhesion on a power-law graded half-space.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ def depth(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -158,7 +158,7 @@ def force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -224,7 +224,7 @@ def pressure(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -292,7 +292,7 @@ def displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -349,7 +349,7 @@ def radius_from_depth(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -408,7 +408,7 @@ def radius_from_force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -476,7 +476,7 @@ def pull_off(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like

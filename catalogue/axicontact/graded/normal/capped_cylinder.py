@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force
@@ -64,7 +63,9 @@ def profile(r: ArrayLike, *, a: ArrayLike, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.020455
     """
-    return normal.capped_cylinder.profile(r, a=a, R=R)
+    from ...normal import capped_cylinder as normal
+
+    return normal.profile(r, a=a, R=R)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

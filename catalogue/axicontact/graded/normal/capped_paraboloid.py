@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rim_depth, rim_force, rim_rate
 from ..._graded_growth import power_depth, power_force, power_rate
@@ -53,7 +52,7 @@ def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Resu
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the inner part [m], b > 0.
 
     Returns
     -------
@@ -80,7 +79,9 @@ def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Resu
     >>> round(value, 6)
     0.01125
     """
-    return normal.capped_paraboloid.profile(r, R1=R1, R2=R2, b=b)
+    from ...normal import capped_paraboloid as normal
+
+    return normal.profile(r, R1=R1, R2=R2, b=b)
 
 
 def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -98,7 +99,7 @@ def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, k: ArrayL
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -148,7 +149,7 @@ def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: ArrayL
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -202,7 +203,7 @@ def pressure(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -255,7 +256,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b:
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -304,7 +305,7 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H: Ar
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -356,7 +357,7 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -407,7 +408,7 @@ def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -460,7 +461,7 @@ def radius_from_force(
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -511,7 +512,7 @@ def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -562,7 +563,7 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     R2 : array_like
         Radius of curvature of the outer part [m], R2 > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -676,4 +677,6 @@ def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Arr
 
 
 def _check(R1: ArrayLike, R2: ArrayLike, b: ArrayLike, *, k: ArrayLike, **material: ArrayLike) -> None:
-    normal.capped_paraboloid._check(R1=R1, R2=R2, b=b, k=k, **material)
+    from ...normal import capped_paraboloid as normal
+
+    normal._check(R1=R1, R2=R2, b=b, k=k, **material)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_factor
@@ -47,7 +46,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
 
     Returns
     -------
@@ -74,7 +73,9 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     >>> round(value, 6)
     -0.0135
     """
-    return normal.concave_paraboloid.profile(r, a=a, h=h)
+    from ...normal import concave_paraboloid as normal
+
+    return normal.profile(r, a=a, h=h)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -89,7 +90,7 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLik
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -141,7 +142,7 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: Array
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -195,7 +196,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, k: A
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -240,7 +241,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Resu
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -288,7 +289,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -335,7 +336,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -380,7 +381,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -424,7 +425,7 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -476,10 +477,11 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, H: Array, k: Array) -> Arr
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
     from ..._graded_displacement import power_sag, punch_share
+    from ...normal import concave_paraboloid as normal
 
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
     outside = d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a**2.0
-    return np.where(complete, np.where(r > a, outside, d - normal.concave_paraboloid._profile(r, a=a, h=h)), np.nan)
+    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h)), np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_order
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_factor
@@ -48,7 +47,7 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Depth of the concave face [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
 
@@ -77,7 +76,9 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result
     >>> round(value, 6)
     -0.00405
     """
-    return normal.concave_power.profile(r, a=a, h=h, n=n)
+    from ...normal import concave_power as normal
+
+    return normal.profile(r, a=a, h=h, n=n)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
@@ -92,7 +93,7 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLik
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
@@ -158,7 +159,7 @@ def pressure(
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
@@ -221,7 +222,7 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: A
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
@@ -275,7 +276,7 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: Arra
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
@@ -332,7 +333,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
@@ -393,7 +394,7 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> Re
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
@@ -448,7 +449,7 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     k : array_like
@@ -502,7 +503,7 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: 
     a : array_like
         Contact radius [m], a > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     n : array_like
         Exponent of the profile [1], n > 0.
     H : array_like
@@ -565,10 +566,11 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, H: Array, k: Arr
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array, k: Array) -> Array:
     from ..._graded_displacement import power_sag, punch_share
+    from ...normal import concave_power as normal
 
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
     outside = d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
-    return np.where(complete, np.where(r > a, outside, d - normal.concave_power._profile(r, a=a, h=h, n=n)), np.nan)
+    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h, n=n)), np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

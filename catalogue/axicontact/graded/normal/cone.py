@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -74,7 +73,9 @@ def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.109509
     """
-    return normal.cone.profile(r, theta=theta)
+    from ...normal import cone as normal
+
+    return normal.profile(r, theta=theta)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, k: ArrayLike) -> Result:

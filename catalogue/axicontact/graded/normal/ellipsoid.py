@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
@@ -48,9 +47,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     r : array_like
         Distance from the axis [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Semi-axis along the axis of revolution [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Semi-axis across, the largest radius of the body [m], b > 0.
 
     Returns
     -------
@@ -77,7 +76,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.018184
     """
-    return normal.ellipsoid.profile(r, h=h, b=b)
+    from ...normal import ellipsoid as normal
+
+    return normal.profile(r, h=h, b=b)
 
 
 def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -91,9 +92,9 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -138,9 +139,9 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -192,9 +193,9 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: Array
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -246,9 +247,9 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: A
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -293,9 +294,9 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -342,9 +343,9 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -391,9 +392,9 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, k: ArrayLike)
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -439,9 +440,9 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike,
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -488,9 +489,9 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, 
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -537,9 +538,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, 
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_punch import punch_displacement, punch_pressure, punch_stiffness
@@ -61,7 +60,9 @@ def profile(r: ArrayLike, *, a: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.flat_punch.profile(r, a=a)
+    from ...normal import flat_punch as normal
+
+    return normal.profile(r, a=a)
 
 
 def force(d: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
@@ -47,9 +46,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     r : array_like
         Distance from the axis [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height of the bump [m], h > 0.
     s : array_like
-        Length scale of the profile [m], s > 0.
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
 
     Returns
     -------
@@ -76,7 +75,9 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     >>> round(value, 6)
     0.060248
     """
-    return normal.gaussian.profile(r, h=h, s=s)
+    from ...normal import gaussian as normal
+
+    return normal.profile(r, h=h, s=s)
 
 
 def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
@@ -90,7 +91,7 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike) -> Result:
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
@@ -137,7 +138,7 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLik
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -191,7 +192,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: Array
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -245,7 +246,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: A
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
@@ -292,7 +293,7 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: Arra
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -341,7 +342,7 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: 
     a : array_like
         Contact radius [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -390,7 +391,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, k: ArrayLike)
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     k : array_like
@@ -438,7 +439,7 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike,
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -487,7 +488,7 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, 
     d : array_like
         Indentation depth of the point r = 0 [m].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like
@@ -536,7 +537,7 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, 
     F : array_like
         Normal force [N].
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     s : array_like
         Length scale of the profile [m], s > 0.
     H : array_like

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
@@ -49,7 +48,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
 
     Returns
     -------
@@ -76,7 +75,9 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.044657
     """
-    return normal.hyperboloid.profile(r, theta=theta, b=b)
+    from ...normal import hyperboloid as normal
+
+    return normal.profile(r, theta=theta, b=b)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -92,7 +93,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Resu
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -139,7 +140,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -193,7 +194,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -247,7 +248,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -294,7 +295,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -343,7 +344,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -392,7 +393,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -440,7 +441,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -489,7 +490,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -538,7 +539,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -74,7 +73,9 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.028125
     """
-    return normal.paraboloid.profile(r, R=R)
+    from ...normal import paraboloid as normal
+
+    return normal.profile(r, R=R)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:

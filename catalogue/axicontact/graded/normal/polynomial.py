@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_coefficients
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -75,7 +74,9 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.05385
     """
-    return normal.polynomial.profile(r, A=A)
+    from ...normal import polynomial as normal
+
+    return normal.profile(r, A=A)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -76,7 +75,9 @@ def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     >>> round(value, 6)
     0.073943
     """
-    return normal.power_law.profile(r, A=A, n=n)
+    from ...normal import power_law as normal
+
+    return normal.profile(r, A=A, n=n)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -74,7 +73,9 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.00324
     """
-    return normal.quartic.profile(r, A=A)
+    from ...normal import quartic as normal
+
+    return normal.profile(r, A=A)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:

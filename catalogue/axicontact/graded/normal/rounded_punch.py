@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
@@ -51,7 +50,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -78,7 +77,9 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.rounded_punch.profile(r, R=R, b=b)
+    from ...normal import rounded_punch as normal
+
+    return normal.profile(r, R=R, b=b)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -96,7 +97,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -147,7 +148,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -199,7 +200,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: Array
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -252,7 +253,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: A
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -301,7 +302,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -354,7 +355,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -407,7 +408,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike)
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -457,7 +458,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike,
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -506,7 +507,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -555,7 +556,7 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

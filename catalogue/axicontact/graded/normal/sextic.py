@@ -1,6 +1,6 @@
 """Sextic profile on a power-law graded half-space.
 
-Flatter than the quartic: most of the load is carried near the rim of the contact.
+Flatter at the tip than the quartic: most of the load is carried near the rim of the contact.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_mean, power_rate
@@ -74,7 +73,9 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.000292
     """
-    return normal.sextic.profile(r, A=A)
+    from ...normal import sextic as normal
+
+    return normal.profile(r, A=A)
 
 
 def depth(a: ArrayLike, *, A: ArrayLike, k: ArrayLike) -> Result:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
@@ -75,7 +74,9 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.030306
     """
-    return normal.sphere.profile(r, R=R)
+    from ...normal import sphere as normal
+
+    return normal.profile(r, R=R)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, k: ArrayLike) -> Result:

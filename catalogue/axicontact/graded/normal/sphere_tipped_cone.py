@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require
 from ..._elementwise import Array, Result, elementwise
 from ..._functions import sine_root
@@ -75,7 +74,9 @@ def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.038105
     """
-    return normal.sphere_tipped_cone.profile(r, R=R, theta=theta)
+    from ...normal import sphere_tipped_cone as normal
+
+    return normal.profile(r, R=R, theta=theta)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, k: ArrayLike) -> Result:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import flank_depth, flank_force, flank_rate
@@ -51,7 +50,7 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -78,7 +77,9 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.truncated_cone.profile(r, theta=theta, b=b)
+    from ...normal import truncated_cone as normal
+
+    return normal.profile(r, theta=theta, b=b)
 
 
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -95,7 +96,7 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayLike) -> Resu
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -146,7 +147,7 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -205,7 +206,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: A
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -263,7 +264,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -311,7 +312,7 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -364,7 +365,7 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike,
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -416,7 +417,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, k: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -466,7 +467,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayL
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -515,7 +516,7 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -564,7 +565,7 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLi
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

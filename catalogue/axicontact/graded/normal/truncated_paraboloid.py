@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_reach
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_breaks import rim_depth, rim_force, rim_rate
@@ -51,7 +50,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius of the flat face [m], b > 0.
 
     Returns
     -------
@@ -78,7 +77,9 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
-    return normal.truncated_paraboloid.profile(r, R=R, b=b)
+    from ...normal import truncated_paraboloid as normal
+
+    return normal.profile(r, R=R, b=b)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
@@ -93,7 +94,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike) -> Result:
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -141,7 +142,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLik
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -193,7 +194,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: Array
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -251,7 +252,7 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: A
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -299,7 +300,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: Arra
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -349,7 +350,7 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -399,7 +400,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, k: ArrayLike)
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     k : array_like
         Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
         < 1.
@@ -446,7 +447,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike,
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -495,7 +496,7 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -544,7 +545,7 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, 
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like

@@ -1,6 +1,6 @@
 """Wavy paraboloid on a power-law graded half-space.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import normal
 from ..._domain import require, require_order
 from ..._elementwise import Array, Result, elementwise
 from ..._graded_growth import power_depth, power_force, power_rate
@@ -50,7 +49,7 @@ def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) 
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
 
@@ -79,7 +78,9 @@ def profile(r: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike) 
     >>> round(value, 6)
     0.046215
     """
-    return normal.wavy_paraboloid.profile(r, R=R, h=h, wavelength=wavelength)
+    from ...normal import wavy_paraboloid as normal
+
+    return normal.profile(r, R=R, h=h, wavelength=wavelength)
 
 
 def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k: ArrayLike) -> Result:
@@ -96,7 +97,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, k:
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
@@ -148,7 +149,7 @@ def force(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H:
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -203,7 +204,7 @@ def pressure(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -263,7 +264,7 @@ def displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
@@ -312,7 +313,7 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -368,7 +369,7 @@ def mean_pressure(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -421,7 +422,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: A
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     k : array_like
@@ -475,7 +476,7 @@ def radius_from_force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -528,7 +529,7 @@ def force_from_depth(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -581,7 +582,7 @@ def depth_from_force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like

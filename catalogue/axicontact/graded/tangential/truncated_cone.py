@@ -45,7 +45,7 @@ def tangential_force(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -118,7 +118,7 @@ def traction(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -192,7 +192,7 @@ def tangential_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
@@ -261,7 +261,7 @@ def stick_radius(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -317,7 +317,7 @@ def full_slip_displacement(
     theta : array_like
         Inclination of the flank to the surface [rad], 0 < theta < pi/2.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like

@@ -42,7 +42,7 @@ def tangential_force(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -107,7 +107,7 @@ def traction(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -171,7 +171,7 @@ def tangential_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like
@@ -237,7 +237,7 @@ def stick_radius(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     k : array_like
@@ -291,7 +291,7 @@ def full_slip_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     b : array_like
-        Radius of the break between two parts of the profile [m], b > 0.
+        Radius at which the profile breaks, or its length across [m], b > 0.
     H : array_like
         Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
     H_x : array_like

@@ -1,6 +1,6 @@
 """Wavy paraboloid under a tangential load on a power-law graded half-space.
 
-A paraboloid with concentric waves of height h, shallow enough for the contact to stay compact.
+A paraboloid with concentric waves of amplitude h, 2h from valley to peak, too shallow to leave gaps.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def tangential_force(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -124,7 +124,7 @@ def traction(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -200,7 +200,7 @@ def tangential_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -276,7 +276,7 @@ def stick_radius(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
@@ -341,7 +341,7 @@ def full_slip_displacement(
     R : array_like
         Radius of curvature [m], R > 0.
     h : array_like
-        Height of the profile [m], h > 0.
+        Height or depth of the profile [m], h > 0.
     wavelength : array_like
         Wavelength of the waviness [m], wavelength > 0.
     H : array_like
