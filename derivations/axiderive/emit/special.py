@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from .. import notation as nt
+from ..contact import normal, plane
 from ..contact.systems import problem
 from ..entry import Entry
-from ..notation import E_star, L, R, a, h, n, r, theta, x
+from ..notation import E_star, R, a, h, n, r, theta, x
+from ..profiles.profile import Piece
 from .printer import Printer
 from .prose import prose
 
@@ -32,9 +35,9 @@ COLUMNS = {
     "power_law": (("d", "F", "aF", "p"), ("w",)),
     "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
     "concave_power": (("F", "dmin", "Fmin", "rz", "w"), ("p",)),
-    "plane.concave_power": (("Pmin", "xz", "p", "s"), ("d",)),
+    "plane.concave_power": (("Pmin", "xz", "p"), ("s",), ("d",)),
 }
-"""What each of the two tables of a host gives."""
+"""What each of the tables of a host gives."""
 UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}
 """Units in which a profile is r^n or -r^n; that of length is a, where the formula has it."""
 NAMES = {
@@ -50,25 +53,19 @@ def hosted(host: str) -> list[str]:
     return [name for name, own in HOSTS.items() if own == host]
 
 
-def cubic(place: sp.Symbol) -> dict[str, sp.Expr]:
-    """Formulas of n = 3 in which the incomplete Beta functions of the power law are elementary."""
-    inside, outside = sp.sqrt(1 - place**2), sp.sqrt(place**2 - 1)
-    line = place**2 * sp.acosh(1 / place) + inside
-    if place == x:
-        far = sp.sqrt(L**2 - 1)
-        return {
-            "p": 3 * line / sp.pi,
-            "s": -6 * (place**2 * sp.asin(1 / place) - outside) / sp.pi,
-            "d": (4 * sp.acosh(L) + 2 * L**3 * sp.asin(1 / L) - 2 * L * far) / sp.pi,
-        }
-    return {
-        "p": sp.Rational(9, 8) * line,
-        "w": sp.Rational(3, 2) * sp.asin(1 / place) + (place**2 + sp.S.Half) * outside - place**3,
-    }
+def member(host: str, power: int) -> Mapping[str, Entry]:
+    """The entries of the power: those of its own profile, or derived for it where the catalogue has none."""
+    name = MEMBERS[host][power]
+    if name:
+        return problem(name).derive()
+    in_plane = host.startswith("plane.")
+    like = problem("plane.quartic" if in_plane else "quartic").profile
+    profile = replace(like, pieces=(Piece(None, nt.A * (x if in_plane else r) ** power),))
+    return plane.derive(profile) if in_plane else normal.derive(profile)
 
 
 def tables(host: str) -> list[dict[str, Any]]:
-    """The two tables of a profile: heads, and for every power the profile of its own and the cells."""
+    """The tables of a profile: heads, and for every power the profile of its own and the cells."""
     if host not in MEMBERS:
         return []
     return [
@@ -82,12 +79,12 @@ def tables(host: str) -> list[dict[str, Any]]:
 
 
 def _head(suffix: str, in_plane: bool) -> str:
-    plane = {"d": "d", "p": "p(x)"}
-    return plane.get(suffix, NAMES[suffix]) if in_plane else NAMES[suffix]
+    named = {"d": "d", "p": "p(x)"}
+    return named.get(suffix, NAMES[suffix]) if in_plane else NAMES[suffix]
 
 
 def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[str, Any]:
-    entries = problem(name or host).derive()
+    entries = member(host, power)
     profile = problem(name or host).profile
     return {
         "power": power,
@@ -101,8 +98,5 @@ def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[st
 def value(entries: Mapping[str, Entry], suffix: str, power: int) -> sp.Expr:
     """The formula of a quantity in the units of the table."""
     entry = entries[suffix]
-    place = x if "s" in entries else r
-    if n in entry.profile.parameters and suffix in cubic(place):
-        return cubic(place)[suffix]
     expr = entry.cases[-1].expr.subs({**UNIT, n: sp.Integer(power)})
     return expr if suffix in ("aF", "aP") else expr.subs(a, 1)
