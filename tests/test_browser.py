@@ -151,6 +151,8 @@ def test_links_of_the_whole_edition_resolve_and_its_pages_are_small(site: dict[s
         assert len(set(page.ids)) == len(page.ids), path
         for address in page.addresses:
             target, _, fragment = address.partition("#")
+            if address.startswith("https://doi.org/10."):
+                continue  # a work that is cited, outside
             if address != "data:,":
                 assert (target or path) in site, f"{path}: {address}"
                 assert not fragment or fragment in PAGES[target or path].ids, f"{path}: {address}"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import math
 import re
-from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -16,11 +15,8 @@ from axiderive.emit.evidence import evidence_rows
 from axiderive.emit.given import axes_of
 from axiderive.emit.graded.frames import frames
 from axiderive.emit.limits import limit_rows
-from axiderive.emit.plots import plots
 from axiderive.emit.readback.further import Further, wrong
-from axiderive.emit.strips import StripNumbers
 from axiderive.emit.universal import power_of_depth, universal_rows
-from axiderive.emit.values import sketch_values
 from axiderive.profiles import NAMES, load
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
@@ -154,19 +150,6 @@ def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None
     slope = [y / x for x, y in _points(tilt.curves[0]) if 0 < x < 0.5]
     assert max(slope) == pytest.approx(4.0, rel=1e-4) == min(slope)
     assert _points(tilt.curves[0])[-1][1] > 4.0
-
-
-def test_the_cylinder_beside_a_line_load_is_the_parabola() -> None:
-    """Drawn from its own two lines; the plot of the parabola is drawn from its entries."""
-    entries = stored("plane.parabola")
-    profile = entries["P"].profile
-    shown = plots(profile, StripNumbers(profile, entries, sketch_values(profile), 16))
-    cylinder, strip = map(_points, shown.force_references)
-    own = _points(shown.force)
-    for x, y in cylinder[1::9]:
-        (x0, y0), (x1, y1) = next(pair for pair in pairwise(own) if pair[0][0] <= x <= pair[1][0])
-        assert y == pytest.approx(y0 + (y1 - y0) * (x - x0) / (x1 - x0), abs=4e-3)
-    assert all(y == pytest.approx(x) for x, y in strip)
 
 
 def test_the_displacement_beside_a_graded_punch_is_that_of_its_formula() -> None:

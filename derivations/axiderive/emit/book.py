@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import __version__
 from ..cache import digest
-from . import front, front_rules, guide, laws, notation_table, references, study
+from . import front, front_rules, guide, laws, matrix, notation_table, references, study
 from .chart import chart
 from .evidence import power_of_ten
 from .prose import escaped
@@ -72,7 +72,7 @@ def _held(chapters: Chapters) -> str:
 
 def _coverage(summaries: Sequence[Mapping[str, Any]]) -> dict[str, int]:
     """How the formulas of all profiles are known."""
-    found = Counter[str]()
+    found = Counter(matrix.NONE)
     for m in summaries:
         found.update({name: count for name, count in m["coverage"].items() if name != "digits"})
     digits = min((m["coverage"]["digits"] for m in summaries if m["coverage"]["digits"]), default=0)

@@ -55,6 +55,10 @@ def twice(found: Iterable[Mapping[str, Any]]) -> str:
     )
 
 
+NONE = {"formulas": 0, "certified": 0, "twice": 0, **dict.fromkeys(KINDS, 0)}
+"""How the formulas of nothing are known."""
+
+
 def coverage(records: Iterable[Mapping[str, Any]]) -> dict[str, int]:
     """How the formulas of some problems are known: counts, and the least digits of their comparisons.
 
