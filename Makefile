@@ -28,7 +28,7 @@ lint: $(VENV)/.lint
 	$(PY) -m ruff format --no-cache --check . </dev/null
 	$(PY) -m mypy </dev/null
 
-PAGE := 11
+PAGE := 14
 picture:
 	pdftoppm -r 92 -png -singlefile -f $(PAGE) -l $(PAGE) catalogue/handbook/handbook.pdf docs/page
 
