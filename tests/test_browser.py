@@ -90,7 +90,8 @@ def _expected(page: str) -> list[list[str]]:
         assert name
         lines = re.findall(r'<div class="line"><span class="tex"[^>]*>(.*?)</span></div>', row)
         calls = re.findall(r"<pre>(.*?)</pre>", row, re.DOTALL)
-        found.append([name[1], "latex", unescape("\n".join(lines))])
+        if lines:  # a sum of other profiles is said in words
+            found.append([name[1], "latex", unescape("\n".join(lines))])
         if calls:  # limits and universal curves have no function
             found.append([name[1], "python", unescape("\n\n".join(calls))])
     return found
