@@ -166,7 +166,7 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
 
 
 def test_import_digest_follows_code_and_what_it_imports(tmp_path, monkeypatch):
-    """Comments and docstrings do not count, a module that is imported inside a function does."""
+    """Comments, docstrings and the file do not count, a module that is imported inside a function does."""
     monkeypatch.setattr(cache_module, "__file__", str(tmp_path / "engine" / "cache.py"))
     monkeypatch.setattr(cache_module, "_read_module", cache_module._read_module.__wrapped__)
     (tmp_path / "engine").mkdir()
@@ -183,6 +183,9 @@ def test_import_digest_follows_code_and_what_it_imports(tmp_path, monkeypatch):
     assert digest_with(third="x = 2\n") == base
     assert digest_with(first=first.replace("+ 1", "+ 2")) != base
     assert digest_with(second="def g():\n    return 3\n") != base
+    assert digest_with(first=first.replace("def f", "y = 1\n\n\ndef f")) != base
+    moved = digest_with(first="from .third import f\n", third=first)
+    assert moved == base, "a definition that moves to another file is measured again"
 
 
 def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch):

@@ -41,29 +41,32 @@ VIEWS = ("axiderive.notebook",)
 
 @remember
 def import_digest(*modules: str) -> str:
-    """SHA-256 over what modules compute: their own code and that of all they import of axiderive.
+    """SHA-256 over what modules compute: the statements of their own files and of all they import of axiderive.
 
-    Comments, docstrings, layout and the names of files do not count; modules that are imported by a name made at run
-    time do not either.
+    Comments, docstrings, layout, the names of files and the order and place of definitions do not count, nor does the
+    version of Python; modules that are imported by a name made at run time do not either.
     """
-    pending, found = list(modules), dict[str, str]()
+    pending, read = list(modules), set[str]()
+    statements = set[str]()
     while pending:
         module = pending.pop()
-        if module not in found and module not in VIEWS and _source(module) is not None:
-            found[module], imported = _read_module(module)
+        if module not in read and module not in VIEWS and _source(module) is not None:
+            read.add(module)
+            found, imported = _read_module(module)
+            statements.update(found)
             pending += imported
-    return digest(sorted(found.values()))
+    return digest(sorted(statements))
 
 
 @remember
-def _read_module(module: str) -> tuple[str, tuple[str, ...]]:
-    """Digest of the code of a module, and what it imports."""
+def _read_module(module: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Digests of the statements of a module, and what it imports."""
     source = _source(module)
     assert source is not None
     tree = ast.parse(source.read_bytes())
     package = module if source.name == "__init__.py" else module.rpartition(".")[0]
     imported = tuple(_imported(tree, package))
-    return hashlib.sha256(ast.dump(_bare(tree)).encode()).hexdigest(), imported
+    return tuple(hashlib.sha256(_code(one).encode()).hexdigest() for one in tree.body if not _silent(one)), imported
 
 
 def _source(module: str) -> Path | None:
@@ -90,16 +93,20 @@ def _running(node: ast.AST) -> Iterator[ast.AST]:
         yield from _running(child)
 
 
-def _bare(tree: ast.Module) -> ast.Module:
-    """The tree without strings that stand alone."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
-            node.body = [one for one in node.body if not _words(one)]
-    return tree
+def _code(value: object) -> str:
+    """A syntax tree in words that every version of Python finds: without empty fields, docstrings and own imports."""
+    if isinstance(value, ast.AST):
+        fields = ((name, part) for name, part in ast.iter_fields(value) if part not in (None, []) and name != "ctx")
+        return f"{type(value).__name__}({','.join(f'{name}={_code(part)}' for name, part in fields)})"
+    if isinstance(value, list):
+        return f"[{','.join(_code(part) for part in value if not _silent(part))}]"
+    return repr(value)
 
 
-def _words(node: ast.stmt) -> bool:
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+def _silent(node: object) -> bool:
+    """Whether a statement computes nothing: a string that stands alone, or an import from within the engine."""
+    words = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+    return words or isinstance(node, ast.ImportFrom) and node.level > 0
 
 
 def _sources(module: str) -> list[Path]:
