@@ -17,8 +17,10 @@ from axicontact._along import LEAST
 GROUPS = ("normal", "tangential", "adhesive", "graded.normal", "graded.tangential", "graded.adhesive")
 FIELDS = {"a": 0.9, "c": 0.7, "d": 1.3, "F": 0.8, "F_x": 0.05}
 NUMBERS = {"E_star": 1.3, "G_star": 0.9, "H": 1.7, "H_x": 1.1, "k": 0.3, "mu": 0.3, "dgamma": 0.02, "nu": 0.3}
+USUAL, RARE = 4.0, 2e-3
+"""Units of the last place, and the share of values that may differ by more: 8 of 70,000 drawn ones did, 2 of 2000."""
 MOST = 6.0
-"""Units of the last place; 6 were the most of 4e5 values at drawn contacts, where two libraries' functions differ."""
+"""What none may exceed: 6 were the most of 4e5 values at drawn contacts, where two libraries' functions differ."""
 RADII = 14.0
 """The same of displacements at many radii of one contact; 13 were measured. The rule itself is up to 6.6 from the exact
 value and the polynomials through its values up to 5.4."""
@@ -62,7 +64,7 @@ def size(name: str, group: str, fields: list[str], given: dict[str, Any], *value
 
 @pytest.mark.parametrize("group", few(GROUPS, ["normal", "tangential"], pytest.mark.slow))
 def test_single_numbers_and_arrays_agree(group: str) -> None:
-    dice, rows, count = np.random.default_rng(11), [], 0
+    dice, rows, count, beyond = np.random.default_rng(11), [], 0, 0
     picked = PICKED["graded" if "graded" in group else "normal"]
     for name, function, fields, given in functions(group):
         rest = [FIELDS[field] for field in fields[1:]]
@@ -77,6 +79,8 @@ def test_single_numbers_and_arrays_agree(group: str) -> None:
             largest = RADII if many == LEAST and name.endswith(".displacement") else MOST
             largest = CURVE if "adhesive" in group and ".radius" in name else largest
             count += int(np.isfinite(single).sum())
+            beyond += int((error > USUAL).sum()) if largest == MOST else 0
             rows += [f"{name}({x!r}): {e:.3g}" for x, e in zip(values, error, strict=False) if not e <= largest]
     assert count > 400
     assert not rows, "\n".join(rows)
+    assert beyond <= RARE * count, f"{beyond} of {count} values differ by more than {USUAL} units"
