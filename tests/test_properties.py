@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import warnings
 from collections.abc import Callable
@@ -37,9 +38,9 @@ PLANE = ("wedge", "parabola", "rounded_wedge", "rounded_punch", "truncated_wedge
 def units(function: Callable[..., Any], n: float, k: float) -> Units | None:
     """Those of the arguments by name and of the result, by the docstring; None where one is no such power."""
     of = UNITS | {"m^(1-n)": (1 - n, 0, 0), "Pa m^(-k)": (-k, 1, 0)}
-    text = function.__doc__ or ""
+    text = inspect.getdoc(function) or ""
     before, _, after = text.partition("Returns\n")
-    found = re.findall(r"^ +(\w+) : array_like\n((?: {8}.*\n)+)", before, re.MULTILINE)
+    found = re.findall(r"^(\w+) : array_like\n((?: {4}.*\n)+)", before, re.MULTILINE)
     known = {name: re.search(r"\[([^\]]*)\][.,]", " ".join(meaning.split())) for name, meaning in found}
     result = re.search(r"\[([^\]]*)\]\.", " ".join(after.split("Raises")[0].split()))
     read = {name: of.get(unit[1]) for name, unit in known.items() if unit}
