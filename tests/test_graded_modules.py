@@ -5,7 +5,6 @@ from __future__ import annotations
 import inspect
 import math
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -16,15 +15,12 @@ from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, 
 
 from axiderive import notation as nt
 from axiderive.emit import example
-from axiderive.emit.graded import TITLES, examples, module_sources
+from axiderive.emit.graded import TITLES, module_sources
 from axiderive.emit.graded.families import family
 from axiderive.entry import Entry
 from axiderive.profiles import COMPACT_NAMES, NAMES, load
 from axiderive.profiles.profile import Profile
 from axiderive.proof.half_space import HalfSpace
-
-EMIT = Path(examples.__file__).parents[1]
-
 
 # measured: 4e-15 for power laws, 2e-14 elsewhere (quotients of Gamma functions at k = 0.95, the sphere at k = -0.9)
 CLOSED, INTEGRAL = 1e-14, 1e-13

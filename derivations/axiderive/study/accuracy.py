@@ -12,7 +12,6 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
-from .. import notation as nt
 from ..entry import Entry
 from ..proof.balls import NotAvailableError, enclose_value
 from ..proof.quadrature import inverse
@@ -104,9 +103,3 @@ def judge(got: float, exact: mp.mpf) -> Judged:
     ulp = float(np.spacing(abs(float(exact))))
     with mp.workdps(2 * DIGITS):
         return Judged(error, float(abs(mp.mpf(got) - exact) / ulp) if math.isfinite(got) else math.inf)
-
-
-def depth_at(problem: str, point: Point) -> float:
-    """g(a) rounded to a double, the argument of F(d)."""
-    value = reference(problem, "d", {symbol: value for symbol, value in point.items() if symbol != nt.r})
-    return math.nan if value is None else float(value)
