@@ -11,12 +11,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import BROWSER, needs_browser
+from chromium import BROWSER, Chromium, needs_browser
 from stored_book import HANDBOOK
 from web_page import Page
 
 SITE = HANDBOOK / "html"
 PAGES = {path.name: Page(path.read_text(encoding="utf-8")) for path in sorted(SITE.glob("*.html"))}
+INDEX = json.loads(
+    (SITE / "assets/keys.js").read_text(encoding="utf-8").removeprefix("window.axicontact = ").rstrip(";\n")
+)
 SAMPLE = (
     "index.html", "reading.html", "study.html", "cone.html", "rounded_punch.html", "plane.wedge.html", "materials.html",
 )  # fmt: skip
@@ -82,8 +85,13 @@ def site() -> dict[str, str]:
     return {str(path.relative_to(SITE)): path.read_text(encoding="utf-8") for path in paths}
 
 
-def _expected(page: str) -> list[list[str]]:
-    """What the buttons of a page should copy, read off its HTML."""
+def _cited(key: str) -> str:
+    citation: str = INDEX["citation"]
+    return citation.replace("KEY", key).replace("NAME", key.replace("_", r"\_"))
+
+
+def _expected(page: str, entry: str) -> list[list[str]]:
+    """What the buttons of the page of an entry should copy, read off its HTML."""
     found = []
     for row in re.findall(r'<article class="row(?: further)?" id="[^"]+">.*?</article>', page, re.DOTALL):
         name = re.match(r'<article class="row(?: further)?" id="([^"]+)"', row)
@@ -92,8 +100,9 @@ def _expected(page: str) -> list[list[str]]:
         calls = re.findall(r"<pre>(.*?)</pre>", row, re.DOTALL)
         if lines:  # a sum of other profiles is said in words
             found.append([name[1], "latex", unescape("\n".join(lines))])
-        if calls:  # limits and universal curves have no function
+        if calls:  # limits and universal curves have no function and no key
             found.append([name[1], "python", unescape("\n\n".join(calls))])
+            found.append([name[1], "bibtex", _cited(f"{entry}.{name[1]}")])
     return found
 
 
@@ -101,10 +110,11 @@ def _check(found: dict[str, dict[str, Any]], console: list[str], site: dict[str,
     """Every formula set, every button right, no scrolling sideways; how many formulas there were."""
     assert console == []
     for address, report in found.items():
+        path = address.partition("?")[0]
         assert report["failed"] == [], address
         assert report["rendered"] == report["formulas"] > 0, address
         assert report["overflow"] <= 0, address
-        assert report["copied"] == _expected(site[address.partition("?")[0]]), address
+        assert report["copied"] == _expected(site[path], path.removesuffix(".html")), address
         assert report["fonts"], address
     return sum(report["formulas"] for report in found.values())
 
@@ -117,12 +127,53 @@ def test_a_browser_renders_every_formula(site: dict[str, str], tmp_path: Path) -
     for address, hit in searched.items():
         assert found[address]["hits"][0] == hit
     assert found["index.html"]["hits"] == []
-    latex, python, *_ = found["cone.html"]["copied"]
+    latex, python, bibtex, *_ = found["cone.html"]["copied"]
     assert latex == ["d", "latex", r"d=g(a)=\tfrac{\pi}{2} \, a \tan \theta"]
     assert python[:2] == ["d", "python"]
+    assert bibtex[2].startswith("@misc{axicontact:cone.d,")
+    assert bibtex[2].endswith(", formula cone.d}\n}")
     assert python[2].split("\n\n") == [
         "from axicontact.normal import cone", "a = 1.0\ntheta = 0.35", "cone.depth(a, theta=theta)",
     ]  # fmt: skip
+
+
+FOUND = {
+    "berkovich": "cone.html",
+    "vickers": "cone.html",
+    "nanoindentation": "cone.html",
+    "wear": "rounded_punch.html",
+    "blunt": "rounded_cone.html",
+    "berkovich blunted": "sphere_tipped_cone.html",
+    "roller": "plane.parabola.html",
+    "o-ring": "plane.parabola.html",
+    "ball": "paraboloid.html",
+    "afm": "paraboloid.html",
+    "hertz": "paraboloid.html",
+    "sneddon": "cone.html",
+    "jkr": "paraboloid.html#adh.Fc",
+    "pull-off": "cone.html#adh.Fc",
+    "mindlin": "paraboloid.html#tan.F",
+    "cattaneo": "paraboloid.html#tan.F",
+    "partial slip": "paraboloid.html#tan.F",
+    "creep": "reading.html#laws",
+    "pressure": "cone.html#p",
+    "depth": "cone.html#d",
+    "stiffness": "cone.html#k",
+}
+"""Words that people use, and the page that comes first."""
+
+
+@needs_browser
+def test_the_search_knows_the_words_people_use(tmp_path: Path) -> None:
+    with Chromium(tmp_path) as browser:
+        browser.open((SITE / "index.html").as_uri())
+        found = {word: browser.value(f"search({json.dumps(word)})[0]?.address") for word in FOUND}
+        assert found == FOUND
+        # the key of a largest pressure, where there is one, comes before the profiles that are known for theirs
+        peak = browser.value("search('peak pressure').slice(0, 9).map((hit) => hit.address)")
+        assert "rounded_punch.html" in peak
+        # homogeneous cone and paraboloid before all others
+        assert browser.value("search('pressure').slice(0, 2).map((hit) => hit.name)") == ["cone.p", "paraboloid.p"]
 
 
 @pytest.mark.slow
@@ -152,8 +203,8 @@ def test_links_of_the_whole_edition_resolve_and_its_pages_are_small(site: dict[s
         assert len(set(page.ids)) == len(page.ids), path
         for address in page.addresses:
             target, _, fragment = address.partition("#")
-            if address.startswith("https://doi.org/10."):
-                continue  # a work that is cited, outside
+            if address.startswith(("https://doi.org/10.", "../handbook.pdf#nameddest=")):
+                continue  # a work that is cited, the printed book
             if address != "data:,":
                 assert (target or path) in site, f"{path}: {address}"
                 assert not fragment or fragment in PAGES[target or path].ids, f"{path}: {address}"

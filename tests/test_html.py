@@ -12,11 +12,12 @@ from pathlib import Path
 
 import pytest
 from markupsafe import Markup
-from stored_book import CATALOGUE, stored
+from stored_book import CATALOGUE, HANDBOOK, stored
 from web_page import Page
 
 from axiderive.contact.systems import problems
 from axiderive.emit.blocks import rows_of
+from axiderive.emit.guide import TITLE
 from axiderive.emit.html import html_sources
 from axiderive.emit.html.drawing import Scale, pairs
 from axiderive.emit.html.words import words
@@ -86,6 +87,9 @@ def test_links_resolve_and_nothing_is_fetched_from_outside(site: dict[str, str],
         for address in page.addresses:
             if address == "data:," or address.startswith("https://doi.org/"):  # a link to follow, not a file to fetch
                 continue
+            if address.startswith("../"):  # the printed book beside the web edition
+                assert address == f"../handbook.pdf#nameddest={path.removesuffix('.html')}"
+                continue
             target, _, fragment = address.partition("#")
             assert (target or path) in site, f"{path}: {address}"
             assert not fragment or fragment in pages[target or path].ids, f"{path}: {address}"
@@ -109,6 +113,59 @@ def test_the_search_index_has_every_key(site: dict[str, str], derived: dict[str,
     keys = [row[0] for row in record["keys"]]
     assert sorted(keys) == sorted(entry.key for entries in derived.values() for entry in entries.values())
     assert all(key.startswith(f"{profile}.") and profile in record["profiles"] for key, profile, *_ in record["keys"])
+
+
+def test_the_first_profiles_come_first_and_the_homogeneous_half_space_before_the_graded_one(
+    site: dict[str, str],
+) -> None:
+    record = json.loads(site["assets/keys.js"].removeprefix("window.axicontact = ").rstrip(";\n"))
+    systems = [row[2] for row in record["keys"]]
+    assert systems == sorted(systems)
+    assert record["keys"][0][1] == "cone"
+
+
+def test_a_formula_is_cited_in_the_words_of_the_book(site: dict[str, str]) -> None:
+    book = (HANDBOOK / "handbook.tex").read_text(encoding="utf-8")
+    cited = re.search(r"\\guide\{How to cite\}\{(.*)\}\n", book)
+    assert cited
+    words = re.sub(r"\\emph\{(.*?)\}|\\eqr\{(.*?)\}", r"\1\2", cited[1])
+    words = re.sub(r"edition \w{8}", "edition", words)
+    shown = site["index.html"].partition('<section id="imprint">')[2].partition("</section>")[0]
+    assert words in re.sub(r"edition \w{8}", "edition", re.sub(r"<.*?>", "", shown))
+    citation = json.loads(site["assets/keys.js"].removeprefix("window.axicontact = ").rstrip(";\n"))["citation"]
+    assert citation.startswith("@misc{axicontact:KEY,")
+    assert TITLE in citation
+    assert TITLE in words
+
+
+def test_every_page_has_a_description_of_its_own(site: dict[str, str], pages: dict[str, Page]) -> None:
+    found = [re.findall(r'<meta name="description" content="([^"]+)">', site[path]) for path in pages]
+    assert all(len(one) == 1 and len(one[0]) > 40 for one in found)
+    assert len({one[0] for one in found}) == len(pages)
+
+
+def test_the_home_page_has_a_picture_of_every_profile(site: dict[str, str]) -> None:
+    """With what it stands for, and the physics there is; the filters hide nothing without JavaScript."""
+    cards = re.findall(r'<li data-kinds="([^"]+)"><a href="([\w.]+)\.html"><?.*?</li>', site["index.html"], re.DOTALL)
+    assert sorted(cards) == [
+        ("flat", "capped_cylinder"), ("flat worn", "rounded_punch"), ("load", "loads.power"), ("long", "plane.wedge"),
+        ("pointed", "cone"),
+    ]  # fmt: skip
+    card = site["index.html"].partition('<li data-kinds="pointed">')[2].partition("</li>")[0]
+    assert 'class="body"' in card
+    assert "sharp Berkovich" in card
+    assert 'href="cone.html#about.adhesive"' in card
+    assert re.findall(r'data-kind="(\w*)"', site["index.html"]) == ["", "pointed", "flat", "worn", "long", "load"]
+    assert '<b>Berkovich, Vickers:</b> the <a href="cone.html">cone</a>' in site["index.html"]
+    assert not re.search(r"<(li|div)[^>]* hidden", site["index.html"])
+
+
+def test_only_the_first_physics_of_a_page_is_unfolded(site: dict[str, str]) -> None:
+    for name in SAMPLE:
+        folds = re.findall(r'<details class="physics" id="about\.[\w.]+"( open)?>', site[f"{name}.html"])
+        assert folds == [" open", *[""] * (len(folds) - 1)], name
+        assert "<details open" not in site[f"{name}.html"]
+    assert site["cone.html"].count('<details class="physics"') == 7
 
 
 def test_the_index_counts_what_it_holds(site: dict[str, str]) -> None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 from chromium import Chromium, needs_browser
@@ -22,7 +24,8 @@ HITS = {
     "F_N": "cone.html#F",
     "E*": "reading.html#symbol.E_star",
     "Δγ": "reading.html#symbol.dgamma",
-    "work of adhesion": "reading.html#symbol.dgamma",
+    "work of adhesion": "reading.html#rules",
+    "surface energy": "reading.html#symbol.dgamma",
     "adhesion cone": "cone.html#adh.Dl",
     "penetration": "cone.html#d",
     "punch flat": "flat_punch.html",
@@ -32,6 +35,10 @@ HITS = {
     "errata": "chapter11.html#errata",
     "11.66": "chapter11.html#eq.11.66",
     "matrix": "index.html#matrix",
+    "pressure": "cone.html#p",
+    "depth": "cone.html#d",
+    "pull-off": "cone.html#adh.Fc",
+    "berkovich": "cone.html",
 }
 """What is typed, and what shall come first."""
 TYPOS = {
@@ -202,6 +209,63 @@ def test_a_copy_is_told(opened: tuple[Chromium, str]) -> None:
     browser.press("Enter")
     assert browser.value(SOON_TOLD) == "copied: Python of p"
     assert browser.value("document.activeElement.dataset.kind") == "python"
+
+
+@needs_browser
+def test_a_button_leaves_the_pictures_of_its_kind(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/index.html")
+    left = "[...document.querySelectorAll('.cards li')].filter((card) => card.offsetHeight).length"
+    heads = "[...document.querySelectorAll('.group h3')].filter((head) => head.offsetHeight).length"
+    assert browser.value(f"[{left}, {heads}]") == [4, 4]
+    browser.value("document.querySelector('.filter [data-kind=long]').focus()")
+    browser.press("Enter")
+    assert browser.value(f"[{left}, {heads}]") == [1, 1]
+    assert browser.value("[...document.querySelectorAll('[aria-pressed=true]')].map((one) => one.dataset.kind)") == [
+        "long"
+    ]
+    browser.value("document.querySelector('.filter [data-kind=\"\"]').click()")
+    assert browser.value(f"[{left}, {heads}]") == [4, 4]
+
+
+@needs_browser
+def test_an_address_opens_the_section_it_lies_in(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/cone.html#adh.Fc")
+    assert 0 < browser.value("document.getElementById('adh.Fc').getBoundingClientRect().top") < 400
+    seen = "document.getElementById('{}').checkVisibility()"
+    soon = "new Promise((done) => setTimeout(() => done({}), 200))"
+    assert browser.value(seen.format("adh.Fc"))
+    assert not browser.value(seen.format("tan.F"))
+    address = "document.querySelector('.contents a[href=\"#about.tangential\"]')"
+    for _ in range(2):  # again, after it was folded by hand
+        browser.value(f"{address}.click()")
+        assert browser.value(soon.format(seen.format("tan.F")))
+        browser.value("document.getElementById('about.tangential').open = false")
+    browser.value("location.hash = '#evidence.p'")
+    assert browser.value(soon.format(seen.format("evidence.p")))
+
+
+@needs_browser
+def test_a_figure_gives_its_curves_in_the_units_of_its_axes(opened: tuple[Chromium, str]) -> None:
+    """As a file that is made in the page, with the coordinates that are printed, also those of a logarithmic axis."""
+    browser, root = opened
+    browser.open(f"{root}/cone.html")
+    name, address = browser.value(
+        "(({ download, href }) => [download, href])(document.querySelector('#plot\\\\.pressure .table'))"
+    )
+    assert name == "cone.pressure.csv"
+    head, *rows = unquote(address.removeprefix("data:text/csv;charset=utf-8,")).split("\r\n")
+    assert head == '"curve","r/a","p/p\N{COMBINING MACRON}"'
+    assert '"sphere",0,1.5' in rows
+    middle = [float(row.split(",")[2]) for row in rows if row.startswith('"p/p\N{COMBINING MACRON}",0.5,')]
+    assert middle == pytest.approx([math.acosh(2)], rel=1e-4)
+    browser.value("document.querySelector('#plot\\\\.pressure').dataset.logy = ''")
+    browser.value("document.querySelector('.window polyline').setAttribute('points', '1,2 2,-0.69897')")
+    assert browser.value("table(document.querySelector('#plot\\\\.pressure'))").split("\r\n")[1:][:2] == [
+        '"sphere",1,100',
+        '"sphere",2,0.2',
+    ]
 
 
 @needs_browser

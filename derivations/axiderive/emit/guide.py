@@ -215,3 +215,20 @@ def errors() -> list[tuple[str, str, tuple[str, ...], list[tuple[str, list[str]]
 
 def _shares(factors: Iterable[float]) -> list[str]:
     return [f"{share:.1f}" if share < 9.95 else f"{share:.0f}" for share in (100 * (factor - 1) for factor in factors)]
+
+
+TITLE = "Elastic contact: closed forms of axisymmetric and plane indentation"
+
+
+def cited(version: str, edition: str, key: str = "cone.p") -> str:
+    """What a formula is cited by behind the title of the book."""
+    return f"axicontact {version}, edition {edition}, formula {key}"
+
+
+def bibtex(version: str, edition: str) -> str:
+    """The citation of a formula as BibTeX, with KEY for its key and NAME for the key in LaTeX."""
+    return f"""@misc{{axicontact:KEY,
+  key = {{axicontact}},
+  title = {{{TITLE}}},
+  note = {{{cited(version, edition, "NAME")}}}
+}}"""

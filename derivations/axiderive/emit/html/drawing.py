@@ -45,17 +45,40 @@ class Label:
     plain: bool = False
 
 
+@dataclass(frozen=True)
+class Window:
+    """The frame of a plot, beyond which its curves are cut off, and its axes, in whose units they are drawn."""
+
+    left: float
+    top: float
+    width: float
+    height: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+    names: tuple[str, str]
+    logarithmic: tuple[bool, bool]
+    """Such an axis has the decimal logarithm as its unit."""
+
+    @property
+    def view(self) -> str:
+        """The frame in the units of its axes, with y down."""
+        (left, right), (low, high) = self.x, self.y
+        return f"{left:g} {-high:g} {right - left:g} {high - low:g}"
+
+
 @dataclass
 class Figure:
-    """Shapes as (element, class, attributes), what is cut off at the window, and the labels over them."""
+    """Shapes as (element, class, attributes), curves in a window, and the labels over them."""
 
     width: float
     height: float
-    caption: tuple[str, str]
-    window: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-    """Left, top, width and height."""
+    caption: tuple[str, str] = ("", "")
+    seen: str = ""
+    """What the figure shows, for a reader who does not see it."""
+    window: Window | None = None
     shapes: list[Shape] = field(default_factory=list)
-    curves: list[Shape] = field(default_factory=list)
+    curves: list[tuple[str, str, str]] = field(default_factory=list)
+    """Class, name and points."""
     labels: list[Label] = field(default_factory=list)
     anchor: str = ""
     """Id of the figure on its page; its caption has the same with .caption behind it."""
@@ -63,8 +86,8 @@ class Figure:
     def add(self, element: str, kind: str, **attributes: Any) -> None:
         self.shapes.append((element, kind, {name.rstrip("_"): f"{value}" for name, value in attributes.items()}))
 
-    def curve(self, kind: str, points: str) -> None:
-        self.curves.append(("polyline", kind, {"points": points}))
+    def curve(self, kind: str, name: str, points: Iterable[tuple[float, float]]) -> None:
+        self.curves.append((kind, name, " ".join(f"{x:.5g},{y:.5g}" for x, y in points)))
 
     def line(self, kind: str, start: tuple[float, float], end: tuple[float, float]) -> None:
         (x1, y1), (x2, y2) = start, end

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from .drawing import Figure, Scale, pairs
+from .drawing import Figure, Scale, Window, pairs
+from .words import symbol
 
 FRAME = (400.0, 268.0)
 INNER = (46.0, 28.0, 346.0, 200.0)
@@ -14,10 +15,16 @@ INNER = (46.0, 28.0, 346.0, 200.0)
 
 
 def _axes(
-    caption: tuple[str, str], x: tuple[float, float], y: tuple[float, float], names: tuple[str, str]
+    caption: tuple[str, str],
+    x: tuple[float, float],
+    y: tuple[float, float],
+    names: tuple[str, str],
+    logarithmic: tuple[bool, bool] = (False, False),
 ) -> tuple[Figure, Scale]:
-    figure = Figure(*FRAME, caption, INNER)
     left, top, width, height = INNER
+    across, up = map(symbol, names)
+    window = Window(*INNER, x, y, (across, up), logarithmic)
+    figure = Figure(*FRAME, caption, f"Plot of {up} over {across}", window)
     unit_x, unit_y = width / (x[1] - x[0]), height / (y[1] - y[0])
     scale = Scale(left - x[0] * unit_x, top + height + y[0] * unit_y, unit_x, unit_y)
     figure.line("axis", scale.at(x[0], y[0]), scale.at(x[1], y[0]))
@@ -40,15 +47,6 @@ def _ticks(
         figure.label(f"{value:g}".replace("-", "−"), (x - 13, y), plain=True)
 
 
-def _curve(figure: Figure, scale: Scale, kind: str, coordinates: str) -> None:
-    figure.curve(kind, scale.points(pairs(coordinates)))
-
-
-def _reference(figure: Figure, scale: Scale, curve: Any) -> None:
-    _curve(figure, scale, "reference", curve.coordinates)
-    figure.label(curve.label, scale.at(curve.x, curve.y), SIDES[curve.anchor], "note", plain=True)
-
-
 SIDES = {
     "south": "above", "north": "below", "center": "middle", "east": "right", "west": "left",
     "north west": "below-left",
@@ -62,10 +60,10 @@ def adhesion(curves: Any) -> Figure:
     figure, scale = _axes(("Adhesion", found.words), (-0.9, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
     _ticks(figure, scale, (0, 1), (-1, 0, 1, 2, 3), (-0.9, -1))
     figure.line("reference", scale.at(-0.9, 0), scale.at(2, 0))
-    _curve(figure, scale, "reference", found.without)
-    _curve(figure, scale, "load", found.stable)
-    _curve(figure, scale, "load dashed", found.grips)
-    _curve(figure, scale, "load dotted", found.unstable)
+    figure.curve("reference", "without adhesion", pairs(found.without))
+    figure.curve("load", "stable", pairs(found.stable))
+    figure.curve("load dashed", "stable under given depth only", pairs(found.grips))
+    figure.curve("load dotted", "unstable", pairs(found.unstable))
     points = ((r"F_{\mathrm c}", found.force, "below-left"), (r"d_{\mathrm m}", found.depth, "right"))
     for name, place, side in points:
         x, y = scale.at(*place)
@@ -81,9 +79,11 @@ def slip(curves: Any) -> Figure:
         (0, 1.25), (0, 1.25), (r"u/u_{\mathrm s}", r"F_x/(\mu F_{\mathrm N})"),
     )  # fmt: skip
     _ticks(figure, scale, (0, 0.5, 1), (0, 0.5, 1), (0, 0))
-    _reference(figure, scale, curves.sphere)
-    _curve(figure, scale, "curve tone3", curves.slip)
-    _curve(figure, scale, "curve tone3", "(1,1) (1.25,1)")
+    sphere = curves.sphere
+    figure.curve("reference", sphere.label, pairs(sphere.coordinates))
+    figure.label(sphere.label, scale.at(sphere.x, sphere.y), SIDES[sphere.anchor], "note", plain=True)
+    figure.curve("curve tone3", "partial slip", pairs(curves.slip))
+    figure.curve("curve tone3", "full slip", [(1, 1), (1.25, 1)])
     return figure
 
 
@@ -91,13 +91,14 @@ def drawn(axes: Any) -> Figure:
     """A frame of the book."""
     across, up = (math.log10 if logarithmic else float for logarithmic in axes.logarithmic)
     x, y = (across(axes.x[0]), across(axes.x[1])), (up(axes.y[0]), up(axes.y[1]))
-    figure, scale = _axes((axes.title, axes.words), x, y, (axes.names[0].strip("$"), axes.names[1].strip("$")))
+    names = axes.names[0].strip("$"), axes.names[1].strip("$")
+    figure, scale = _axes((axes.title, axes.words), x, y, names, axes.logarithmic)
 
     def at(u: float, v: float) -> tuple[float, float]:
         return scale.at(across(u), up(v))
 
-    def points(text: str) -> str:
-        return " ".join("{:g},{:g}".format(*at(u, v)) for u, v in pairs(text))
+    def points(text: str) -> list[tuple[float, float]]:
+        return [(across(u), up(v)) for u, v in pairs(text)]
 
     for value in axes.ticks[0][:-1]:
         left, top = at(value, axes.y[0])
@@ -108,11 +109,11 @@ def drawn(axes: Any) -> Figure:
         figure.line("axis", (left - 4, top), (left, top))
         _number(figure, value, (left - 13, top))
     for curve in axes.references:
-        figure.curve("reference", points(curve.coordinates))
+        figure.curve("reference", curve.label, points(curve.coordinates))
         figure.label(curve.label, at(curve.x, curve.y), SIDES[curve.anchor], "note", plain=True)
     for i, curve in enumerate(axes.curves):
         tone = f"curve tone{i if len(axes.curves) > 1 else 3}"
-        figure.curve(tone, points(curve.coordinates))
+        figure.curve(tone, symbol(curve.label) or symbol(names[1]), points(curve.coordinates))
         if curve.label:
             figure.label(curve.label, at(curve.x, curve.y), SIDES[curve.anchor], tone.replace("curve", "accent"))
     for mark in axes.marks:
@@ -142,4 +143,6 @@ def figures(model: Mapping[str, Any]) -> dict[str, list[Figure]]:
     graded = [drawn(axes) for axes in model["graded"]]
     for figure in (*found, *graded):
         figure.anchor = "plot." + figure.caption[0].lower().replace(" ", "-")
+        named = ", ".join(dict.fromkeys(name for _, name, _ in figure.curves))
+        figure.seen += f"; curves: {named}" if len(figure.curves) > 1 else ""
     return {model["first"]: found, "graded.normal": graded}

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import json
 import re
-import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
-
-from markupsafe import Markup
 
 from ...contact.systems import SYSTEMS
 from ...entry import Entry
 from .. import spread
+from ..guide import bibtex
+from ..word_index import WORDS
 from .page import Derived
-from .words import words
+from .words import plain, symbol
 
 Place = tuple[str, str, str, int]
 """What is found, where it stands, further words by which it is looked for, and how far behind a formula it comes."""
@@ -26,25 +25,31 @@ def search_index(
     """The index behind the search, as a script, because a page opened from a folder may load nothing else."""
     profiles = {i: [plain(model["title"]), _other_names(i)] for i, model in models.items()}
     numbers = {system.name: number for number, system in enumerate(SYSTEMS)}
+    known = [problem for i in (*FIRST, *models) if i in models for problem in spread.problems_of(i)]
     rows = [
-        [entry.key, i, numbers[problem.system.name], entry.quantity.label, _names(entry)]
-        for i in models
-        for problem in spread.problems_of(i)
+        [entry.key, problem.profile_id, numbers[problem.system.name], entry.quantity.label, _names(entry)]
+        for problem in sorted(dict.fromkeys(known), key=lambda problem: numbers[problem.system.name])
         for entry in derived.get(problem.key, {}).values()
     ]
     record = {
+        "citation": bibtex(front["version"], front["edition"]),
+        "first": FIRST,
         "profiles": profiles,
         "systems": [[_short(system.title), SEARCHED.get(system.name, "")] for system in SYSTEMS],
         "keys": rows,
         "places": [
             *_of_profiles(models),
             *_of_front(front),
-            *_of_words(front["word_index"], models),
+            *_of_words(models, derived),
             *_of_chapter(front["chapter11"]),
             *_of_studies(studied),
         ],
     }
     return f"window.axicontact = {json.dumps(record, ensure_ascii=False, separators=(',', ':'))};\n"
+
+
+FIRST = ("cone", "paraboloid")
+"""Whose formulas come first where no profile is named."""
 
 
 def _names(entry: Entry) -> str:
@@ -98,47 +103,55 @@ def has_shape(model: Mapping[str, Any]) -> bool:
 
 
 def _of_front(front: Mapping[str, Any]) -> Iterator[Place]:
-    """The index and the page on reading."""
-    yield "All profiles", "index.html#profiles", "table contents", 0
-    yield "Profile and physics", "index.html#matrix", "matrix certified status", 0
-    for title, anchor, also in PARTS:
-        yield title, f"reading.html#{anchor}", also, 0
+    """The home page and the page on reading."""
+    for title, address, also in PARTS:
+        yield title, address, also, 0
     for law in front["laws"]:
         yield plain(law.name), "reading.html#laws", f"{law.suffix} viscoelastic law creep relaxation", 0
     for one in (row for _, rows in front["notation"] for row in rows):
         names = f"{one['name']} {symbol(one['latex'])} {ALSO.get(one['name'], '')}"
-        yield plain(one["meaning"]), f"reading.html#symbol.{one['name']}", names, 3
+        yield plain(one["meaning"]), f"reading.html#symbol.{one['name']}", names, 2
     for one in front["masters"]:
-        yield plain(one["remark"]), f"reading.html#{anchor_of(one)}", f"{symbol(one['name'])} special function", 3
+        yield plain(one["remark"]), f"reading.html#{anchor_of(one)}", f"{symbol(one['name'])} special function", 2
     for label, work, _ in front["works"]:
         yield plain(work), f"reading.html#{label}", "reference", 6
 
 
 PARTS: Sequence[tuple[str, str, str]] = (
-    ("Reading an entry", "howto", "certificate help"),
-    ("Conventions", "conventions", "signs units modulus half-angle Berkovich Vickers reduced modulus"),
-    ("When does it hold?", "validity", "limits slope layer thickness Tabor yield Dundurs DMT"),
-    ("Which profile?", "chart", "choose choice"),
-    ("Ends of the keys", "suffixes", "suffix"),
-    ("Notation", "notation", "symbols units"),
-    ("Definitions", "definitions", "Abel integral dimensionality reduction"),
-    ("Special functions as used", "functions", "elliptic integral"),
-    ("Rules for every profile", "rules", "graded"),
-    ("Viscoelastic laws", "laws", "Maxwell Kelvin Voigt standard solid power-law creep relaxation"),
-    ("References", "references", "literature sources works"),
+    ("Which profile?", "index.html#chart", "choose choice pictures"),
+    ("All profiles", "index.html#profiles", "table contents"),
+    ("Profile and physics", "index.html#matrix", "matrix certified status"),
+    ("How to cite", "index.html#imprint", "citation BibTeX edition licence"),
+    ("Reading an entry", "reading.html#howto", "certificate help"),
+    ("Conventions", "reading.html#conventions", "signs"),
+    ("When does it hold?", "reading.html#validity", "limits slope"),
+    ("Ends of the keys", "reading.html#suffixes", "suffix"),
+    ("Notation", "reading.html#notation", "symbols"),
+    ("Definitions", "reading.html#definitions", "integral"),
+    ("Special functions as used", "reading.html#functions", "elliptic integral"),
+    ("Rules for every profile", "reading.html#rules", "graded"),
+    ("Viscoelastic laws", "reading.html#laws", "Maxwell Kelvin Voigt standard solid power-law creep relaxation"),
+    ("References", "reading.html#references", "literature sources works"),
 )
-"""Title, anchor and further words of the parts of the page on reading."""
+"""Title, address and further words of the parts of the book on the home page and the page on reading."""
 
 
-def _of_words(index: Sequence[tuple[str, Sequence[str]]], models: Mapping[str, Any]) -> Iterator[Place]:
-    """The words of the index of the book, each with the profiles and the parts on reading that it leads to."""
-    parts = {anchor: title for title, anchor, _ in PARTS}
-    for word, labels in index:
-        for kind, _, target in (label.partition(":") for label in labels):
-            if kind == "sec" and target in models:
-                yield f"{plain(word)}: {plain(models[target]['title'])}", f"{target}.html", "", 12
-            elif kind == "part" and target in parts:
-                yield f"{plain(word)}: {parts[target]}", f"reading.html#{target}", "", 12
+def _of_words(models: Mapping[str, Any], derived: Derived) -> Iterator[Place]:
+    """The words of the index of the book, each with the places that it leads to in their order."""
+    parts = {f"part:{address.partition('#')[2]}": (title, address) for title, address, _ in PARTS}
+    profiles = {i: (plain(model["title"]), f"{i}.html") for i, model in models.items()}
+    formulas = {
+        entry.key: (entry.key, f"{i}.html#{entry.key[len(i) + 1 :]}")
+        for i in models
+        for problem in spread.problems_of(i)
+        for entry in derived.get(problem.key, {}).values()
+    }
+    known = parts | profiles | formulas
+    for word, names in WORDS.items():
+        for place, name in enumerate(name for name in names.split() if name in known):
+            title, address = known[name]
+            if title.lower() != word.lower():
+                yield plain(word), address, title, 3 + place
 
 
 def _of_chapter(chapter: Mapping[str, Any] | None) -> Iterator[Place]:
@@ -158,31 +171,6 @@ def _of_studies(studied: bool) -> Iterator[Place]:
         yield "Stiff and extreme cases", "study.html#extremes", "overflow limits", 0
 
 
-def plain(text: str) -> str:
-    """Running text without links and the marks of LaTeX; its formulas in letters."""
-    return symbol(str(words(text, lambda label, shown: Markup("{}").format(shown)).striptags()))
-
-
 def anchor_of(function: Mapping[str, str]) -> str:
     """function.chi_2 of what the front names chi_2(x)."""
     return "function." + re.sub(r"\\(?:mathrm|mathbf)|[^\w]", "", function["name"].partition("(")[0]).strip("_")
-
-
-def symbol(latex: str) -> str:
-    r"""A symbol in letters of Unicode: E^{*} is E*, \Delta\gamma is Δγ."""
-    text = re.sub(r"\\([A-Za-z]+) ?", lambda match: _letter(match[1]), latex)
-    return re.sub(r"[\\{}$^]", "", text)
-
-
-def _letter(name: str) -> str:
-    if name in LEFT_OUT:
-        return ""
-    small = name.removeprefix("var").replace("lambda", "lamda")
-    size = "CAPITAL" if name[0].isupper() else "SMALL"
-    try:
-        return unicodedata.lookup(f"GREEK {size} LETTER {small.upper()}")
-    except KeyError:
-        return f"{name} "
-
-
-LEFT_OUT = {"mathrm", "mathbf", "bar", "operatorname", "tfrac", "frac", "displaystyle", "left", "right"}

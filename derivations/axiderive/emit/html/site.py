@@ -18,9 +18,10 @@ from ..matrix import LEFT_OUT, LEGEND
 from ..modules import package_sources
 from . import study
 from .assets import assets
+from .home import home
 from .page import Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
-from .words import formula, slug, words
+from .words import formula, plain, slug, words
 
 
 def html_sources(
@@ -67,10 +68,10 @@ def html_sources(
         timing = study.timing(measured, ruled(models[i])) if measured else None
         shown = page(models[i], derived, evidence, modules)
         files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
-    files["index.html"] = site.render(
-        "index", front | {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
-    )
-    files["reading.html"] = site.render("reading", front | {"parts": [part[:2] for part in PARTS]})
+    matrix = {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
+    files["index.html"] = site.render("index", front | matrix | home(front, models))
+    parts = [(title, address) for title, address, _ in PARTS if address.startswith("reading")]
+    files["reading.html"] = site.render("reading", front | {"parts": parts})
     if studies:
         files["study.html"] = site.render("study", study.model(front["studies"]))
     if chapter11 is not None:
@@ -131,7 +132,9 @@ class Site:
             return self.link(label, shown, profile_id)
 
         environment.globals["studied"] = self.studied
-        environment.filters.update(words=partial(words, link=link), tex=formula, slug=slug, anchor_of=anchor_of)
+        environment.filters.update(
+            words=partial(words, link=link), tex=formula, slug=slug, anchor_of=anchor_of, plain=plain
+        )
         return environment.get_template(f"{name}.html.j2").render(model)
 
     def link(self, label: str, text: Markup, profile_id: str) -> Markup:
@@ -142,10 +145,11 @@ class Site:
         known = {"eq": self.keys, "sec": self.profiles, "chapter": self.equations}.get(kind)
         if known is not None and target not in known:
             return text
-        places = {"ref": f"reading.html#ref:{target}", "part": f"reading.html#{target}"}
+        page = "index" if target == "chart" else "reading"
+        places = {"ref": f"reading.html#ref:{target}", "part": f"{page}.html#{target}"}
         places["chapter"] = f"chapter11.html#eq.{target}"
         place = places.get(kind) or self.place(target)
-        name = Markup(' class="key"') if kind == "eq" else ""
+        name = Markup(' class="key"') if kind == "eq" and target.endswith(text.lstrip(".")) else ""
         return Markup('<a{} href="{}">{}</a>').format(name, place, text)
 
     def place(self, key: str) -> str:

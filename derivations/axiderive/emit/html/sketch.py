@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from .drawing import Figure, Pairs, Scale, pairs
+from .words import symbol
 
 WIDE, HIGH, LOW = 4.75, 1.66, -2.16
 UNIT = 84.0
@@ -21,13 +22,30 @@ def sketch(model: Mapping[str, Any]) -> Figure | None:
     return _tilted(model["tilted_picture"], model) if model["tilted_picture"] else None
 
 
-def _frame(words: str) -> tuple[Figure, Scale]:
-    figure = Figure(2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", words), anchor="sketch")
+def thumbnail(shape: Mapping[str, str]) -> Figure:
+    """The outline that the front of the book draws of a profile or a pressure, over the surface at rest."""
+    figure, scale = Figure(180, 54), Scale(90, 24, 20, 20)
+    figure.line("thin", scale.at(-4.5, 0), scale.at(4.5, 0))
+    for kind, element in (("body", "polygon"), ("pressure", "polygon"), ("contact", "polyline")):
+        if kind in shape:
+            figure.add(element, kind, points=scale.points(pairs(shape[kind])))
+    return figure
+
+
+def _frame(words: str, seen: str) -> tuple[Figure, Scale]:
+    figure = Figure(
+        2 * WIDE * UNIT, (HIGH - LOW) * UNIT, ("Sketch", words), f"Section through the {seen}", anchor="sketch"
+    )
     return figure, Scale(WIDE * UNIT, HIGH * UNIT, UNIT, UNIT)
 
 
 def _contact(picture: Any, model: Mapping[str, Any]) -> Figure:
-    figure, scale = _frame("to scale, at the parameters of the check values")
+    lengths = [one.name for one in (*picture.dimensions, *picture.heights, *picture.radii)]
+    drawn = ", ".join(map(symbol, ["d", *lengths, *([r"\theta"] if picture.angle else []), "w"]))
+    figure, scale = _frame(
+        "to scale, at the parameters of the check values",
+        f"contact: the rigid body, pressed by {symbol(model['load'])}, and the deformed surface; marked are {drawn}",
+    )
     left, contact, right = pairs(picture.surface_left), pairs(picture.contact), pairs(picture.surface)
     ground = [(-4.7, LOW), (-4.7, left[0][1]), *left, *contact, *right, (4.7, LOW)]
     _body(figure, scale, ground, picture)
@@ -59,7 +77,10 @@ def _contact(picture: Any, model: Mapping[str, Any]) -> Figure:
 
 def _pressed(picture: Any) -> Figure:
     """A prescribed pressure over the surface it makes."""
-    figure, scale = _frame("the pressure, and the surface it makes, to the scale of its deepest point")
+    figure, scale = _frame(
+        "the pressure, and the surface it makes, to the scale of its deepest point",
+        "loaded surface: arrows of the pressure p(r) on the circle of radius a, and the dent they make",
+    )
     surface = pairs(picture.surface)
     figure.add("polygon", "ground", points=scale.points([(-4.7, LOW), *surface, (4.7, LOW)]))
     figure.add("polyline", "surface", points=scale.points(surface))
@@ -76,7 +97,10 @@ def _pressed(picture: Any) -> Figure:
 
 def _tilted(picture: Any, model: Mapping[str, Any]) -> Figure:
     """A punch under an eccentric load."""
-    figure, scale = _frame("to scale, with both edges in contact")
+    figure, scale = _frame(
+        "to scale, with both edges in contact",
+        f"contact: the flat body, tilted by φ under {symbol(model['load'])} at the distance e from its middle",
+    )
     _body(figure, scale, [(-4.7, LOW), *pairs(picture.surface_left), *pairs(picture.surface), (4.7, LOW)], picture)
     figure.line("dashed thin", scale.at(0, 1.4), scale.at(0, LOW))
     _arrow(figure, scale, (picture.load, 1.62), (picture.load, picture.top))
@@ -109,7 +133,7 @@ def _dimension(
     if begin:
         figure.line("thin", scale.at(begin, end[1]), scale.at(begin, level - 0.1))
     figure.line("thin", scale.at(begin, level), scale.at(end[0], level))
-    figure.label(name, scale.at((begin + end[0]) / 2, level + 0.04), "above")
+    figure.label(name, scale.at((begin + end[0]) / 2, level), kind="length")
 
 
 def _displacement(figure: Figure, scale: Scale, picture: Any) -> None:

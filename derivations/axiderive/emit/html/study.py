@@ -76,7 +76,9 @@ def _caption(key: str, known: bool) -> tuple[str, str]:
 def _panel(panel: error.Panel, whole: error.Figure) -> Figure:
     """Lines of one formula over the decades of time and error."""
     size = UNIT * (LEFT + whole.width + RIGHT), UNIT * (ABOVE + whole.height + BELOW)
-    figure = Figure(*size, _caption(panel.key, panel.known), anchor=f"error.{panel.key}")
+    lines = ", ".join(f"{line.letter}{' (this catalogue)' * line.own}" for line in panel.lines)
+    seen = f"Worst relative error of {panel.key} over the run time: lines {lines}"
+    figure = Figure(*size, _caption(panel.key, panel.known), seen, anchor=f"error.{panel.key}")
     scale = Scale(UNIT * LEFT, UNIT * (ABOVE + whole.height), UNIT, UNIT)
     for place, power in whole.xticks:
         x, y = scale.at(place, 0)
@@ -104,7 +106,9 @@ def _panel(panel: error.Panel, whole: error.Figure) -> Figure:
 def _map(one: maps.Map, width: float) -> Figure:
     """The printed formula and the emitted function side by side."""
     size = UNIT * (MARGIN + 2 * width + GAP + 1), UNIT * (HEADING + one.height + MARGIN)
-    figure = Figure(*size, _caption(one.key, one.known), anchor=f"map.{one.key}")
+    shares = f"{one.naive.share} % of the printed formula, {one.emitted.share} % of the emitted function"
+    seen = f"Error of {one.key} over its range as two maps; missing the limit: {shares}"
+    figure = Figure(*size, _caption(one.key, one.known), seen, anchor=f"map.{one.key}")
     for i, (words, picture) in enumerate((("as printed", one.naive), ("emitted", one.emitted))):
         scale = Scale(UNIT * (MARGIN + i * (width + GAP)), UNIT * (HEADING + one.height), UNIT, UNIT)
         for level in picture.levels:

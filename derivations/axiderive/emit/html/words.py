@@ -7,6 +7,7 @@ so that no backslash ever reaches a reader.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Iterator
 from html import escape
 
@@ -110,3 +111,31 @@ def _macro(macro: str, text: str) -> Markup | str:
         message = f"{name} in {text!r} has no words in HTML; add it to emit.html.words"
         raise ValueError(message)
     return _MACROS[name] + blank
+
+
+def plain(text: str) -> str:
+    """Running text without links and the marks of LaTeX; its formulas in letters."""
+    return symbol(str(words(text, lambda label, shown: Markup("{}").format(shown)).striptags()))
+
+
+def symbol(latex: str) -> str:
+    r"""A symbol in letters of Unicode: E^{*} is E*, \Delta\gamma is Δγ, b^{3} is b³."""
+    text = re.sub(r"\\bar ?\{?(\w)\}?", "\\1\N{COMBINING MACRON}", latex)
+    text = re.sub(r"\^\{?(\d)\}?", lambda match: _POWERS[int(match[1])], text)
+    text = re.sub(r"\\([A-Za-z]+) ?", lambda match: _letter(match[1]), text)
+    return re.sub(r"[\\{}$^]", "", text)
+
+
+def _letter(name: str) -> str:
+    if name in _LEFT_OUT:
+        return ""
+    small = name.removeprefix("var").replace("lambda", "lamda")
+    size = "CAPITAL" if name[0].isupper() else "SMALL"
+    try:
+        return unicodedata.lookup(f"GREEK {size} LETTER {small.upper()}")
+    except KeyError:
+        return f"{name} "
+
+
+_LEFT_OUT = {"mathrm", "mathbf", "operatorname", "tfrac", "frac", "displaystyle", "left", "right"}
+_POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
