@@ -18,8 +18,7 @@ import pytest
 import sympy as sp
 from selected import few
 
-from axiderive import cache as cache_module
-from axiderive import pool, work
+from axiderive import pool, sources, work
 from axiderive.cache import Cache, digest
 from axiderive.contact.systems import problem, problems
 from axiderive.notation import R, a, b, r, theta
@@ -160,32 +159,54 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
     (package / "__init__.py").write_text("")
     (package / "part.py").write_text("x = 1\n")
     monkeypatch.syspath_prepend(str(tmp_path))
-    first = cache_module.source_digest.__wrapped__("some_engine")
+    first = sources.source_digest.__wrapped__("some_engine")
     (package / "part.py").write_text("x = 2\n")
-    assert cache_module.source_digest.__wrapped__("some_engine") != first
+    assert sources.source_digest.__wrapped__("some_engine") != first
 
 
-def test_import_digest_follows_code_and_what_it_imports(tmp_path, monkeypatch):
-    """Comments, docstrings and the file do not count, a module that is imported inside a function does."""
-    monkeypatch.setattr(cache_module, "__file__", str(tmp_path / "engine" / "cache.py"))
-    monkeypatch.setattr(cache_module, "_read_module", cache_module._read_module.__wrapped__)
+def test_import_digest_follows_what_a_function_uses(tmp_path, monkeypatch):
+    """Comments, docstrings, files and what is not used do not count, what is imported inside a function does."""
+    monkeypatch.setattr(sources, "__file__", str(tmp_path / "engine" / "sources.py"))
+    for name in ("_module", "_source"):
+        monkeypatch.setattr(sources, name, getattr(sources, name).__wrapped__)
     (tmp_path / "engine").mkdir()
-    first = '"""Words."""\n\ndef f():\n    from .second import g\n    return g() + 1\n'
-    texts = {"__init__": "", "first": first, "second": "def g():\n    return 2\n", "third": "x = 1\n"}
+    first = '''"""Words."""
 
-    def digest_with(**changed):
-        for name, text in {**texts, **changed}.items():
-            (tmp_path / "engine" / f"{name}.py").write_text(text)
-        return cache_module.import_digest.__wrapped__("engine.first")
+from . import second
+
+def f():
+    from .second import g
+    return g() + second.factor * ONE
+
+def unused():
+    return 4
+
+ONE = 1
+'''
+    second = "LIST = []\n\ndef g():\n    return 2\n\nfactor = 3\n\ndef other():\n    return 5\n"
+    texts = {"__init__": "", "first": first, "second": second, "third": "x = 1\n"}
+
+    def digest_with(name="engine.first.f", **changed):
+        for own, text in {**texts, **changed}.items():
+            (tmp_path / "engine" / f"{own}.py").write_text(text)
+        return sources.import_digest.__wrapped__(name)
 
     base = digest_with()
     assert digest_with(first=first.replace("Words.", "Other words.") + "# a remark\n") == base
+    assert digest_with(first=first.replace("return 4", "return 5")) == base
+    assert digest_with(second=second.replace("return 5", "return 6")) == base
     assert digest_with(third="x = 2\n") == base
-    assert digest_with(first=first.replace("+ 1", "+ 2")) != base
-    assert digest_with(second="def g():\n    return 3\n") != base
-    assert digest_with(first=first.replace("def f", "y = 1\n\n\ndef f")) != base
     moved = digest_with(first="from .third import f\n", third=first)
     assert moved == base, "a definition that moves to another file is measured again"
+    for old, new in (("+ second", "- second"), ("ONE = 1", "ONE = 2")):
+        assert digest_with(first=first.replace(old, new)) != base
+    for old, new in (
+        ("return 2", "return 3"),
+        ("factor = 3", "factor = 4"),
+        ("LIST = []", "LIST = []\nLIST.append(1)"),
+    ):
+        assert digest_with(second=second.replace(old, new)) != base
+    assert digest_with("engine.first", first=first.replace("return 4", "return 5")) != digest_with("engine.first")
 
 
 def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch):

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import pool, work
-from .cache import Cache, digest, import_digest, source_digest
+from .cache import Cache, digest
+from .sources import import_digest, source_digest
 from .work import Outcome, Settings
 from .writing import STUDIES
 

@@ -11,7 +11,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .cache import Cache, digest, import_digest, source_digest
+from .cache import Cache, digest
+from .sources import import_digest, source_digest
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
@@ -19,11 +20,14 @@ if TYPE_CHECKING:
     from .profiles.profile import Profile
 
 FORMAT = 2
-DERIVING = ("axiderive.contact.systems", "axiderive.records")
-PROVING = (*DERIVING, "axiderive.proof.certificate", "axiderive.proof.plane", "axiderive.verification")
-CHECKING = (*DERIVING, "axiderive.proof.checks")
-MEASURING = (*DERIVING, "axiderive.stable.records")
-"""Modules whose imports, all the way down, are what derives, proves, checks and measures."""
+DERIVING = (
+    *("axiderive.contact.systems.problem", "axiderive.contact.systems.Problem"),
+    *("axiderive.records.entry_record", "axiderive.records.read_entry"),
+)
+PROVING = (*DERIVING, "axiderive.verification.verify")
+CHECKING = (*DERIVING, "axiderive.proof.checks.check_problem")
+MEASURING = (*DERIVING, "axiderive.stable.records.record")
+"""What derives, proves, checks and measures, with all that it uses of the engine."""
 WRITING = (
     *("axiderive.notation", "axiderive.entry", "axiderive.abel", "axiderive.contact", "axiderive.srepr"),
     *("axiderive.records", "axiderive.profiles", "axiderive.stable", "axiderive.emit"),
