@@ -100,7 +100,8 @@ def _module(name: str) -> _Module:
     assert source is not None
     tree = ast.parse(source.read_bytes())
     package = name.split(".") if source.name == "__init__.py" else name.split(".")[:-1]
-    statements = tuple(_Statement(one, _binds(one), frozenset(_uses(one))) for one in tree.body if not _silent(one))
+    body = [part for one in tree.body if not _silent(one) for part in _parts(one)]
+    statements = tuple(_Statement(one, _binds(one), frozenset(_uses(one))) for one in body)
     return _Module(name, statements, dict(_imported(tree, package)))
 
 
@@ -118,6 +119,13 @@ def _imported(node: ast.AST, package: list[str]) -> Iterator[tuple[str, tuple[st
     if not _for_types(node):
         for child in ast.iter_child_nodes(node):
             yield from _imported(child, package)
+
+
+def _parts(node: ast.stmt) -> list[ast.stmt]:
+    """An import of several names as one of each: how they are collected does not count."""
+    if isinstance(node, ast.ImportFrom):
+        return [ast.ImportFrom(node.module, [alias], node.level) for alias in node.names]
+    return [node]
 
 
 def _binds(node: ast.stmt) -> frozenset[str]:

@@ -40,7 +40,7 @@ def to_text(expr: sp.Basic) -> str:
     """The expression as text; `ReadingError` if `from_text` would not return it."""
     text = str(sp.srepr(expr, order="none"))
     if from_text(text) != expr:
-        message = f"{expr} is not what its stored text reads as; add its functions to axiderive.srepr"
+        message = f"{expr} is not what its stored text reads as; add its functions to those it may name"
         raise ReadingError(message)
     return text
 
