@@ -55,6 +55,11 @@ def import_digest(*names: str) -> str:
     return hashlib.sha256("".join(sorted(found)).encode()).hexdigest()
 
 
+def modules_of(package: str) -> list[str]:
+    """The modules of a package, whose sections are imported by name."""
+    return [f"{package}.{path.stem}" for path in _files(package) if path.suffix == ".py" and path.stem != "__init__"]
+
+
 @dataclass(frozen=True)
 class _Statement:
     node: ast.stmt

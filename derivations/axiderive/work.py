@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .cache import Cache, digest
-from .sources import import_digest, source_digest
+from .sources import import_digest, modules_of, source_digest
 
 if TYPE_CHECKING:
     from .contact.systems import Problem
@@ -125,7 +125,7 @@ def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[s
 
 def chapter_key() -> str:
     """Of the checks of chapter 11, which compare with entries of the engine too."""
-    sources = [import_digest(*DERIVING, "axiderive.chapter11.runner"), source_digest("axiderive.chapter11"), _shapes()]
+    sources = [import_digest(*DERIVING, *modules_of("axiderive.chapter11")), _shapes()]
     return digest([FORMAT, "chapter", installed("sympy"), installed("mpmath"), sources])
 
 
