@@ -27,7 +27,7 @@ FRONT = (
     ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
 )  # fmt: skip
 BACK = (
-    ("Error against run time", "study"), ("Errata of chapter 11", "errata"), ("References", "references"),
+    ("Errata of chapter 11", "errata"), ("Error against run time", "study"), ("References", "references"),
     ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
 """Titles and labels of the parts before and behind the entries."""
