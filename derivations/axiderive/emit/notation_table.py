@@ -38,7 +38,7 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
         r"d_{\mathrm c},\;d_{\mathrm m}", "m", "depth at pull-off, under force and under depth control"
     ),
     ":sliding": (r"u,\;u_{\mathrm s}", "m", "tangential displacement of the rigid body, and the one at full slip"),
-    ":history": ("F(t)", "N", "normal force over the time"),
+    ":history": (r"F_{\mathrm N}(t)", "N", "normal force over the time"),
     ":relaxation": ("E(t)", "Pa", "effective modulus after a step of the strain"),
     ":creep": ("J(t)", "1/Pa", "compliance after a step of the stress"),
     ":ramp": (r"\Phi_m(t)", "Pa", "effective modulus that a ramp of the depth meets"),
