@@ -104,9 +104,7 @@ def model(
         "validity": guide.validity(),
         "errors": guide.errors(),
         "coverage": _coverage(summaries),
-        "notation": notation_table.by_subject(
-            {s for m in summaries for s in m["symbols"]}, {m["name"]: m["number"] for m in summaries}
-        ),
+        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}, summaries),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
