@@ -111,19 +111,19 @@ def _within(meaning: str, entries: Sequence[Mapping[str, Any]]) -> str:
 
 def _by_meaning(numbers: Mapping[str, str]) -> dict[str, list[Row]]:
     """Of the symbols that profiles have words of their own for: a row for every meaning, with its entries."""
-    found: dict[sp.Symbol, dict[str, list[str]]] = {}
+    found: dict[sp.Symbol, dict[str, dict[str, str]]] = {}
     for pool in POOLS:
         for profile_id in (own for own in map(pool.id, pool.names) if own in numbers):
             for symbol, meaning in pool.load(profile_id.rpartition(".")[2]).meanings:
-                entry = rf"\hyperref[sec:{profile_id}]{{{numbers[profile_id]}}}"
-                found.setdefault(symbol, {}).setdefault(meaning, []).append(entry)
+                places = found.setdefault(symbol, {}).setdefault(meaning, {})
+                places.setdefault(numbers[profile_id], rf"\hyperref[sec:{profile_id}]{{{numbers[profile_id]}}}")
     return {symbol.name: _rows_by_meaning(symbol.name, meanings) for symbol, meanings in found.items()}
 
 
-def _rows_by_meaning(name: str, meanings: Mapping[str, list[str]]) -> list[Row]:
+def _rows_by_meaning(name: str, meanings: Mapping[str, Mapping[str, str]]) -> list[Row]:
     plain = _row(name)
     return [
-        plain | {"name": f"{name}-{i}" if i else name, "meaning": f"{prose(meaning)} ({', '.join(entries)})"}
+        plain | {"name": f"{name}-{i}" if i else name, "meaning": f"{prose(meaning)} ({', '.join(entries.values())})"}
         for i, (meaning, entries) in enumerate(meanings.items())
     ]
 
