@@ -81,7 +81,7 @@ def test_the_load_of_an_adhesive_example_is_more_than_its_pull_off(name: str) ->
     shown = _examples(name)
     pulled = -_value(shown[""][r"F_{\mathrm c}"])
     assert 0 < pulled < CASES[name].load / 2
-    assert pulled < _value(shown["Standard solid"][r"F(\tau)"]) / 2
+    assert pulled < _value(shown["Standard solid"][r"F_{\mathrm N}(\tau)"]) / 2
 
 
 def test_no_solid_of_an_example_is_so_soft_that_it_would_stick() -> None:
@@ -89,7 +89,7 @@ def test_no_solid_of_an_example_is_so_soft_that_it_would_stick() -> None:
     for name in ROUND:
         if not CASES[name].material.separation:
             assert float(SOLIDS.get(CASES[name].material, POLYETHYLENE).E_inf) > 1e8
-            assert _value(_examples(name)["Standard solid"]["F(0)"]) > 1e-3
+            assert _value(_examples(name)["Standard solid"][r"F_{\mathrm N}(0)"]) > 1e-3
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -150,8 +150,8 @@ def test_the_examples_of_the_sphere_are_what_its_modules_give() -> None:
     solid: dict[str, Any] = {"R": 5e-3, "E_inf": 2e6, "E_1": 1e6, "tau": 10.0}
     depth, rest = sphere.depth(a, R=5e-3), shown["Standard solid"]
     first = relaxing.step_force_standard_solid(0.0, d=depth, **solid)
-    assert _agrees(rest["F(0)"], first)
-    assert _agrees(rest[r"F(\tau)"], relaxing.step_force_standard_solid(10.0, d=depth, **solid))
+    assert _agrees(rest[r"F_{\mathrm N}(0)"], first)
+    assert _agrees(rest[r"F_{\mathrm N}(\tau)"], relaxing.step_force_standard_solid(10.0, d=depth, **solid))
     for name, time in ((r"a(\tau)", 10.0), (r"a(10\tau)", 100.0)):
         assert _agrees(rest[name], relaxing.step_load_radius_standard_solid(time, F=first, **solid))
 

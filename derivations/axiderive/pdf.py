@@ -126,7 +126,7 @@ def _references(folder: Path) -> dict[str, bytes]:
 _RERUN = re.compile(r"^(?:LaTeX|Package) .*Warning: .*\bRerun\b", re.MULTILINE)
 _PICTURE = re.compile(rb"\\begin\{tikzpicture\}(\[[^\]\n]*\])?.*?\\end\{tikzpicture\}", re.DOTALL)
 _BOX = re.compile(rb"\\path\[use as bounding box\][^;]*;")
-_FRAME = re.compile(rb"\\begin\{axis\}\[hb,pair(?:,height=(\d+)mm)?,")
+_FRAME = re.compile(rb"\\begin\{axis\}\[hb,(?:powers,)?(?:height=(\d+)mm)?")
 
 
 def without_pictures(source: bytes) -> bytes:
@@ -139,9 +139,9 @@ def _box(match: re.Match[bytes]) -> bytes:
     if box := _BOX.search(picture):
         stub = b"\\begin{tikzpicture}" + (match[1] or b"") + box[0] + b"\\end{tikzpicture}"
     elif frame := _FRAME.search(picture):
-        # the frame, and the ticks and names of its axes, as the style `pair` bounds them
+        # the frame, and the ticks and names of its axes, as the style `framed` bounds them
         height = frame[1] + b"mm" if frame[1] else b"\\plotheight"
-        stub = b"\\rule[-10.9mm]{80mm}{\\dimexpr" + height + b"+11.9mm\\relax}"
+        stub = b"\\rule[-11.2mm]{80mm}{\\dimexpr" + height + b"+12.2mm\\relax}"
     else:
         return picture
     # a comment in front: behind the box it would leave an empty line, which ends the paragraph

@@ -27,7 +27,7 @@ FRONT = (
     ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
 )  # fmt: skip
 BACK = (
-    ("Error against run time", "study"), ("Errata of chapter 11", "errata"), ("References", "references"),
+    ("Errata of chapter 11", "errata"), ("Error against run time", "study"), ("References", "references"),
     ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
 """Titles and labels of the parts before and behind the entries."""
@@ -104,9 +104,7 @@ def model(
         "validity": guide.validity(),
         "errors": guide.errors(),
         "coverage": _coverage(summaries),
-        "notation": notation_table.by_subject(
-            {s for m in summaries for s in m["symbols"]}, {m["name"]: m["number"] for m in summaries}
-        ),
+        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}, summaries),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),

@@ -119,9 +119,9 @@ def _integral(suffix: str) -> RuleRow:
 
 
 VISCOELASTIC = {
-    "step": r"F(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
+    "step": r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
     "load": r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",
-    "ramp": r"F(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
+    "ramp": r"F_{\mathrm N}(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
 }
 
 

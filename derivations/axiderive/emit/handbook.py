@@ -7,6 +7,7 @@ made in any order and in several processes.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -95,7 +96,20 @@ SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "
 
 def summary(model: Model) -> Summary:
     """The part of a page model that the front of the book uses."""
-    return {name: model[name] for name in SUMMARISED} | {"shape": miniature(model), "digest": digest(model["blocks"])}
+    return {name: model[name] for name in SUMMARISED} | {
+        "shape": miniature(model),
+        "digest": digest(model["blocks"]),
+        "roots": _roots(model),
+    }
+
+
+def _roots(model: Model) -> list[str]:
+    """The letters that stand for a root somewhere in the rows of a profile."""
+    rows = [row for block in model["blocks"].values() for line in block["lines"] for row in line]
+    return sorted({name for row in rows for region in row["regions"] for name in _ROOT.findall(region["tex"])})
+
+
+_ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")
 
 
 def miniature(model: Model) -> dict[str, str]:

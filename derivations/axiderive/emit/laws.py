@@ -102,10 +102,10 @@ def _step(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     elastic = _elastic(plain)
     if _simple(elastic):
         text = _text(elastic, (E_star, RELAXATION))
-        return _row(own, (Region("", (f"F(t)={text}",)),))
+        return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text}",)),))
     if "Fd" not in plain:
-        return _row(own, (Region("", (r"F(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",)),))
-    return _row(own, (Region("", (r"F(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(a)",)),), "with $a$ from", "ad")
+        return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",)),))
+    return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(a)",)),), "with $a$ from", "ad")
 
 
 def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
@@ -123,4 +123,4 @@ def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
         text = _text(elastic, (E_star, RAMP), (d, v * time))
     else:
         text = r"\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)"
-    return _row(own, (Region("", (rf"F(t)={text},\qquad m={Printer()(power)}",)),))
+    return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text},\qquad m={Printer()(power)}",)),))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from typing import Any
 
 import sympy as sp
 
@@ -23,6 +24,7 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
     ":modulus": ("k", "1", "modulus of the elliptic integrals"),
     ":last": ("c", "1", "last parameter of a hypergeometric function"),
     ":shorthands": (r"s,\;\psi,\;\varphi_0", "", "in many rows: the shorthands of the conventions"),
+    ":roots": ("q", "", "a root, said behind its formula"),
     ":place": ("x", "m", "coordinate of the one-dimensional foundation, and lower limit of an integral over it"),
     ":index": ("j", "1", "index of a sum"),
     ":adhesive_depth": (r"d_{\mathrm{adh}},\;w_{\mathrm{adh}}", "m", "depth and displacement with adhesion"),
@@ -38,7 +40,7 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
         r"d_{\mathrm c},\;d_{\mathrm m}", "m", "depth at pull-off, under force and under depth control"
     ),
     ":sliding": (r"u,\;u_{\mathrm s}", "m", "tangential displacement of the rigid body, and the one at full slip"),
-    ":history": ("F(t)", "N", "normal force over the time"),
+    ":history": (r"F_{\mathrm N}(t)", "N", "normal force over the time"),
     ":relaxation": ("E(t)", "Pa", "effective modulus after a step of the strain"),
     ":creep": ("J(t)", "1/Pa", "compliance after a step of the stress"),
     ":ramp": (r"\Phi_m(t)", "Pa", "effective modulus that a ramp of the depth meets"),
@@ -55,7 +57,7 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     )),
     ("Half-space", (
         "E_star", "G_star", "young_1", "young_2", "nu_1", "nu_2", "k", "H", "H_x", "E_0", "c_0", "nu", "beta", "h_N",
-        ":modulus", ":last", ":shorthands",
+        ":modulus", ":last", ":shorthands", ":roots",
     )),
     ("Adhesion", (
         "dgamma", "retraction", ":adhesive_depth", ":adhesive_force", ":adhesive_pressure",
@@ -76,34 +78,52 @@ INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
 """Records whose symbol stands in the row of a name in print."""
 
 
-def by_subject(used: AbstractSet[str], numbers: Mapping[str, str]) -> list[tuple[str, list[Row]]]:
+ROOTS = ("m", "v", r"\ell")
+"""Letters of roots that mean something else in other rows; s has a row of its own."""
+
+
+def by_subject(used: AbstractSet[str], entries: Sequence[Mapping[str, Any]]) -> list[tuple[str, list[Row]]]:
     """The rows of the table by subject, for a book whose formulas use the symbols of these names.
 
-    `numbers` are those of its entries by profile: a letter that means different things in them has a row for each.
+    The entries are summaries: a letter that means different things in them has a row for each.
     """
     known = used | {"N", *IN_PRINT}
-    meanings = _by_meaning(numbers)
+    meanings = _by_meaning({m["name"]: m["number"] for m in entries})
+    meanings["width"] = [
+        _row("width") | {"meaning": _within("width of the contact", [m for m in entries if "width" in m["symbols"]])}
+    ]
+    meanings[":roots"] = [
+        _row(":roots") | {"name": f"print-root-{i}", "latex": letter, "meaning": _within(IN_PRINT[":roots"][2], own)}
+        for i, letter in enumerate(ROOTS)
+        if (own := [m for m in entries if letter in m["roots"]])
+    ]
     return [
         (title, [row for name in names if name in known for row in meanings.get(name) or [_row(name)]])
         for title, names in SUBJECTS
     ]
 
 
+def _within(meaning: str, entries: Sequence[Mapping[str, Any]]) -> str:
+    """The words with the entries that they hold in."""
+    places = dict.fromkeys(rf"\hyperref[sec:{m['name']}]{{{m['number']}}}" for m in entries if not m["host"])
+    return f"{prose(meaning)} ({', '.join(places)})"
+
+
 def _by_meaning(numbers: Mapping[str, str]) -> dict[str, list[Row]]:
     """Of the symbols that profiles have words of their own for: a row for every meaning, with its entries."""
-    found: dict[sp.Symbol, dict[str, list[str]]] = {}
+    found: dict[sp.Symbol, dict[str, dict[str, str]]] = {}
     for pool in POOLS:
         for profile_id in (own for own in map(pool.id, pool.names) if own in numbers):
             for symbol, meaning in pool.load(profile_id.rpartition(".")[2]).meanings:
-                entry = rf"\hyperref[sec:{profile_id}]{{{numbers[profile_id]}}}"
-                found.setdefault(symbol, {}).setdefault(meaning, []).append(entry)
+                places = found.setdefault(symbol, {}).setdefault(meaning, {})
+                places.setdefault(numbers[profile_id], rf"\hyperref[sec:{profile_id}]{{{numbers[profile_id]}}}")
     return {symbol.name: _rows_by_meaning(symbol.name, meanings) for symbol, meanings in found.items()}
 
 
-def _rows_by_meaning(name: str, meanings: Mapping[str, list[str]]) -> list[Row]:
+def _rows_by_meaning(name: str, meanings: Mapping[str, Mapping[str, str]]) -> list[Row]:
     plain = _row(name)
     return [
-        plain | {"name": f"{name}-{i}" if i else name, "meaning": f"{prose(meaning)} ({', '.join(entries)})"}
+        plain | {"name": f"{name}-{i}" if i else name, "meaning": f"{prose(meaning)} ({', '.join(entries.values())})"}
         for i, (meaning, entries) in enumerate(meanings.items())
     ]
 

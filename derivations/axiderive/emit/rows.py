@@ -28,6 +28,10 @@ EXPLICIT = 250.0
 """Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
 
 
+ROOM, LETTER = 388.0, 4.2
+"""Points from the label to the end of a line, and those of a letter of the key that ends the first line of a row."""
+
+
 @dataclass(frozen=True)
 class Region:
     """One formula of a row: the range in which it holds, and its lines of LaTeX."""
@@ -232,7 +236,8 @@ def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
     short = shortened(expr, chain, width(left))
     printer = Printer(chain, short.names | own)
     lines = broken(left, short.expr, printer)
-    return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer)))
+    key = LETTER * len(entry.key.partition(f"{entry.profile.name}.")[2])
+    return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer, key)))
 
 
 def _is_inverse_power(expr: sp.Expr) -> bool:
@@ -261,15 +266,15 @@ def broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
     return [*lines, current + closing]
 
 
-def _with_definitions(lines: list[str], short: Short, printer: Printer) -> list[str]:
-    """The definitions behind the formula, on its last line if they fit."""
+def _with_definitions(lines: list[str], short: Short, printer: Printer, key: float) -> list[str]:
+    """The definitions behind the formula, on its last line if they fit; on the first one stands the key too."""
     if not short.definitions:
         return lines
     texts = [f"{short.names[s]}={printer(d)}" for s, d in short.definitions.items() if not _is_kappa(s)]
     out = list(lines)
     for i, text in enumerate(texts):
         gap = r",\qquad " if i == 0 else r",\quad "
-        if width(out[-1] + gap + text) <= LINE:
+        if width(out[-1] + gap + text) <= ROOM - key * (len(out) == 1):
             out[-1] += gap + text
         else:
             out[-1] += ","

@@ -35,7 +35,7 @@ COLUMNS = {
     "power_law": (("d", "F", "aF", "p"), ("w",)),
     "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
     "concave_power": (("F", "dmin", "Fmin", "rz", "w"), ("p",)),
-    "plane.concave_power": (("Pmin", "xz", "p"), ("s",), ("d",)),
+    "plane.concave_power": (("Pmin", "xz", "p"), ("s", "d")),
 }
 """What each of the tables of a host gives."""
 UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -14,7 +15,7 @@ from ..abel.masters import MASTERS
 from ..entry import Entry
 from ..profiles.profile import Profile
 from ..proof.evaluate import at_precision, case_at
-from ..proof.shape import coefficient, concrete, number
+from ..proof.shape import coefficient, concrete, number, numeric_symbols
 
 Values = dict[Any, Any]
 DIGITS = 25
@@ -22,31 +23,48 @@ POLYNOMIAL = (sp.Rational(3, 20), sp.Rational(1, 5), sp.Rational(1, 10))
 """Coefficients with which the polynomial profile is drawn and tabulated."""
 
 
+@dataclass(frozen=True)
+class Remaining:
+    """An integral that is left in a result, and the symbol that stands for its value there."""
+
+    stand_in: sp.Symbol
+    variable: sp.Symbol
+    low: sp.Expr
+    high: sp.Expr
+    body: sp.Expr
+
+
 def evaluated(expr: sp.Expr, values: Values) -> Any:
     """The value of a result at the working precision; integrals left in it by quadrature."""
+    function, arguments, integrals = _prepared(concrete(sp.sympify(expr), values), numeric_symbols(values))
     known = dict(values)
-    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
-        variable, low, high = integral.limits[0]
-        ends = [at_precision(end, values) if end.free_symbols else mp.mpf(end) for end in (low, high)]
-        stand_in = sp.Symbol(f"integral{i}", positive=True)
-        known[stand_in] = mp.quad(_of_one_variable(concrete(integral.function, values), variable, values), ends)
-        expr = expr.xreplace({integral: stand_in})
-    return at_precision(expr, known)
+    for one in integrals:
+        ends = [evaluated(end, values) for end in (one.low, one.high)]
+        known[one.stand_in] = mp.quad(_of_one_variable(one.body, one.variable, values), ends)
+    return function(*(number(known[s]) for s in arguments))
 
 
 def _of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
     """The integrand with everything but its variable fixed, looked up once and not at every node."""
-    others = tuple(sorted(body.free_symbols - {variable}, key=str))
-    function = _compiled(body, (variable, *others))
+    function, (_, *others), _ = _prepared(body, (variable, *numeric_symbols(values)))
     fixed = [number(values[s]) for s in others]
     return lambda x: function(x, *fixed)
 
 
-@lru_cache(maxsize=512)
-def _compiled(body: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
+@lru_cache(maxsize=4096)
+def _prepared(
+    expr: sp.Expr, known: tuple[sp.Symbol, ...]
+) -> tuple[Callable[..., Any], tuple[sp.Symbol, ...], tuple[Remaining, ...]]:
+    """A result as a function, the known symbols that it takes, and the integrals whose values it takes."""
+    integrals = []
+    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
+        variable, low, high = integral.limits[0]
+        integrals.append(Remaining(sp.Symbol(f"integral{i}", positive=True), variable, low, high, integral.function))
+        expr = expr.xreplace({integral: integrals[-1].stand_in})
     own = {master.__name__: master.numeric for master in MASTERS}
-    function: Callable[..., Any] = sp.lambdify(arguments, body, modules=[own, "mpmath"], cse=True)
-    return function
+    arguments = tuple(s for s in (*known, *(one.stand_in for one in integrals)) if expr.has(s))
+    function: Callable[..., Any] = sp.lambdify(arguments, expr, modules=[own, "mpmath"], cse=True)
+    return function, arguments, tuple(integrals)
 
 
 def sketch_values(profile: Profile) -> Values:

@@ -181,9 +181,9 @@ def _relaxing(text: str, words: str, shown: dict[str, str], name: str, stored: S
         "standard solid",
         shown,
         {
-            "F(0)": lambda: force(mp.mpf(0)),
-            r"F(\tau)": lambda: force(time),
-            r"F(10\tau)": lambda: force(10 * time),
+            r"F_{\mathrm N}(0)": lambda: force(mp.mpf(0)),
+            r"F_{\mathrm N}(\tau)": lambda: force(time),
+            r"F_{\mathrm N}(10\tau)": lambda: force(10 * time),
             r"a(\tau)": lambda: grown(time, shown[r"a(\tau)"]),
             r"a(10\tau)": lambda: grown(10 * time, shown[r"a(10\tau)"]),
         },

@@ -24,7 +24,7 @@ PLANE = {
     "cw": "ell",
 }  # fmt: skip
 LOADS = {"w": "w(r)"}
-VISCOELASTIC = {"step": "F(t)", "load": "a", "ramp": "F(t)"}
+VISCOELASTIC = {"step": "F_N(t)", "load": "a", "ramp": "F_N(t)"}
 NAMES = {
     "normal": NORMAL, "adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE, "loads": LOADS,
     "viscoelastic": VISCOELASTIC,

@@ -86,10 +86,18 @@ def largest(pressure: Callable[[Any], Any], ends: Sequence[Any]) -> Any:
     best = max(range(len(places)), key=lambda i: found[i])
     lo, hi = places[max(best - 1, 0)], places[min(best + 1, len(places) - 1)]
     ratio = (mp.sqrt(5) - 1) / 2
+    left, right = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
+    below, above = pressure(left), pressure(right)
     for _ in range(NARROWED):
-        left, right = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
-        lo, hi = (left, hi) if pressure(left) < pressure(right) else (lo, right)
-    return max(found[best], pressure((lo + hi) / 2))
+        if below < above:
+            lo, left, below = left, right, above
+            right = lo + ratio * (hi - lo)
+            above = pressure(right)
+        else:
+            hi, right, above = right, left, below
+            left = hi - ratio * (hi - lo)
+            below = pressure(left)
+    return max(found[best], below, above)
 
 
 def pull_off(numbers: Numbers, case: Case) -> Any:

@@ -123,16 +123,23 @@ def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tup
         return _value(entries["step_sls"], values | {nt.time: t})
 
     first = force(mp.mpf(0))
-    shown: Shown = [("F(0)", first, "N", "vis.step_sls"), (r"F(\tau)", force(time), "N", "vis.step_sls")]
+    shown: Shown = [
+        (r"F_{\mathrm N}(0)", first, "N", "vis.step_sls"),
+        (r"F_{\mathrm N}(\tau)", force(time), "N", "vis.step_sls"),
+    ]
     if "load_sls" in entries:
         for name, t in ((r"a(\tau)", time), (r"a(10\tau)", 10 * time)):
             shown.append((name, _grown(entries["load_sls"], values | {nt.F: first, nt.time: t}), "m", "vis.load_sls"))
     else:
-        shown.append((r"F(10\tau)", force(10 * time), "N", "vis.step_sls"))
+        shown.append((r"F_{\mathrm N}(10\tau)", force(10 * time), "N", "vis.step_sls"))
     names = {"E_inf": r"E_\infty", "E_1": "E_1", "relaxation": r"\tau"}
     units = {"relaxation": "s"}
     given = [f"${names[name]}={stated_text(mp.mpf(getattr(rubber, name)), units.get(name, 'Pa'))}$" for name in names]
-    held = r"held at the depth $d$, or under the force $F(0)$" if "load_sls" in entries else r"held at the depth $d$"
+    held = (
+        r"held at the depth $d$, or under the force $F_{\mathrm N}(0)$"
+        if "load_sls" in entries
+        else r"held at the depth $d$"
+    )
     return "Standard solid", "; ".join([rubber.words, *given, held]), shown
 
 
