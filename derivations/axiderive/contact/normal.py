@@ -134,7 +134,7 @@ class _Compact:
         composed: tuple[str, str] | None = None,
     ) -> Entry:
         exponent = (self.medium.k,) if self.medium.k != 0 else ()
-        material = exponent if suffix in ("d", "w", "ad", "rp") else (self.medium.modulus, *exponent)
+        material = exponent if suffix in ("d", "w", "ad") else (self.medium.modulus, *exponent)
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,

@@ -171,7 +171,7 @@ def compact(profile: Profile, medium: Medium) -> Frames:
     return {
         suffix: Frame(
             medium.key(profile.name, medium.group, suffix), profile, COMPACT[suffix], definition,
-            profile.parameters + _material(medium, suffix not in ("d", "w", "ad", "rp")),
+            profile.parameters + _material(medium, suffix not in ("d", "w", "ad")),
             (r_peak,) if suffix in ("rp", "pp") else (),
         )
         for suffix, definition in definitions.items()

@@ -58,9 +58,11 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
             yield Sample(*_call(entry, arguments), exact, arguments)
 
 
-def value(function: Callable[..., float], point: Sample) -> float:
+def value(function: Callable[..., Any], point: Sample, member: str = "") -> float:
+    """The result, or one of several."""
     try:
-        return float(function(*point.arguments, **point.keywords))
+        found = function(*point.arguments, **point.keywords)
+        return float(getattr(found, member) if member else found)
     except OverflowError:
         return math.nan
 

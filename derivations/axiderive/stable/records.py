@@ -74,7 +74,7 @@ def record(
             entry = entries[suffix]
             row = _form(sources[found.module], entry) if system in OWN else {}
             row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
-            evaluate = partial(value, getattr(module, entry.quantity.function))
+            evaluate = partial(value, getattr(module, entry.quantity.function), member=entry.quantity.member)
             rows[suffix] = row | _errors(entries, suffix, *_measured(entries, suffix, evaluate, row["sample"]))
     return rows
 
