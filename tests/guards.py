@@ -18,7 +18,7 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "complete", "adhesive", "detachment", "tangential", "viscoelastic", "plane",
+    "certificate", "frame", "compact", "peak", "complete", "adhesive", "detachment", "tangential", "viscoelastic", "plane",
     "plane_threshold", "tilted", "loads", "materials", "statement", "identity", "functions", "tower", "elements",
     "domain", "graded", "special",
 )  # fmt: skip

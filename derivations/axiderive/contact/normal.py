@@ -120,7 +120,7 @@ class _Compact:
             "k": self._entry("k", "closed", (Case((a,), self.medium.stiffness()),)),
             "pm": self._entry("pm", "closed", mean),
         }
-        return entries | self._inverses(depth, force) | self._greatest(depth, pressure)
+        return entries | self._greatest(depth, pressure) | self._inverses(depth, force)
 
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
         return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)

@@ -13,6 +13,8 @@ where the bracket is zero.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import sympy as sp
 
 from ..abel.form import Form
@@ -76,7 +78,7 @@ def _ring(pressure: sp.Expr) -> sp.Expr | None:
         return None
     slope = sp.Poly(2 * (1 - q) * sp.diff(polynomial, q) - polynomial, q)
     signs = [sp.sign(c) for c in slope.all_coeffs() if c != 0]
-    if [x * y for x, y in zip(signs, signs[1:], strict=False)].count(-1) != 1:
+    if [x * y for x, y in pairwise(signs)].count(-1) != 1 or signs[0] > 0:
         return None
     (found,) = (x for x in sp.solve(slope.as_expr(), q) if x.is_positive)
     return a * sp.sqrt(sp.factor(found))

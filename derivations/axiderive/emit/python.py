@@ -92,9 +92,7 @@ def _module(entries: Mapping[str, Entry]) -> ModuleText:
                 quantity = replace(quantity, arguments=(d,))  # noqa: PLW2901 - two branches, told apart by the depth
             shown = shown_example(profile, quantity, entry, fields, entries)
             ring = entries["rp"] if suffix == "pp" else None
-            module.public.append(
-                public(profile, quantity, entry, functions, shown, ring)
-            )
+            module.public.append(public(profile, quantity, entry, functions, shown, ring))
     if profile.rules:
         module.private.append(check(profile))
     used = [private for private in functions.functions.values() if is_used(private, module, functions)]

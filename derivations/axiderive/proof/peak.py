@@ -69,12 +69,10 @@ def _balance(proof: Compact, case: Case) -> list[str]:
         "hence dp/dr is a positive multiple of left - right for r > b; for r < b it is positive as g' is",
         require_zero(at(normal(canonical(rate, regime), regime), a, b), regime.at(a, b), "g'(a) -> 0 as a -> b"),
     ]
-    if sign(growth, regime) <= 0 or sign(sp.diff(growth / a, a), regime) >= 0:
-        message = "(g'(a)/a)' > 0, over a falling with a, is not shown"
-        raise NotProvedError(message)
     start = at(normal(canonical(growth * sp.sqrt(a**2 - b**2), regime), regime), a, b)
-    if sign(start, regime.at(a, b)) <= 0:
-        message = "a left side beyond all bounds as r -> b is not shown"
+    rises = sign(growth, regime) > 0 and sign(start, regime.at(a, b)) > 0
+    if not rises or sign(sp.diff(growth / a, a), regime) >= 0:
+        message = "(g'(a)/a)' > 0, over a falling with a and beyond all bounds as a -> b, is not shown"
         raise NotProvedError(message)
     return [*steps, "(g'(a)/a)'/a > 0 falls with a: S (left - right) falls with r, from infinity at b to below 0 at a"]
 
