@@ -90,7 +90,6 @@ def gamma_ratio(v: mp.mpf) -> mp.mpf:
     return mp.gammaprod([w + mp.mpf(3) / 4], [w + mp.mpf(1) / 4]) / mp.sqrt(w)
 
 
-@cache
 def peak(top: float, v: mp.mpf) -> mp.mpf:
     """(r - b)/(a - b)/x for the radius r of the greatest pressure, over x = sqrt(b/a) = top - v."""
     equation, b = _balance()
@@ -114,8 +113,12 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
     "TANH_GAP": ("(y - tanh y)/tanh(y)**3 over y**2 <= 1", tanh_gap, 1.0),
     "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
-    "PEAK_SMALL": ("(r - b)/(a - b)/x of the greatest pressure over 1/2 - x, x = sqrt(b/a)", partial(peak, 0.5), 0.5),
-    "PEAK_LARGE": ("the same over 1 - x, x >= 1/2", partial(peak, 1.0), 0.5),
+    "PEAK_SMALL": (
+        "(r - b)/(a - b)/x of the greatest pressure over 1/2 - x, x = sqrt(b/a)",
+        lambda v: peak(0.5, v),
+        0.5,
+    ),
+    "PEAK_LARGE": ("the same over 1 - x, x >= 1/2", lambda v: peak(1.0, v), 0.5),
     "DAWSON": ("x/D(x), x <= 25/16", dawson, (25 / 16) ** 2),
 } | {
     name: (words, function, end)

@@ -22,9 +22,9 @@ STRIPS = frozenset(("depth_beyond", "load_beyond", "slope_beyond"))
 ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_beyond", "inverse_over_waves"))
 KERNELS = frozenset(
     (
-        "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure", "peak_share",
-        "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap", "struve_h0",
-        "struve_h1", "tanh_gap", "uniform",
+        "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
+        "peak_share", "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap",
+        "struve_h0", "struve_h1", "tanh_gap", "uniform",
     )
 )  # fmt: skip
 ARRAYS = frozenset(("outside_zero_pressure", "power", "power_displacement", "power_pressure", "power_strips"))

@@ -22,7 +22,7 @@ CURVES = {"ad": ("d", None), "aF": ("F", None), "aP": ("P", None), "Fd": ("d", "
 
 
 RINGS = {"rz": nt.r_zero, "xz": nt.x_zero, "rp": nt.r_peak}
-"""Where the pressure of a complete contact vanishes first, round and plane, and where that of a compact one is greatest."""
+"""Where the pressure of a complete contact vanishes first, round and plane, and that of a compact one is greatest."""
 
 
 class UnknownError(ArithmeticError):
@@ -81,7 +81,7 @@ def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: C
 
 
 def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted: int = WANTED) -> arb:
-    """The value of an entry, with the ring on which the pressure vanishes first, or is greatest, where it depends on that."""
+    """The value of an entry, at the ring where the pressure vanishes first, or is greatest, if it depends on that."""
     entry = entries[suffix]
     if suffix in RINGS and entry.status == "root":
         return _ring(entry, values)

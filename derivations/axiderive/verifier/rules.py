@@ -24,7 +24,8 @@ def modulus(problem: Problem, suffix: str) -> None:
 
 
 TABLES: dict[str, dict[str, Rule]] = {
-    "compact": COMPACT | PEAK, "complete": COMPLETE, "adhesive": ADHESIVE, "detachment": DETACHED, "tangential": TANGENTIAL,
+    "compact": COMPACT | PEAK, "complete": COMPLETE,
+    "adhesive": ADHESIVE, "detachment": DETACHED, "tangential": TANGENTIAL,
     "plane": PLANE, "plane complete": PLANE_COMPLETE, "plane eccentric": TILTED,
     "materials": {s: (modulus, ()) for s in MODULI},
 }  # fmt: skip
