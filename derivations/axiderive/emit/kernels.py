@@ -91,12 +91,12 @@ def gamma_ratio(v: mp.mpf) -> mp.mpf:
 
 
 def peak(top: float, v: mp.mpf) -> mp.mpf:
-    """(r - b)/(a - b)/x for the radius r of the greatest pressure, over x = sqrt(b/a) = top - v."""
+    """(r - b)/(a - b) (1 + x)/x for the radius r of the greatest pressure, over x = sqrt(b/a) = top - v."""
     equation, b = _balance()
     # at x = 0 there is no equation left; the share is constant up to x there, and x = 1 is no node
     x = max(top - v, mp.mpf(10) ** -20)
     share = share_of_peak(equation.lhs - equation.rhs, b, x * x)
-    return mp.mpf(share.mid().str(60, radius=False)) / x
+    return mp.mpf(share.mid().str(60, radius=False)) * (1 + x) / x
 
 
 @cache
@@ -114,7 +114,7 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     "TANH_GAP": ("(y - tanh y)/tanh(y)**3 over y**2 <= 1", tanh_gap, 1.0),
     "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
     "PEAK_SMALL": (
-        "(r - b)/(a - b)/x of the greatest pressure over 1/2 - x, x = sqrt(b/a)",
+        "(r - b)/(a - b) (1 + x)/x of the greatest pressure over 1/2 - x, x = sqrt(b/a)",
         lambda v: peak(0.5, v),
         0.5,
     ),

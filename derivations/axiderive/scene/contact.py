@@ -157,7 +157,8 @@ class Contact:
     def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
         """The greatest pressure and its radius, searched for."""
         known = self.given() | {nt.a: sp.Rational(a)}
-        with mp.workdps(2 * DIGITS):
+        # the nodes next to the edge are told from it
+        with mp.workdps(3 * DIGITS):
             place, found = greatest(shape(self.profile, known), mp.mpf(a), 2 * DIGITS)
             return mp.mpf(self.all["E_star"]) * found, place
 

@@ -25,4 +25,4 @@ def peak_share(a: Array, b: Array) -> Array:
     """
     x = np.sqrt(b / a)
     small, large = np.minimum(x, 0.5), np.minimum(np.maximum(x, 0.5), 1.0)
-    return x * np.where(x < 0.5, rational(0.5 - small, *PEAK_SMALL), rational(1.0 - large, *PEAK_LARGE))
+    return x / (1.0 + x) * np.where(x < 0.5, rational(0.5 - small, *PEAK_SMALL), rational(1.0 - large, *PEAK_LARGE))

@@ -105,26 +105,29 @@ def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Stri
     within = r < b
     outside, reach = np.where(within, 0.0, 1.0), difference_root(a, b)
     stop = np.arcsinh(np.where(within, reach, difference_root(a, r)) / np.sqrt(np.abs(r - b) * (r + b)))
-    return _over_the_break(slope, reach, falling(stop, outside), b), stop, 1.0, a > np.maximum(r, b), 0.0
-
-
-@in_groups
-def peak_integral_beyond(slope: Slope, share: Array, a: Array, b: Array) -> Strip:
-    """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, r = b + share*(a - b); next to a = b the radius says less."""
-    r = b + share * (a - b)
-    stop = np.arcsinh(np.sqrt((1.0 - share) * (a + r) / (share * (r + b))))
-    return _over_the_break(slope, difference_root(a, b), falling(stop, 1.0), b), stop, 1.0, a > b, 0.0
-
-
-def _over_the_break(slope: Slope, reach: Array, fallen: Callable[[Array], Array], b: Array) -> Callable[[Array], Array]:
-    """The integrand at the roots sqrt(t**2 - b**2) that fall from `reach`."""
+    fallen = falling(stop, outside)
 
     def integrand(v: Array) -> Array:
         root = reach * fallen(v)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root / t
 
-    return integrand
+    return integrand, stop, 1.0, a > np.maximum(r, b), 0.0
+
+
+@in_groups
+def peak_integral_beyond(slope: Slope, share: Array, a: Array, b: Array) -> Strip:
+    """The same from r = b + share*(a - b), which next to a = b says less than the share."""
+    r, reach = b + share * (a - b), difference_root(a, b)
+    stop = np.arcsinh(np.sqrt((1.0 - share) * (a + r) / (share * (r + b))))
+    fallen = falling(stop, 1.0)
+
+    def integrand(v: Array) -> Array:
+        root = reach * fallen(v)
+        t = np.sqrt(b * b + root * root)
+        return slope(t, root) * root / t
+
+    return integrand, stop, 1.0, a > b, 0.0
 
 
 @over_radii(of_displacement)
