@@ -77,8 +77,11 @@ def _ring(pressure: sp.Expr) -> sp.Expr | None:
     if not polynomial.is_polynomial(q):
         return None
     slope = sp.Poly(2 * (1 - q) * sp.diff(polynomial, q) - polynomial, q)
+    _, shape = slope.primitive()
+    if not all(c.is_Rational for c in shape.all_coeffs()):
+        return None
     signs = [sp.sign(c) for c in slope.all_coeffs() if c != 0]
     if [x * y for x, y in pairwise(signs)].count(-1) != 1 or signs[0] > 0:
         return None
-    (found,) = (x for x in sp.solve(slope.as_expr(), q) if x.is_positive)
+    (found,) = (x for x in sp.solve(shape.as_expr(), q) if x.is_positive)
     return a * sp.sqrt(sp.factor(found))
