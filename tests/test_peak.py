@@ -26,8 +26,8 @@ from axiderive.stable.reference import of_contact
 
 EPS = 2.0**-52
 FLAT = {"R": 1.0, "E_star": 1.0}
-UNITS = {"radius": 2.0, "pressure": 6.0}
-"""Of the last place; 1.4 and 3.7 are measured at 120 contacts between a/b - 1 = 1e-15 and a/b = 1e12."""
+UNITS = {"radius": 4.0, "pressure": 6.0}
+"""Of the last place; 2.3 and 3.7 are measured at 120 contacts between a/b - 1 = 1e-15 and a/b = 1e12."""
 
 
 def mpmath_pressure(face: float, radius: float, place: Any) -> Any:

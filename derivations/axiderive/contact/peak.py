@@ -7,8 +7,7 @@ In t = sqrt(r^2 + u^2) the pressure (11.23) has a slope of its own,
 
     dp/dr = E* r/pi [int_r^a (g'(t)/t)'/sqrt(t^2 - r^2) dt - g'(a)/(a sqrt(a^2 - r^2))],
 
-for r beyond the edge of the face; what stands under the root there begins
-where the bracket is zero.
+for r beyond the edge of the face; the ring is where the bracket is zero.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ class PeakPressure(NamedTuple):
 def peak_share(a: Array, b: Array) -> Array:
     """(r - b)/(a - b) of that radius under a flat face of radius b with a parabolic rounding; b/a alone decides.
 
-    It falls from sqrt(pi b/a)/2 to 0.305, so that r is surely between b and a.
+    It is sqrt(pi b/a)/2 for small b/a and nowhere above 0.311, so that r is surely between b and a.
     """
     x = np.sqrt(b / a)
     small, large = np.minimum(x, 0.5), np.minimum(np.maximum(x, 0.5), 1.0)
