@@ -215,13 +215,14 @@ PROBLEMS = (
     *("paraboloid.tan", "power_law.tan", "truncated_paraboloid.tan", "rounded_punch.tan"),
     *("paraboloid.fgm.tan", "truncated_cone.fgm.tan"),
     *("polynomial", "polynomial.adh", "polynomial.tan"),
+    *("quartic", "rounded_punch"),
     *("cone.vis", "sphere.vis", "flat_punch.vis", "capped_cylinder.vis"),
     *PLANE,
     ECCENTRIC,
     *LOADS,
     "materials",
 )
-EQUATIONS = ("ac", "am", "rz", "xz", "aP")
+EQUATIONS = ("ac", "am", "rz", "rp", "xz", "aP")
 
 
 def stated(entry: Entry) -> bool:

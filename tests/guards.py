@@ -18,9 +18,9 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "complete", "adhesive", "detachment", "tangential", "viscoelastic", "plane",
-    "plane_threshold", "tilted", "loads", "materials", "statement", "identity", "functions", "tower", "elements",
-    "domain", "graded", "special",
+    "certificate", "frame", "compact", "peak", "complete", "adhesive", "detachment", "tangential", "viscoelastic",
+    "plane", "plane_threshold", "tilted", "loads", "materials", "statement", "identity", "functions", "tower",
+    "elements", "domain", "graded", "special",
 )  # fmt: skip
 """What certificates are made of."""
 

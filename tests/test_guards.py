@@ -144,6 +144,30 @@ def whole_sphere_over_a_cone() -> Claim:
     return stated("sphere_tipped_cone.fgm", "d", cases=cases, primitives=primitives)
 
 
+def hollowed(key: str) -> Claim:
+    """The ring of a profile with its sign changed, where the pressure is least."""
+    true = derived(key)
+    profile = true["rp"].profile
+    hollow = replace(profile, pieces=tuple(replace(piece, expr=-piece.expr) for piece in profile.pieces))
+    (ring,) = true["rp"].cases
+    if isinstance(ring.expr, sp.Equality):
+        ring = replace(ring, expr=sp.Eq(-ring.expr.lhs, -ring.expr.rhs, evaluate=False))
+    entries = {"rp": replace(true["rp"], profile=hollow, cases=(ring,))}
+    for suffix in ("d", "p"):
+        cases = tuple(replace(case, expr=-case.expr) for case in true[suffix].cases)
+        primitives = {
+            chain: tuple(replace(one, integrand=-one.integrand, expr=-one.expr) for one in found)
+            for chain, found in true[suffix].primitives.items()
+        }
+        entries[suffix] = replace(true[suffix], profile=hollow, cases=cases, primitives=primitives)
+    return certified(hollow, entries, "rp")
+
+
+def balance(change: Callable[[sp.Expr, sp.Expr], tuple[sp.Expr, sp.Expr]]) -> Claim:
+    """Another equation for the ring under a rounded edge."""
+    return formula("rounded_punch", "rp", lambda equation: sp.Eq(*change(*equation.args), evaluate=False))
+
+
 def depth_with(key: str, change: Change, **chosen: Change) -> Claim:
     """A depth with another formula and another first antiderivative."""
     entry = derived(key)["d"]
@@ -632,6 +656,30 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: regions("paraboloid", "ad", (d, R)),
         "does not end where that of",
     ),
+    # the greatest pressure
+    "peak.radius: require_regions(entry, regimes)": (lambda: regions("quartic", "rp", (a, h)), ONCE),
+    "peak._formula: one change of the sign of dp/dr, from positive to negative,": (
+        lambda: hollowed("quartic"),
+        "one change of the sign of dp/dr",
+    ),
+    "peak._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
+    "peak._balance: require_analytic(left, outside)": (
+        lambda: balance(lambda left, right: (left + Leap(a - nt.r_peak), right)),
+        "the real range of Leap",
+    ),
+    "peak._balance: (g'(a)/a)' > 0, over a falling with a and beyond all bounds": (
+        lambda: hollowed("rounded_punch"),
+        "beyond all bounds as a -> b",
+    ),
+    "peak._factor: ... is no positive factor that does not depend on a": (
+        lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
+        "is no positive factor",
+    ),
+    "peak.pressure: require_regions(proof.entries['pp'], (ring.chain,))": (
+        lambda: regions("quartic", "pp", (a, h)),
+        ONCE,
+    ),
+    "peak.pressure: ... > 0 is not shown": (lambda: times("quartic", "pp", -1), "> 0 is not shown"),
     # complete contact
     "complete.Complete._fixed: require_regions(entry, before + after)": (
         lambda: regions("flat_punch", "p", (a, r)),

@@ -42,7 +42,7 @@ CONCAVE_FUNCTIONS = {"zero_radius": [], "minimum_depth": [], "minimum_force": []
 
 def expected(name: str) -> dict[str, list[str]]:
     if name not in COMPLETE_NAMES:
-        return COMPACT_FUNCTIONS
+        return COMPACT_FUNCTIONS | ({"peak_pressure": ["a"]} if "pp" in derive(load(name)) else {})
     functions = COMPLETE_FUNCTIONS | (CONCAVE_FUNCTIONS if name.startswith("concave") else {})
     return functions | ({"stiffness": ["d"]} if name == "capped_cylinder" else {})
 

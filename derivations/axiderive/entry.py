@@ -30,6 +30,8 @@ class Quantity:
     label: str
     symbol: sp.Symbol
     arguments: tuple[sp.Symbol, ...]
+    member: str = ""
+    """Which of the results of a function that returns a named tuple."""
 
 
 @dataclass(frozen=True)
@@ -139,6 +141,8 @@ COMPACT = {
         Quantity("aF", "radius_from_force", "Contact radius from force", nt.a, (nt.F,)),
         Quantity("Fd", "force_from_depth", "Force from depth", nt.F, (nt.d,)),
         Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,)),
+        Quantity("rp", "peak_pressure", "Greatest pressure: its radius", nt.r_peak, (nt.a,), "radius"),
+        Quantity("pp", "peak_pressure", "Greatest pressure", nt.p_peak, (nt.a,), "pressure"),
     )
 }
 

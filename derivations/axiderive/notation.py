@@ -108,6 +108,8 @@ f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from i
 g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
 p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
 r_zero = _define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
+r_peak = _define("r_peak", r"r_{\mathrm{max}}", LENGTH, "m", "", "radius of the ring of greatest pressure")
+p_peak = _define("p_peak", r"p_{\mathrm{max}}", STRESS, "Pa", "", "greatest pressure")
 stiffness = _define(
     "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
 )

@@ -76,7 +76,7 @@ def pressure_moment(s: sp.Expr, k: sp.Expr = ZERO) -> Form:
 
 
 def elliptic_moment(order: int, b: sp.Expr, inside: bool) -> Form:
-    """E_order = int_{max(b,r)}^a t**order / sqrt((t**2 - b**2)(t**2 - r**2)) dt, even order; inside means r < b.
+    """E_order = int_{max(b,r)}^a t**order / sqrt((t**2 - b**2)(t**2 - r**2)) dt, even order >= -2; inside means r < b.
 
     One F and one E of the same amplitude, never K - F: short and real.
     """
@@ -89,6 +89,8 @@ def elliptic_moment(order: int, b: sp.Expr, inside: bool) -> Form:
     if order == 0:
         return lower
     current = Form.of(first, large) + Form.of(second, -large) + Form.of(roots, a / (a**2 - small**2))
+    if order == -2:  # the step below for j = 0
+        return (current + Form.of(roots, -1 / a)) * (1 / (b**2 * r**2))
     for j in range(1, order // 2):
         # (2j+1) E_{2j+2} = a^(2j-1) S_b S_r + 2j (b^2+r^2) E_{2j} - (2j-1) b^2 r^2 E_{2j-2}
         step = current * (sp.Rational(2 * j, 2 * j + 1) * (b**2 + r**2))
@@ -99,7 +101,10 @@ def elliptic_moment(order: int, b: sp.Expr, inside: bool) -> Form:
 
 
 def arccos_moment(order: int, b: sp.Expr, inside: bool) -> Form:
-    """C_order = int_{max(b,r)}^a t**order acos(b/t) / sqrt(t**2 - r**2) dt, even order."""
+    """C_order = int_{max(b,r)}^a t**order acos(b/t) / sqrt(t**2 - r**2) dt, even order >= -2."""
+    if order == -2:  # the step below for j = 0
+        rest = Form.of(sp.sqrt(a**2 - r**2) * sp.acos(b / a), 1 / a) + elliptic_moment(0, b, inside) * -b
+        return rest * (1 / r**2) + elliptic_moment(-2, b, inside) * b
     form = Form.of(C0(b, r, a))
     for j in range(1, order // 2 + 1):
         # 2j C_{2j} = (2j-1) r^2 C_{2j-2} + a^(2j-1) S_r acos(b/a) - b E_{2j} + b r^2 E_{2j-2}; both lower ends vanish

@@ -15,9 +15,9 @@ from ..abel.form import Form
 from ..abel.order import Chain, Order, insert
 from ..abel.reduce import Reduced, parse
 from ..entry import COMPACT, Case, Entry, Primitive, Status
-from ..notation import F, N, a, coefficients, d, f, g, j, psi, r, t, u
+from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
-from . import complete
+from . import complete, peak
 from .inverse import closed_inverse
 from .medium import HOMOGENEOUS, Medium
 
@@ -32,12 +32,14 @@ REFERENCES = {
     "aF": (("(11.20)",), ("(11.51)",)),
     "Fd": (("(11.16)", "(11.20)"), ("(11.48)", "(11.51)")),
     "dF": (("(11.16)", "(11.20)"), ("(11.48)", "(11.51)")),
+    "rp": (("(11.23)",), ()),
+    "pp": (("(11.23)",), ()),
 }
 
 
 def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
     """The defining integrals, with f(r) the profile and g(t) the depth of an earlier contact of radius t."""
-    f_, g_, k = sp.Function(f.name), sp.Function(g.name), medium.k
+    f_, g_, p_, k = sp.Function(f.name), sp.Function(g.name), sp.Function(p.name), medium.k
     slope = sp.Derivative(g_(t), t)
     depth = a ** (1 - k) * sp.Integral(sp.Derivative(f_(r), r) * (a**2 - r**2) ** ((k - 1) / 2), (r, 0, a))
     force = medium.force_scale * sp.Integral(t**k * (g_(a) - g_(t)), (t, 0, a))
@@ -57,6 +59,8 @@ def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
         "aF": sp.Eq(force, F),
         "Fd": force,
         "dF": g_(a),
+        "rp": sp.Eq(sp.Derivative(p_(r), r), 0),
+        "pp": p_(r_peak),
     }
 
 
@@ -116,7 +120,7 @@ class _Compact:
             "k": self._entry("k", "closed", (Case((a,), self.medium.stiffness()),)),
             "pm": self._entry("pm", "closed", mean),
         }
-        return entries | self._inverses(depth, force)
+        return entries | self._greatest(depth, pressure) | self._inverses(depth, force)
 
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
         return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
@@ -213,6 +217,13 @@ class _Compact:
             growth = regime.expr - regime.expr.subs(a, b)
             known = known + growth * self.medium.punch_displacement().expr().subs(a, b)
         return known + scale * sp.Integral(kernel, (psi, sp.asin(b / r), sp.asin(a / r)))
+
+    def _greatest(self, depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> dict[str, Entry]:
+        found = peak.derive(self.profile, depth, pressure) if self.medium.k == 0 else None
+        if found is None:
+            return {}
+        status, radius, greatest = found
+        return {"rp": self._entry("rp", status, radius), "pp": self._entry("pp", "closed", greatest)}
 
     def _inverses(self, depth: tuple[Case, ...], force: tuple[Case, ...]) -> dict[str, Entry]:
         radius_d, radius_F = closed_inverse(depth, d), closed_inverse(force, F)

@@ -13,7 +13,7 @@ HALF = 122.0
 
 
 ORDER = (
-    "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "tau", "s", "w",
+    "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "pp", "rp", "tau", "s", "w",
     "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
     "E_star", "G_star", "H", "h_N",
 )  # fmt: skip

@@ -28,6 +28,8 @@ SUMMARY = {
     "aF": "Contact radius under the normal force F.",
     "Fd": "Normal force at indentation depth d.",
     "dF": "Indentation depth under the normal force F.",
+    "rp": "Radius of the greatest pressure.",
+    "pp": "Greatest pressure, and the radius of the ring on which it is.",
     "rz": "Radius of the ring where the pressure first vanishes on unloading.",
     "dmin": "Least indentation depth of complete contact.",
     "Fmin": "Least normal force of complete contact.",
@@ -35,12 +37,20 @@ SUMMARY = {
 
 
 def docstring(
-    profile: Profile, quantity: Quantity, entry: Entry | None, notes: Sequence[str], example: Sequence[str]
+    profile: Profile,
+    quantity: Quantity,
+    entry: Entry | None,
+    notes: Sequence[str],
+    example: Sequence[str],
+    ring: Entry | None = None,
 ) -> list[str]:
-    """Everything below the summary line, without indentation."""
+    """Everything below the summary line, without indentation; with a `ring`, of a result that has it for a member."""
     fields = [str(argument) for argument in quantity.arguments]
     symbols = entry.parameters if entry is not None else profile.parameters
-    lines = [*formula(profile, quantity, entry), "", "Parameters", "----------"]
+    stated = formula(profile, quantity, entry)
+    if ring is not None:
+        stated += [line for line in formula(profile, ring.quantity, ring) if line not in stated]
+    lines = [*stated, "", "Parameters", "----------"]
     for name in fields:
         record = nt.describe(name)
         lines += [f"{name} : array_like", *_wrapped(f"{_capital(record.meaning)} [{record.unit}].", 4)]
@@ -52,13 +62,16 @@ def docstring(
             text = f"{_capital(profile.note)}."
         lines += [f"{name} : {kind}", *_wrapped(text, 4)]
     result = nt.describe(quantity.symbol)
+    said = f"{_capital(result.meaning)} [{result.unit}]."
+    if ring is not None:
+        said = f"Named tuple of pressure [{result.unit}] and radius [{nt.describe(ring.quantity.symbol).unit}]."
     shape = "The shape to which the arguments broadcast." if fields else "A number for numbers."
     lines += [
         "",
         "Returns",
         "-------",
-        "float or ndarray",
-        *_wrapped(f"{_capital(result.meaning)} [{result.unit}]. {shape}", 4),
+        "float or ndarray" if ring is None else "PeakPressure",
+        *_wrapped(f"{said} {shape}", 4),
     ]
     lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
     lines += ["", "Notes", "-----"]

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..abel.masters import MASTERS
 from ..entry import Case, Entry
-from ..notation import F, N, a, coefficients, d, r, r_zero
+from ..notation import F, N, a, coefficients, d, r, r_peak, r_zero
 from ..profiles.profile import Profile
 
 DIGITS = 6
@@ -98,7 +98,7 @@ def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
 
 def _root(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
     """Secant in the unknown from the drawn contact radius."""
-    unknown = r_zero if entry.cases[-1].expr.has(r_zero) else a
+    unknown = next((ring for ring in (r_zero, r_peak) if entry.cases[-1].expr.has(ring)), a)
 
     def residual(x: sp.Float) -> sp.Float:
         at = {**known, unknown: x}
@@ -106,6 +106,8 @@ def _root(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) ->
         return number(_plain(expr.lhs - expr.rhs), at)
 
     start = sp.Float(str(profile.sketch.a), 40) * (sp.Rational(2, 5) if unknown == r_zero else 1)
+    if unknown == r_peak:
+        start = (start + known[profile.breaks[0]]) / 2
     x, y = start, start * sp.Rational(1001, 1000)
     fx, fy = residual(x), residual(y)
     for _ in range(40):

@@ -28,6 +28,7 @@ class Public:
 
 WITH_MATH = "with_math"
 POWERS = ("power_displacement", "power_pressure", "power_punches")
+PEAK = ("PeakPressure", "peak_share")
 RING = ("outside_zero_pressure", "ring_of_zero_pressure")
 RATES = ("_slope", "_slope_beyond")
 
@@ -107,6 +108,9 @@ def imports(module: ModuleText) -> list[str]:
         blocks.append(f"from .._kernels import {', '.join(kernels)}")
     if any(function.decorator for function in module.public):
         blocks.append(f"from .._numbers import {WITH_MATH}")
+    peak = [name for name in PEAK if re.search(rf"\b{name}\(", text)]
+    if peak:
+        blocks.append(f"from .._peak import {', '.join(peak)}")
     powers = [name for name in POWERS if f"{name}(" in text]
     if powers:
         blocks.append(f"from .._powers import {', '.join(powers)}")

@@ -73,6 +73,8 @@ def _packed(rows: list[Row]) -> list[Row]:
 def _is_ruled(system: System, one: Row) -> bool:
     if one.entry.profile.name in SUMS and system.name in ("normal", "graded.normal"):
         return one.suffix not in ("d", "F", "ad") or system.name != "normal"
+    if one.suffix == "pp":
+        return False
     if one.suffix in SAME_FOR_ALL.get(system.name, ()) or one.kind in ("rule", "root", "composition"):
         # what a law does to a closed formula is printed with it
         return system.name != "viscoelastic" or r"F_{\mathrm N}(" in one.regions[0].tex

@@ -7,8 +7,12 @@ from functools import cache, partial
 from typing import Any
 
 import mpmath as mp
+import sympy as sp
 
+from ..contact import normal
+from ..profiles import load
 from ..stable.kernels import fit
+from ..stable.reference import share_of_peak
 
 EXPONENTS = (1, 2, 4, 6)
 """Of r**n, for which the displacement beside the contact has a form of its own, from 2 on a kernel."""
@@ -86,6 +90,22 @@ def gamma_ratio(v: mp.mpf) -> mp.mpf:
     return mp.gammaprod([w + mp.mpf(3) / 4], [w + mp.mpf(1) / 4]) / mp.sqrt(w)
 
 
+def peak(top: float, v: mp.mpf) -> mp.mpf:
+    """(r - b)/(a - b) (1 + x)/x for the radius r of the greatest pressure, over x = sqrt(b/a) = top - v."""
+    equation, b = _balance()
+    # at x = 0 there is no equation left; the share is constant up to x there, and x = 1 is no node
+    x = max(top - v, mp.mpf(10) ** -20)
+    share = share_of_peak(equation.lhs - equation.rhs, b, x * x)
+    return mp.mpf(share.mid().str(60, radius=False)) * (1 + x) / x
+
+
+@cache
+def _balance() -> tuple[sp.Equality, sp.Symbol]:
+    """The certified equation of that radius, and the radius of the flat face."""
+    entry = normal.derive(load("rounded_punch"))["rp"]
+    return entry.cases[0].expr, entry.profile.breaks[0]
+
+
 POLYNOMIALS = ("LEGENDRE_CHI",)
 """Kernels whose difference quotient is wanted too."""
 KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
@@ -93,6 +113,12 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     "ROOT_GAP": ("(x - atan x)/q**1.5 with x**2 = q (q + 2), q <= 0.42", root_gap, 0.42),
     "TANH_GAP": ("(y - tanh y)/tanh(y)**3 over y**2 <= 1", tanh_gap, 1.0),
     "LEGENDRE_CHI": ("chi(x)/x with chi(x) = x + x**3/9 + x**5/25 + ..., x**2 <= 0.49", legendre_chi, 0.49),
+    "PEAK_SMALL": (
+        "(r - b)/(a - b) (1 + x)/x of the greatest pressure over 1/2 - x, x = sqrt(b/a)",
+        lambda v: peak(0.5, v),
+        0.5,
+    ),
+    "PEAK_LARGE": ("the same over 1 - x, x >= 1/2", lambda v: peak(1.0, v), 0.5),
     "DAWSON": ("x/D(x), x <= 25/16", dawson, (25 / 16) ** 2),
 } | {
     name: (words, function, end)

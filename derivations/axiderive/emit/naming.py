@@ -9,7 +9,7 @@ from ..entry import Entry
 LEFT = {
     "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
     "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
-    "rz": "r_{0}",
+    "rz": "r_{0}", "rp": r"r_{\mathrm{max}}", "pp": r"p_{\mathrm{max}}",
     "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
 }  # fmt: skip
 ADHESIVE = {

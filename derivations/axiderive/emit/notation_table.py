@@ -49,8 +49,8 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
 """LaTeX, unit and meaning of what has a name in print, and no record or one of several."""
 SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Contact", (
-        "r", "a", "d", "F", "p", "p_mean", "w", "f", "g", "t", ":foundation", ":place", "r_zero", ":least_depth",
-        ":least_force",
+        "r", "a", "d", "F", "p", "p_mean", "p_peak", "r_peak", "w", "f", "g", "t", ":foundation", ":place", "r_zero",
+        ":least_depth", ":least_force",
     )),
     ("Profile", (
         "theta", "R", "R1", "R2", "b", "n", "A", ":kappa", ":coefficients", ":index", "N", "h", "s", "wavelength", "C",

@@ -13,8 +13,8 @@ from .factors import Factor
 
 ORDER = (
     "kappa", "n", "j", "mu", "E_star", "E_inf", "E", "E_1", "G_star", "H", "H_x", "eta", "p_0", "p_mean", "P", "F",
-    "F_x", "dgamma", "d", "A", "C", "h", "v", "time", "t_0", "L", "a", "a_c", "c", "r", "r_zero", "t", "x", "x_zero",
-    "e", "b", "R", "R1", "R2", "s", "wavelength", "N", "retraction", "k", "u", "psi", "theta",
+    "F_x", "dgamma", "d", "A", "C", "h", "v", "time", "t_0", "L", "a", "a_c", "c", "r", "r_zero", "r_peak", "t",
+    "x", "x_zero", "e", "b", "R", "R1", "R2", "s", "wavelength", "N", "retraction", "k", "u", "psi", "theta",
 )  # fmt: skip
 TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 RAISED = (*TRIGONOMETRIC, sp.sinh, sp.cosh, sp.tanh)

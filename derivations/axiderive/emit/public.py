@@ -4,26 +4,35 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Entry, Quantity
+from ..entry import COMPACT, Entry, Quantity
 from ..notation import a, coefficients, r
 from ..profiles.profile import Profile
 from . import example
 from .code import python
 from .docstring import SUMMARY, docstring
 from .imports import WITH_MATH, Public
+from .peak import RADIUS, RESULT
 from .private import Private, PrivateFunctions, parameter_name
 
 PACKAGE = "axicontact"
+MEMBERS = [quantity.suffix for quantity in COMPACT.values() if quantity.member]
+"""The entries whose results one function returns together."""
 
 
 def public(
-    profile: Profile, quantity: Quantity, entry: Entry | None, functions: PrivateFunctions, shown: list[str]
+    profile: Profile,
+    quantity: Quantity,
+    entry: Entry | None,
+    functions: PrivateFunctions,
+    shown: list[str],
+    ring: Entry | None = None,
 ) -> Public:
+    """The function of a quantity; with a `ring`, of the greatest pressure and of that radius."""
     fields = [str(argument) for argument in quantity.arguments]
     keywords = [parameter_name(s) for s in (entry.parameters if entry else profile.parameters)]
     typed = (
@@ -42,14 +51,16 @@ def public(
         if "A" in private.needs:
             function, passed = f"partial({private.name}, A=A)", [p for p in passed if p != "A=A"]
     spread = unused(name for name in required if name not in private.needs)
-    body.append(f"return elementwise({', '.join([function, *fields, *passed, *spread])})")
+    evaluated = f"elementwise({', '.join([function, *fields, *passed, *spread])})"
+    body += _results(evaluated, functions, required) if ring else [f"return {evaluated}"]
     notes = _notes(profile, quantity, private, functions)
-    doc = docstring(profile, quantity, entry, notes, shown)
-    signature = f"def {quantity.function}({', '.join(typed)}) -> Result:"
+    doc = docstring(profile, quantity, entry, notes, shown, ring)
+    returns = RESULT if ring else "Result"
+    signature = f"def {quantity.function}({', '.join(typed)}) -> {returns}:"
     if len(signature) > 120:
-        signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> Result:"
-    # a rule between parameters and a sequence of coefficients are checked by the function itself
-    decorator = "" if summed or profile.rules else WITH_MATH
+        signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> {returns}:"
+    # a rule between parameters and a sequence of coefficients are checked by the function itself; a pair is no number
+    decorator = "" if summed or profile.rules or ring else WITH_MATH
     return Public(signature, SUMMARY[quantity.suffix], doc, body, decorator)
 
 
@@ -57,6 +68,14 @@ def unused(names: Iterable[str]) -> list[str]:
     """The argument of `elementwise` for parameters on which the value does not depend, if there are any."""
     given = "".join(f"{name}, " for name in names)
     return [f"unused=({given.strip() if given.count(',') == 1 else given.strip(', ')})"] if given else []
+
+
+def _results(pressure: str, functions: PrivateFunctions, keywords: Sequence[str]) -> list[str]:
+    """The last lines of the public function: what gives the pressure, and the same for the radius."""
+    radius = functions.functions[RADIUS]
+    given = [radius.name, *radius.fields, *(f"{need}={need}" for need in radius.needs)]
+    given += unused(name for name in keywords if name not in radius.needs)
+    return [f"pressure = {pressure}", f"radius = elementwise({', '.join(given)})", f"return {RESULT}(pressure, radius)"]
 
 
 def _notes(profile: Profile, quantity: Quantity, private: Private, functions: PrivateFunctions) -> list[str]:
@@ -74,8 +93,9 @@ def _notes(profile: Profile, quantity: Quantity, private: Private, functions: Pr
         notes.append("Evaluated by a safeguarded Newton iteration.")
     if profile.note and quantity.suffix in ("p", "F", "d") and coefficients not in profile.parameters:
         notes.append(f"{profile.note[:1].upper()}{profile.note[1:]}.")
-    key = "f" if quantity.suffix == "f" else quantity.suffix
-    notes.append(f"Handbook: {profile.name}.{key}" + ("." if key != "f" else ", the definition of the profile."))
+    keys = [quantity.suffix] if not quantity.member else MEMBERS
+    shown = ", ".join(f"{profile.name}.{key}" for key in keys)
+    notes.append(f"Handbook: {shown}" + ("." if keys != ["f"] else ", the definition of the profile."))
     return [" ".join(notes)]
 
 
@@ -106,19 +126,21 @@ def shown_example(
     elif entry is None:
         number = example.shape_value(profile, at)
     else:
-        at = _with_ring(profile, entries, at)
+        at = _with_ring(profile, entries, entry, at)
         number = example.value(profile, entry, at)
-    lines = [f">>> from {PACKAGE}.normal import {profile.name}", f">>> value = {call}", ">>> round(value, 6)"]
+    shown = f"value.{quantity.member}" if quantity.member else "value"
+    lines = [f">>> from {PACKAGE}.normal import {profile.name}", f">>> value = {call}", f">>> round({shown}, 6)"]
     return [*lines, example.result(number)]
 
 
 def _with_ring(
-    profile: Profile, entries: Mapping[str, Entry], at: dict[sp.Symbol, sp.Expr]
+    profile: Profile, entries: Mapping[str, Entry], entry: Entry, at: dict[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    ring = entries.get("rz")
-    if ring is None or ring.status != "root":
-        return at
-    return at | {nt.r_zero: example.value(profile, ring, at)}
+    for suffix, place in (("rz", nt.r_zero), ("rp", nt.r_peak)):
+        ring = entries.get(suffix)
+        if ring is not None and any(case.expr.has(place) for case in entry.cases):
+            at = at | {place: example.value(profile, ring, at)}
+    return at
 
 
 def check(profile: Profile) -> dict[str, object]:

@@ -15,7 +15,7 @@ from ..notation import coefficients, d, r
 from ..profiles.profile import Profile
 from ..stable.forms import evaluation_form
 from ..stable.signs import facts_of
-from . import example
+from . import example, peak
 from .code import python
 from .compact import Compact
 from .complete import Complete
@@ -83,13 +83,16 @@ def _module(entries: Mapping[str, Entry]) -> ModuleText:
     module = ModuleText(profile.title, _module_text(profile))
     fields = example.field_values(profile, entries)
     for suffix, quantity in quantities.items():
+        if suffix == "rp":
+            # with the pressure, of one function
+            continue
         if suffix == "f" or suffix in entries:
             entry = entries.get(suffix)
             if suffix == "k" and entry is not None and any(case.expr.has(d) for case in entry.cases):
                 quantity = replace(quantity, arguments=(d,))  # noqa: PLW2901 - two branches, told apart by the depth
-            module.public.append(
-                public(profile, quantity, entry, functions, shown_example(profile, quantity, entry, fields, entries))
-            )
+            shown = shown_example(profile, quantity, entry, fields, entries)
+            ring = entries["rp"] if suffix == "pp" else None
+            module.public.append(public(profile, quantity, entry, functions, shown, ring))
     if profile.rules:
         module.private.append(check(profile))
     used = [private for private in functions.functions.values() if is_used(private, module, functions)]
@@ -121,6 +124,7 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact
     form = functions.form(entries["k"], entries["k"].cases[0].expr, facts_of(()))
     compact.stiffness(form)
     compact.depth_like("pm", "mean_pressure")
+    peak.bodies(compact, functions, entries)
     return compact
 
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..contact.systems import BODIES
 from ..entry import Entry
-from ..notation import a_c, c
+from ..notation import a_c, c, r_peak
 from .height import brackets_around, size_around
 from .naming import LEFT, PREFIXES, label_of, left_of, system_of
 from .printer import Printer
@@ -146,11 +146,20 @@ def _root_or_formula(entry: Entry) -> Row:
 
 
 BETTER = {
-    "cone.w": r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",
-    "capped_paraboloid.ad": r"a=\frac{\sqrt{2} D}{\sqrt{2 D-q^{2} b^{2}+q \sqrt{4 D^{2}-4 D b^{2}+q^{2} b^{4}}}},"
-    r"\qquad D=d R_1,\quad q=\frac{R_1-R_2}{R_2}",
+    "cone.w": (r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",),
+    "capped_paraboloid.ad": (
+        r"a=\frac{\sqrt{2} D}{\sqrt{2 D-q^{2} b^{2}+q \sqrt{4 D^{2}-4 D b^{2}+q^{2} b^{4}}}},"
+        r"\qquad D=d R_1,\quad q=\frac{R_1-R_2}{R_2}",
+    ),
+    "rounded_punch.rp": (
+        r"\bigl(2-k^{2}\bigr)\,\mathrm{F}(\varphi,k)-2 \,\mathrm{E}(\varphi,k)"
+        r"+\frac{\ell}{a r_{\mathrm{max}}} \, \Bigl(\frac{2 b^{2}}{q}+b \arccos \frac{b}{a}\Bigr)"
+        r"=\frac{r_{\mathrm{max}}}{a \ell} \, \Bigl(2 q-b \arccos \frac{b}{a}\Bigr),",
+        r"\qquad k=\frac{b}{r_{\mathrm{max}}},\quad \varphi=\arcsin \frac{\ell}{q},"
+        r"\quad q=\sqrt{a^{2}-b^{2}},\quad \ell=\sqrt{a^{2}-r_{\mathrm{max}}^{2}}",
+    ),
 }
-"""Shorter or more accurate forms of the last case of an entry than its own, read back like any other."""
+"""Shorter or more accurate forms of the last case of an entry than its own, by lines, read back like any other."""
 
 
 def _formula(entry: Entry) -> Row:
@@ -160,7 +169,7 @@ def _formula(entry: Entry) -> Row:
         found.append(_region(entry, pairs, expr, left))
         left = left.partition("=")[0]
     if entry.key in BETTER:
-        found[-1] = replace(found[-1], lines=(BETTER[entry.key],))
+        found[-1] = replace(found[-1], lines=BETTER[entry.key])
     if len(found) > 1 and isinstance(expr, sp.Equality):
         found[-2] = replace(found[-2], remark=f"and beyond, ${left}$ is the root of")
     return Row(entry, "formula", tuple(found))
@@ -172,6 +181,8 @@ WIDEST = LINE + 15
 
 def _fits(one: Row) -> bool:
     """Whether every region of the row is at most two lines that fit."""
+    if any(case.expr.has(r_peak) for case in one.entry.cases):
+        return isinstance(one.entry.cases[0].expr, sp.Equality)
     return one.entry.suffix != "pm" and all(
         len(region.lines) <= MOST_LINES and region.width <= WIDEST and r"\int" not in region.tex
         for region in one.regions

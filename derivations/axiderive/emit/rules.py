@@ -91,9 +91,9 @@ def _tangential(medium: Medium) -> dict[str, Rule]:
 
 
 def _normal(medium: Medium) -> dict[str, Rule]:
-    """The fields as one regular integral each, and the mean pressure; on the graded half-space only."""
+    """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
     if medium.k == 0:
-        return {}
+        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
     k, printer = medium.k, Printer((r, a))
     scale = printer(medium.pressure_scale / (1 + k))
     span = printer((a**2 - r**2) ** ((1 + k) / 2))

@@ -18,7 +18,7 @@ from ..entry import Entry
 from ..notation import F, d
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import adhesive, detachment, frame, graded, loads, materials, tangential, viscoelastic
+from . import adhesive, detachment, frame, graded, loads, materials, peak, tangential, viscoelastic
 from .compact import Compact
 from .complete import Complete
 from .domain import NotProvedError
@@ -36,6 +36,8 @@ COMPACT: dict[str, Rule] = {
     "aF": (("F",), lambda proof: proof.composition("aF", F, "F", None)),
     "Fd": (("F",), lambda proof: proof.composition("Fd", d, "d", "F")),
     "dF": (("F",), lambda proof: proof.composition("dF", F, "F", "d")),
+    "rp": (("p",), peak.radius),
+    "pp": (("p", "rp"), peak.pressure),
 }
 
 COMPLETE: dict[str, Rule] = {

@@ -40,6 +40,7 @@ from ..notation import (
     nu_1,
     nu_2,
     r,
+    r_peak,
     r_zero,
     retraction,
     t,
@@ -165,10 +166,13 @@ def compact(profile: Profile, medium: Medium) -> Frames:
         "Fd": own["F"],
         "dF": g_(a),
     }
+    if medium.k == 0:
+        definitions |= {"rp": sp.Eq(sp.Derivative(p_(r), r), 0), "pp": p_(r_peak)}
     return {
         suffix: Frame(
             medium.key(profile.name, medium.group, suffix), profile, COMPACT[suffix], definition,
             profile.parameters + _material(medium, suffix not in ("d", "w", "ad")),
+            (r_peak,) if suffix in ("rp", "pp") else (),
         )
         for suffix, definition in definitions.items()
     }  # fmt: skip

@@ -21,7 +21,7 @@ from .evidence import Evidence, judge, residual
 from .integrals import GUARD
 from .sampling import Point, fields, points
 from .shape import Number, Values, shape
-from .threshold import ring
+from .threshold import greatest, ring
 from .unevaluated import evaluate_case
 
 LOST = 10
@@ -30,6 +30,7 @@ LOST = 10
 INVERSES = {"ad": ("d", nt.a), "aF": ("F", nt.a), "Fd": ("d", nt.F), "dF": ("F", nt.d)}
 KNOWN = {"d": nt.d, "F": nt.F}
 THRESHOLDS = ("rz", "dmin", "Fmin")
+PEAK = ("rp", "pp")
 
 Entries = Mapping[str, Entry]
 
@@ -44,7 +45,9 @@ def check(
         rows = [(point.values, _residual(profile, entries, suffix, point.values, digits)) for point in drawn]
     return judge(
         entry.key,
-        "mpmath quadrature of the defining integral" + (", round trip" if suffix in INVERSES else ""),
+        "mpmath quadrature of the defining integral"
+        + (", round trip" if suffix in INVERSES else "")
+        + (", its greatest value searched for over the radii" if suffix in PEAK else ""),
         rows,
         seed=seed,
         extremes=sum(point.extreme for point in drawn),
@@ -65,6 +68,10 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
     if suffix in THRESHOLDS:
         drawn = points(profile, (nt.a,), count, seed)
         return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
+    if suffix in PEAK:
+        # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
+        drawn = points(profile, entries[suffix].cases[0].chain, count, seed)
+        return [point for point in drawn if not point.extreme][:3]
     source = entries[INVERSES[suffix][0]] if suffix in INVERSES and profile.contact == "compact" else entries[suffix]
     if suffix == "dF" and profile.contact == "complete":
         source = entries["F"]
@@ -78,6 +85,8 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
 def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
     if suffix in THRESHOLDS:
         return _threshold_residual(profile, entries, suffix, values, digits)
+    if suffix in PEAK:
+        return _peak_residual(profile, entries, suffix, values, digits)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
     here = contact(profile, values, digits + (20 if suffix in INVERSES else 0))
     if suffix not in INVERSES:
@@ -135,6 +144,28 @@ def _ring(
 ) -> tuple[Number, Number]:
     values = dict(items)
     return ring(shape(profile, values), at_precision(nt.a, values), digits)
+
+
+def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
+    """Ring and greatest pressure against the pressure of the definition, whose greatest value is searched for."""
+    place, height = _greatest(profile, tuple(values.items()), int(mp.mp.prec), digits)
+    (case,) = entries["rp"].cases
+    found = at_precision(case.expr, values) if entries["rp"].status == "closed" else None
+    if found is None:
+        bracket = Case((*case.chain[:-1], nt.r_peak, nt.a), case.expr)
+        found = root(bracket, nt.r_peak, {**values, nt.r_peak: place}, digits)
+    if suffix == "rp":
+        return residual(found, place)
+    got = evaluate(case_at(entries["pp"], values).expr, {**values, nt.r_peak: found}, digits)
+    return residual(got, at_precision(nt.E_star, values) * height)
+
+
+@lru_cache(maxsize=8)
+def _greatest(
+    profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
+) -> tuple[Number, Number]:
+    values = dict(items)
+    return greatest(shape(profile, values), at_precision(nt.a, values), digits)
 
 
 def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:

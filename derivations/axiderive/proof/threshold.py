@@ -1,4 +1,4 @@
-"""Least depth of complete contact, straight from the pressure: where it first vanishes and at which depth.
+"""Rings of a contact straight from the pressure of its definition: where it first vanishes, and where it is greatest.
 
 sqrt(a**2 - r**2) p >= 0 everywhere asks for d >= g(a) - pi sqrt(a**2 - r**2) p_0(r)/E*, with p_0 the pressure
 without its edge term; the largest right-hand side over r decides.
@@ -15,7 +15,7 @@ from .shape import Number, Shape
 
 COARSE = 16
 """Digits of the search for the ring."""
-SCAN = 16
+SCAN, DENSE = 16, 40
 STENCIL = 9
 
 
@@ -31,29 +31,44 @@ def ring(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
         radii = [a * i / SCAN for i in range(SCAN)]
         levels = [level(face, a, r, COARSE) for r in radii]
         best = max(range(SCAN), key=lambda i: levels[i])
-        rough = _vertex(face, a, radii[best]) if best else mp.mpf(0)
+        curve, width = (lambda r: level(face, a, r, COARSE)), min(a / SCAN, (a - radii[best]) / 2)
+        rough = _vertex(curve, radii[best], width, a, a) if best else mp.mpf(0)
     if best == 0:
         return rough, level(face, a, rough, digits)
     return stationary(lambda r: level(face, a, r, digits), rough, a)
 
 
-def _vertex(face: Shape, a: Number, start: Number) -> Number:
-    """Repeated parabolas through three levels, narrower each time that the vertex lies between them."""
-    width = min(a / SCAN, (a - start) / 2)
-    while width > a * mp.mpf(10) ** -5:
-        below, here, above = (level(face, a, start + i * width, COARSE) for i in (-1, 0, 1))
+def greatest(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
+    """Radius of the greatest pressure and the integral of the pressure there, from a dense set of radii."""
+    start = max((piece.lo for piece in face.stretches if piece.lo < a), default=mp.mpf(0))
+    with mp.workdps(2 * COARSE):
+        # closer next to the last break, where the pressure is steepest
+        radii = [start * i / SCAN for i in range(SCAN)] if start else []
+        radii += [start + (a - start) * (mp.mpf(i) / DENSE) ** 2 for i in range(DENSE)]
+        heights = [integrals.pressure(face, a, r, COARSE) for r in radii]
+        best = max(range(len(radii)), key=lambda i: heights[i])
+        above = [*radii[1:], a][best] - radii[best]
+        scale = min(above, radii[best] - radii[best - 1])
+        rough = _vertex(lambda r: integrals.pressure(face, a, r, COARSE), radii[best], scale / 2, a, scale)
+    return stationary(lambda r: integrals.pressure(face, a, r, digits), rough, scale)
+
+
+def _vertex(curve: Callable[[Number], Number], start: Number, width: Number, end: Number, scale: Number) -> Number:
+    """Repeated parabolas through three values, narrower each time that the vertex lies between them."""
+    while width > scale * mp.mpf(10) ** -5:
+        below, here, above = (curve(start + i * width) for i in (-1, 0, 1))
         move = (below - above) / (2 * (below - 2 * here + above))
         start += max(-1, min(1, move)) * width
-        width = min(width / 10 if abs(move) < 1 else width, (a - start) / 2)
+        width = min(width / 10 if abs(move) < 1 else width, (end - start) / 2)
     return start
 
 
-def stationary(curve: Callable[[Number], Number], rough: Number, a: Number) -> tuple[Number, Number]:
-    """Where the polynomial through equidistant values 1e-7 a apart has no slope, and its value there.
+def stationary(curve: Callable[[Number], Number], rough: Number, scale: Number) -> tuple[Number, Number]:
+    """Where the polynomial through equidistant values 1e-7 of a scale apart has no slope, and its value there.
 
     Its error is the ninth power of the distance; of the digits of the curve the place loses seven.
     """
-    step, half = a * mp.mpf(10) ** -7, STENCIL // 2
+    step, half = scale * mp.mpf(10) ** -7, STENCIL // 2
     coefficients = _interpolate([curve(rough + i * step) for i in range(-half, half + 1)], half)
     x = mp.mpf(0)
     for _ in range(20):

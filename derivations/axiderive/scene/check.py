@@ -126,6 +126,8 @@ def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
             return [((a,), contact.force(a) / (pi * mp.mpf(a) ** 2))]
         case "retraction":
             return [((a,), moved)]
+        case "peak_pressure" | "peak_radius":
+            return [((a,), contact.peak(a)[name == "peak_radius"])]
         case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force":
             source = "d" if name.endswith("depth") else "F"
             if physics == "adhesive" and not contact.outermost(source, a):

@@ -183,7 +183,8 @@ class _Composition:
         """One function of the interface; the text of a new one below it is added to `texts`."""
         physics, name, contact = self.request.physics, self.profile.name, interface.contact_of(self.profile)
         plain = interface.functions(interface.BELOW.get(physics, "normal"), contact)
-        function = interface.functions(physics, contact).get(quantity) or plain[quantity]
+        own = interface.functions(physics, contact)
+        function = own.get(quantity) or plain.get(quantity) or interface.peaks(self.profile)[quantity]
         key = (f"{function.module}.{name}", f"_{function.quantity.function}")
         if key[1] not in modules[key[0]].definitions:
             # the shape is that of any medium

@@ -19,6 +19,8 @@ from ..expression.definition import Definition
 from ..expression.numeric import Numeric
 from ..expression.validity import examine
 from ..profiles.profile import Profile
+from ..proof.shape import shape
+from ..proof.threshold import greatest
 from . import interface
 
 if TYPE_CHECKING:
@@ -151,6 +153,14 @@ class Contact:
             if key not in self.found:
                 self.found[key] = self.definition.quantity(suffix, a, at)
             return (mp.mpf(self.all.get("E_star", 1.0)) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
+
+    def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
+        """The greatest pressure and its radius, searched for."""
+        known = self.given() | {nt.a: sp.Rational(a)}
+        # the nodes next to the edge are told from it
+        with mp.workdps(3 * DIGITS):
+            place, found = greatest(shape(self.profile, known), mp.mpf(a), 2 * DIGITS)
+            return mp.mpf(self.all["E_star"]) * found, place
 
     def height(self, at: float) -> mp.mpf:
         known = self.given() | {nt.r: sp.Rational(at)}

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from .. import notation as nt
-from ..contact import adhesive, detachment, loads, tangential, viscoelastic
+from ..contact import adhesive, detachment, loads, normal, tangential, viscoelastic
 from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..emit import docstring
 from ..emit import plane as plane_text
@@ -18,6 +18,7 @@ from ..emit.physics import tangential as tangential_text
 from ..emit.physics import viscoelastic as viscoelastic_text
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 from ..letters import name_of
+from ..profiles import NAMES
 from ..profiles.profile import Profile
 
 LAWS = {law.name: law for law in viscoelastic.LAWS}
@@ -158,8 +159,16 @@ def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
     return {
         quantity.function: Function(physics, quantity, text[suffix], contact)
         for suffix, quantity in table.items()
-        if suffix in text and (suffix not in THRESHOLDS or contact == CONCAVE)
+        if suffix in text and not quantity.member and (suffix not in THRESHOLDS or contact == CONCAVE)
     }
+
+
+def peaks(profile: Profile | None) -> dict[str, Function]:
+    """The greatest pressure and its radius, of a profile that has them: a function of a scene has one result."""
+    if profile is None or profile.name not in NAMES or "rp" not in normal.derive(profile):
+        return {}
+    own = [replace(q, function=f"peak_{q.member}") for q in COMPACT.values() if q.member]
+    return {q.function: Function("normal", q, docstring.SUMMARY[q.suffix].partition(",")[0]) for q in own}
 
 
 def _viscoelastic(physics: str, contact: str) -> dict[str, Function]:

@@ -50,6 +50,8 @@ def want(text: SceneText, scene: Scene) -> None:
     if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
         text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
         return
+    if scene.physics == "normal" and not set(raw) <= set(known):
+        known += interface.peaks(scene.profile)
     for name in raw:
         if name not in known:
             text.problem("want", "quantities", _unknown(scene, name, contact, known))

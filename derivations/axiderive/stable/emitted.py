@@ -23,8 +23,8 @@ ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_b
 KERNELS = frozenset(
     (
         "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
-        "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap", "struve_h0",
-        "struve_h1", "tanh_gap", "uniform",
+        "peak_share", "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap",
+        "struve_h0", "struve_h1", "tanh_gap", "uniform",
     )
 )  # fmt: skip
 ARRAYS = frozenset(("outside_zero_pressure", "power", "power_displacement", "power_pressure", "power_strips"))

@@ -97,8 +97,11 @@ def _fields(entry: Entry) -> tuple[sp.Symbol, ...]:
     return (nt.d,) if depth else entry.quantity.arguments
 
 
-def function_of(entry: Entry) -> Callable[..., float]:
-    return getattr(import_module(f"axicontact.normal.{entry.profile.name}"), entry.quantity.function)
+def function_of(entry: Entry, module: Any = None) -> Callable[..., float]:
+    """The emitted function of normal contact, or that of another module; of several results the one of the entry."""
+    module = module or import_module(f"axicontact.normal.{entry.profile.name}")
+    function, member = getattr(module, entry.quantity.function), entry.quantity.member
+    return (lambda *fields, **keywords: getattr(function(*fields, **keywords), member)) if member else function
 
 
 def ulps(got: float, exact: arb) -> float:

@@ -12,7 +12,7 @@ import sympy as sp
 from ..contact.systems import problem
 from ..entry import Entry
 from .emitted import form, loaded
-from .measure import Sample, count_for, samples, ulps, value
+from .measure import Sample, count_for, function_of, samples, ulps, value
 from .naive import naive
 from .reference import CURVES, UnknownError, condition
 from .samples import DOMAINS
@@ -74,7 +74,7 @@ def record(
             entry = entries[suffix]
             row = _form(sources[found.module], entry) if system in OWN else {}
             row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
-            evaluate = partial(value, getattr(module, entry.quantity.function))
+            evaluate = partial(value, function_of(entry, module))
             rows[suffix] = row | _errors(entries, suffix, *_measured(entries, suffix, evaluate, row["sample"]))
     return rows
 

@@ -12,7 +12,7 @@ from flint import acb, arb, ctx
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..proof.balls import Ball, NotAvailableError
+from ..proof.balls import Ball, NotAvailableError, exact
 from ..proof.shape import coefficient, concrete
 from .samples import TERMS, Floats
 
@@ -21,8 +21,8 @@ CURVES = {"ad": ("d", None), "aF": ("F", None), "aP": ("P", None), "Fd": ("d", "
 """Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
 
 
-RINGS = {"rz": nt.r_zero, "xz": nt.x_zero}
-"""Where the pressure of a complete contact vanishes first, round and plane."""
+RINGS = {"rz": nt.r_zero, "xz": nt.x_zero, "rp": nt.r_peak}
+"""Where the pressure of a complete contact vanishes first, round and plane, and that of a compact one is greatest."""
 
 
 class UnknownError(ArithmeticError):
@@ -81,7 +81,7 @@ def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: C
 
 
 def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted: int = WANTED) -> arb:
-    """The value of an entry, with the ring on which the pressure vanishes first where it depends on that."""
+    """The value of an entry, at the ring where the pressure vanishes first, or is greatest, if it depends on that."""
     entry = entries[suffix]
     if suffix in RINGS and entry.status == "root":
         return _ring(entry, values)
@@ -95,6 +95,10 @@ def _ring(entry: Entry, values: Floats) -> arb:
         equation = _case(entry, _balls(entry, values)).expr
         if not isinstance(equation, sp.Equality):
             return arb(0)
+        if entry.suffix == "rp":
+            (edge,), a = entry.profile.breaks, arb(values[nt.a])
+            b = arb(values[edge])
+            return b + (a - b) * share_of_peak(_plain(equation.lhs - equation.rhs), edge, b / a)
         n = values[nt.n]
         find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
         rest = (equation.lhs - equation.rhs).subs(RINGS[entry.suffix], nt.r_zero)
@@ -108,6 +112,25 @@ def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
     def missed(share: arb) -> arb:
         return Ball({nt.n: acb(n), nt.a: acb(1), nt.r_zero: acb(share)}, False)(rest).real
 
+    # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation infinite
+    return _between(missed, arb(-80), (1 - 1 / arb(n)).sqrt().log(), f"no ring of zero pressure for n = {n}")
+
+
+def share_of_peak(rest: sp.Expr, b: sp.Symbol, ratio: Any) -> arb:
+    """(r - b)/(a - b) where the pressure is greatest, from its balance `rest` and b/a, a ball or an exact number."""
+
+    def missed(share: arb) -> arb:
+        return Ball({nt.a: acb(1), b: acb(found), nt.r_peak: acb(found + share * (1 - found))}, False)(rest).real
+
+    with _precision(4 * BITS):
+        found = ratio if isinstance(ratio, arb) else exact(ratio).real
+        # next to b/a = 0 it is sqrt(pi b/a)/2, next to 1 it is 0.305
+        return _between(missed, found.log() / 2 - 2, arb(-1) / 16, f"no greatest pressure for b/a = {ratio}")
+
+
+def _between(missed: Callable[[arb], arb], low: arb, high: arb, message: str) -> arb:
+    """The root between the exponentials of two numbers."""
+
     def positive(share: arb) -> bool:
         # most signs show in a quarter of the bits, in a fifth of the time
         with _precision(BITS):
@@ -115,8 +138,6 @@ def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
         return bool((found if found > 0 or found < 0 else missed(share)) > 0)
 
     with _precision(4 * BITS):
-        # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation infinite
-        low, high = arb(-80), (1 - 1 / arb(n)).sqrt().log()
         first = positive(low.exp())
         for _ in range(40):
             middle = ((low + high) / 2).mid()
@@ -128,7 +149,6 @@ def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
             share = (share - here * step / (missed(share + step) - here)).mid()
         before, beyond = (missed(share * (1 + side * arb(2) ** -BITS)) for side in (-1, 1))
     if not before * beyond < 0:
-        message = f"no ring of zero pressure for n = {n}"
         raise UnknownError(message)
     return share
 

@@ -16,7 +16,7 @@ SECONDS = 60.0
 Chain = tuple[Tree, ...]
 LETTERS = {
     "compact": {"d": "a", "F": "a", "p": "r a", "w": "r a", "k": "a", "pm": "a",
-                "ad": "d", "aF": "F", "Fd": "d", "dF": "F"},
+                "ad": "d", "aF": "F", "Fd": "d", "dF": "F", "rp": "a r_peak", "pp": "a r_peak"},
     "complete": {"F": "d", "p": "r d", "w": "r d", "k": "d", "dF": "F",
                  "dmin": "r_zero", "Fmin": "r_zero", "rz": "r_zero"},
     "adhesive": {"Dl": "a", "d": "a", "F": "a", "p": "r a", "w": "r a", "ad": "d", "aF": "F",

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from .above import ADHESIVE, TANGENTIAL, elastic_force, viscous
 from .compact import COMPACT
 from .complete import COMPLETE, DETACHED
+from .peak import PEAK
 from .plane import PLANE, PLANE_COMPLETE, TILTED
 from .problem import Problem, Rule
 from .reading import UnknownError, tree
@@ -23,7 +24,8 @@ def modulus(problem: Problem, suffix: str) -> None:
 
 
 TABLES: dict[str, dict[str, Rule]] = {
-    "compact": COMPACT, "complete": COMPLETE, "adhesive": ADHESIVE, "detachment": DETACHED, "tangential": TANGENTIAL,
+    "compact": COMPACT | PEAK, "complete": COMPLETE,
+    "adhesive": ADHESIVE, "detachment": DETACHED, "tangential": TANGENTIAL,
     "plane": PLANE, "plane complete": PLANE_COMPLETE, "plane eccentric": TILTED,
     "materials": {s: (modulus, ()) for s in MODULI},
 }  # fmt: skip
@@ -52,4 +54,4 @@ def rule_of(problem: Problem, suffix: str) -> tuple[Callable[[Problem, str], Non
     if suffix not in TABLES.get(kind, {}):
         message = "there is no second rule for it"
         raise UnknownError(message)
-    return (*TABLES[kind][suffix], kind, stated if suffix in ("ac", "am", "aP") else "closed")
+    return (*TABLES[kind][suffix], kind, stated if suffix in ("ac", "am", "aP", "rp") else "closed")

@@ -41,7 +41,7 @@ class _Normal:
     def source(self) -> str:
         self.writer.profile_function()
         for suffix in COMPACT:
-            if suffix != "f":
+            if suffix in self.entries:
                 self.public(suffix)
         self.growth()
         self.fields()

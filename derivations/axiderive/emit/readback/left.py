@@ -12,7 +12,7 @@ from .printed import name_in_print
 
 NORMAL = {
     "d": "d", "F": "F_N", "p": "p(r)", "w": "w(r)", "k": "dF_N/dd", "pm": "bar p", "ad": "a", "aF": "a", "Fd": "F_N",
-    "dF": "d", "rz": "r_0", "dmin": "d_min", "Fmin": "F_min",
+    "dF": "d", "rz": "r_0", "dmin": "d_min", "Fmin": "F_min", "rp": "r_max", "pp": "p_max",
 }  # fmt: skip
 ADHESIVE = {
     "Dl": "Delta ell", "d": "d_adh(a)", "F": "F_adh(a)", "p": "p_adh(r)", "w": "w_adh(r)", "ad": "a", "aF": "a",

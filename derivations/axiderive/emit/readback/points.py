@@ -93,6 +93,9 @@ def _completed(entry: Entry, case: Case, values: Values) -> Values:
     for ring in (nt.r_zero, nt.x_zero):
         if ring in fixed:
             fixed[ring] = fixed[nt.a] * sp.Rational(7, 11)
+    if nt.r_peak in fixed:
+        low = sum(fixed[b] for b in entry.profile.breaks)
+        fixed[nt.r_peak] = low + (fixed[nt.a] - low) * sp.Rational(4, 11)
     if nt.F_x in fixed and nt.F in fixed:
         fixed[nt.F_x] = fixed[nt.F] * fixed[nt.mu] * sp.Rational(3, 7)
     if any(x.has(nt.k) and not x.is_Symbol for x in case.chain) and nt.n not in fixed:

@@ -47,7 +47,9 @@ def worked(
     place = infinite(profile, values)
     if not place:
         ends = [mp.mpf(0), *(numbers[b.name] for b in profile.breaks), radius]
-        shown.append((r"p_{\mathrm{max}}", largest(lambda r: numbers("p", r), ends), "Pa", "p"))
+        shown.append(
+            (r"p_{\mathrm{max}}", largest(lambda r: numbers("p", r), ends), "Pa", "pp" if "pp" in entries else "p")
+        )
     if not plane:
         shown.append(("w(2a)", numbers("w", 2 * radius), "m", "w"))
     if case.material.separation and numbers.compact and not profile.breaks:

@@ -1,0 +1,86 @@
+"""Greatest pressure of a normal contact where it is finite and beside the axis: on which ring, and how large.
+
+Two kinds of contact have it in a form that is proved to be the only one: a
+pressure that is a polynomial of r^2 times sqrt(a^2 - r^2), and the flat face
+with a rounded edge, whose pressure rises up to the rounding and falls in it.
+In t = sqrt(r^2 + u^2) the pressure (11.23) has a slope of its own,
+
+    dp/dr = E* r/pi [int_r^a (g'(t)/t)'/sqrt(t^2 - r^2) dt - g'(a)/(a sqrt(a^2 - r^2))],
+
+for r beyond the edge of the face; the ring is where the bracket is zero.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import sympy as sp
+
+from ..abel.form import Form
+from ..abel.moments import arccos_moment, elliptic_moment
+from ..entry import Case, Status
+from ..notation import a, r, r_peak
+from ..profiles.profile import Profile
+
+Found = tuple[Status, tuple[Case, ...], tuple[Case, ...]]
+"""Status and cases of the radius, and the cases of the pressure there."""
+
+
+def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> Found | None:
+    """The ring of greatest pressure and the pressure on it; None where no rule gives them."""
+    if has_rounded_edge(profile):
+        (regime,), (b,) = depth, profile.breaks
+        own = next(case for case in pressure if case.chain.index(b) < case.chain.index(r))
+        at_ring = Case(regime.chain, own.expr.subs(r, r_peak))
+        return "root", (Case(regime.chain, _balance(regime.expr, b)),), (at_ring,)
+    radius = _ring(pressure[0].expr) if len(pressure) == 1 and pressure[0].chain == (r, a) else None
+    if radius is None:
+        return None
+    at_ring = Case((a,), sp.factor(sp.expand(pressure[0].expr.subs(r, radius))))
+    return "closed", (Case((a,), radius),), (at_ring,)
+
+
+def has_rounded_edge(profile: Profile) -> bool:
+    """Whether the profile is a flat face with a parabolic rounding: then b/a alone says where the peak is."""
+    if not profile.truncated or len(profile.breaks) != 1:
+        return False
+    return not sp.cancel(profile.pieces[-1].expr / (r - profile.breaks[0]) ** 2).has(r)
+
+
+def _balance(depth: sp.Expr, b: sp.Expr) -> sp.Equality:
+    """The bracket above, times r and the curvature of the rounding, as an equation for r_peak."""
+    scale = abs(sp.factor(depth).as_independent(a, b, as_Add=False)[0])
+    rate = sp.diff(sp.expand(depth / scale), a)
+    angle, root = _parts(sp.diff(rate / a, a), b)
+    total = Form()
+    for moment, coefficient in ((arccos_moment, angle), (elliptic_moment, root * (a**2 - b**2))):
+        for (power,), factor in sp.Poly(sp.cancel(coefficient * a**2), a).terms():
+            total = total + moment(power - 2, b, False) * factor
+    edge = Form.of(sp.acos(b / a), _parts(rate, b)[0]) + Form.of(sp.sqrt(a**2 - b**2), _parts(rate, b)[1])
+    edge = edge.times(Form.of(1 / sp.sqrt(a**2 - r**2), r / a))
+    return sp.Eq((total * r).expr().subs(r, r_peak), edge.expr().subs(r, r_peak), evaluate=False)
+
+
+def _parts(expr: sp.Expr, b: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """The factors of acos(b/a) and of sqrt(a^2 - b^2)."""
+    angle, root = sp.Symbol("angle"), sp.sqrt(a**2 - b**2)
+    linear = sp.expand(expr).subs(sp.acos(b / a), angle)
+    share = sp.cancel(sp.diff(linear, angle))
+    return share, sp.cancel(sp.expand((linear - share * angle) * root) / root**2)
+
+
+def _ring(pressure: sp.Expr) -> sp.Expr | None:
+    """Where p = sqrt(a^2 - r^2) P(r^2) is greatest: the only zero of 2 (a^2 - r^2) P' - P, if that has one."""
+    q = sp.Symbol("q", positive=True)
+    polynomial = sp.cancel(pressure.subs(r, a * sp.sqrt(q)) / sp.sqrt(a**2 - a**2 * q))
+    if not polynomial.is_polynomial(q):
+        return None
+    slope = sp.Poly(2 * (1 - q) * sp.diff(polynomial, q) - polynomial, q)
+    _, shape = slope.primitive()
+    if not all(c.is_Rational for c in shape.all_coeffs()):
+        return None
+    signs = [sp.sign(c) for c in slope.all_coeffs() if c != 0]
+    if [x * y for x, y in pairwise(signs)].count(-1) != 1 or signs[0] > 0:
+        return None
+    (found,) = (x for x in sp.solve(shape.as_expr(), q) if x.is_positive)
+    return a * sp.sqrt(sp.factor(found))
