@@ -57,7 +57,7 @@ SIDES = {
 def adhesion(curves: Any) -> Figure:
     """Force over depth with adhesion: stable, stable under depth control only, unstable."""
     found = curves.adhesion
-    figure, scale = _axes(("Adhesion", found.words), (-0.9, 2), (-1, 3.2), ("d/d_1", "F/F_1"))
+    figure, scale = _axes(("Adhesion", found.words), (-0.9, 2), (-1, 3.2), ("d/d_1", r"F_{\mathrm N}/F_1"))
     _ticks(figure, scale, (0, 1), (-1, 0, 1, 2, 3), (-0.9, -1))
     figure.line("reference", scale.at(-0.9, 0), scale.at(2, 0))
     figure.curve("reference", "without adhesion", pairs(found.without))
