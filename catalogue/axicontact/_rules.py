@@ -115,6 +115,21 @@ def pressure_integral_beyond(slope: Slope, r: Array, a: Array, b: Array) -> Stri
     return integrand, stop, 1.0, a > np.maximum(r, b), 0.0
 
 
+@in_groups
+def peak_integral_beyond(slope: Slope, share: Array, a: Array, b: Array) -> Strip:
+    """The same from r = b + share*(a - b), which next to a = b says less than the share."""
+    r, reach = b + share * (a - b), difference_root(a, b)
+    stop = np.arcsinh(np.sqrt((1.0 - share) * (a + r) / (share * (r + b))))
+    fallen = falling(stop, 1.0)
+
+    def integrand(v: Array) -> Array:
+        root = reach * fallen(v)
+        t = np.sqrt(b * b + root * root)
+        return slope(t, root) * root / t
+
+    return integrand, stop, 1.0, a > b, 0.0
+
+
 @over_radii(of_displacement)
 def displacement_integral(slope: Slope, parameters: tuple[Array, ...], r: Array, a: Array, count: int) -> Array:
     """Integral of g'(t) arcsin(t/r) from 0 to a, for a < r and g' without singularities near."""

@@ -13,7 +13,8 @@ from .._domain import require, require_reach
 from .._elementwise import Array, Result, elementwise
 from .._inverse import inverse
 from .._numbers import with_math
-from .._rules import displacement_integral_beyond, pressure_integral_beyond
+from .._peak import PeakPressure, peak_share
+from .._rules import displacement_integral_beyond, peak_integral_beyond, pressure_integral_beyond
 from .._special import arctan_gap, root_gap
 from .._starts import between
 
@@ -27,6 +28,7 @@ __all__ = [
     "force",
     "force_from_depth",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -569,6 +571,64 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, R=R, b=b, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = E_star*(2*a*sqrt(a**2 - r_peak**2)/sqrt(a**2 - b**2) - b*C0(b, r_peak, a) -
+    2*r_peak*elliptic_e(asin(sqrt((a**2 - r_peak**2)/(a**2 - b**2))), b**2/r_peak**2) + 2*(-b + r_peak)*(b +
+    r_peak)*elliptic_f(asin(sqrt((a**2 - r_peak**2)/(a**2 - b**2))), b**2/r_peak**2)/r_peak)/(pi*R)
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
+    r_peak from -2*elliptic_e(asin(sqrt((a**2 - r_peak**2)/(a**2 - b**2))), b**2/r_peak**2) + (-b**2 +
+    2*r_peak**2)*elliptic_f(asin(sqrt((a**2 - r_peak**2)/(a**2 - b**2))), b**2/r_peak**2)/r_peak**2 +
+    2*b**2*sqrt(a**2 - r_peak**2)/(a*r_peak*sqrt(a**2 - b**2)) + b*sqrt(a**2 - r_peak**2)*acos(b/a)/(a*r_peak)
+    = r_peak*(-b*acos(b/a) + 2*sqrt(a**2 - b**2))/(a*sqrt(a**2 - r_peak**2))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    rounded_punch.rp, rounded_punch.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.peak_pressure(1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.136456
+    """
+    require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
+    pressure = elementwise(_peak_pressure, a, R=R, b=b, E_star=E_star)
+    radius = elementwise(_peak_radius, a, b=b, unused=(R, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def _profile(r: Array, R: Array, b: Array) -> Array:
     return np.where(r < b, 0, (r - b) ** 2 / (2 * R))
 
@@ -616,6 +676,15 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
     return E_star / (np.pi * R) * (b * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2))
+
+
+def _peak_radius(a: Array, b: Array) -> Array:
+    return np.where(a >= b, b + (a - b) * peak_share(a, b), np.nan)
+
+
+def _peak_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    growth = peak_integral_beyond(_slope_beyond, (R, b), peak_share(a, b), a, b)
+    return np.where(a >= b, E_star / np.pi * growth, np.nan)
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:

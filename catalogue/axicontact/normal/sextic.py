@@ -14,6 +14,7 @@ from .._elementwise import Array, Result, elementwise
 from .._functions import beside, nth_root, without_root
 from .._kernels import OUTSIDE_6
 from .._numbers import with_math
+from .._peak import PeakPressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -25,6 +26,7 @@ __all__ = [
     "force",
     "force_from_depth",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -518,6 +520,53 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, A=A, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = 32*A*E_star*a**5*sqrt(3 - sqrt(3))*(sqrt(3) + 3)/(25*pi)
+    r_peak = a*sqrt(1 + sqrt(3))/2
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.rp,
+    sextic.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.peak_pressure(1.0, A=0.4, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.868401
+    """
+    require(A=A, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, A=A, E_star=E_star)
+    radius = elementwise(_peak_radius, a, unused=(A, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def _profile(r: Array, A: Array) -> Array:
     return A * r**6
 
@@ -552,6 +601,16 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, A: Array, E_star: Array) -> Array:
     return 192 * E_star * A / (35 * np.pi) * a**5
+
+
+def _peak_radius(a: Array) -> Array:
+    root = np.sqrt(1 + np.sqrt(3))
+    return a * root / 2
+
+
+def _peak_pressure(a: Array, A: Array, E_star: Array) -> Array:
+    root = np.sqrt(3 - np.sqrt(3))
+    return 32 * (3 + np.sqrt(3)) * E_star * A / (25 * np.pi) * a**5 * root
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:

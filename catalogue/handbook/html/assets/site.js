@@ -17,7 +17,16 @@ function renderFormulas() {
   }
 }
 
+// cone of cone.html
+const ENTRY = location.pathname.split("/").pop().replace(/\.html$/, "");
+
+function cited(row) {
+  const key = `${ENTRY}.${row.id}`;
+  return window.axicontact.citation.replace("KEY", key).replace("NAME", key.replaceAll("_", "\\_"));
+}
+
 function copied(row, kind) {
+  if (kind === "bibtex") return cited(row);
   if (kind === "python") return [...row.querySelectorAll("pre")].map((pre) => pre.textContent).join("\n\n");
   return [...row.querySelectorAll(".line .tex")].map((tex) => tex.dataset.latex).join("\n");
 }
@@ -57,6 +66,57 @@ document.addEventListener("click", async (event) => {
   setTimeout(() => button.classList.remove("done"), 2500);
 });
 
+// the curves of a figure in the units of its axes, each point with the name of its curve
+function table(figure) {
+  const { x, y, logx, logy } = figure.dataset;
+  const number = (text, log) => (log === undefined ? text : String(Number((10 ** text).toPrecision(4))));
+  const rows = [...figure.querySelectorAll(".window polyline")].flatMap((line) => (
+    line.getAttribute("points").split(" ").map((point) => {
+      const [right, up] = point.split(",");
+      return [line.dataset.name, number(right, logx), number(up, logy)];
+    })
+  ));
+  const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
+  return [["curve", x, y].map(quoted), ...rows.map(([name, ...point]) => [quoted(name), ...point])].join("\r\n");
+}
+
+function offerTables() {
+  for (const figure of document.querySelectorAll("figure:has(.window)")) {
+    const link = document.createElement("a");
+    link.href = `data:text/csv;charset=utf-8,${encodeURIComponent(table(figure))}`;
+    link.download = `${ENTRY}.${figure.id.replace("plot.", "")}.csv`;
+    link.className = "table";
+    link.textContent = "CSV";
+    link.setAttribute("aria-label", `CSV of the curves: ${figure.querySelector("b").textContent}`);
+    figure.querySelector("figcaption").append(" ", link);
+  }
+}
+
+// a button leaves the pictures of its kind, and the headings of those
+function startFilter() {
+  const buttons = [...document.querySelectorAll(".filter button")];
+  for (const button of buttons) {
+    button.parentElement.hidden = false;
+    button.addEventListener("click", () => {
+      const { kind } = button.dataset;
+      for (const other of buttons) other.setAttribute("aria-pressed", String(other === button));
+      for (const group of document.querySelectorAll(".group")) {
+        const cards = [...group.querySelectorAll("[data-kinds]")];
+        for (const card of cards) card.hidden = Boolean(kind) && !card.dataset.kinds.split(" ").includes(kind);
+        group.hidden = cards.every((card) => card.hidden);
+      }
+    });
+  }
+}
+
+// opens what the target of the address lies in, and goes there
+function reveal() {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  if (!target) return;
+  for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+  target.scrollIntoView();
+}
+
 // Heß, Hess and hess, half-space and half space, pull_off and pull off, p(r) and p r are the same to a reader
 function folded(text) {
   const plain = String(text).toLowerCase().replaceAll("ß", "ss").normalize("NFD").replace(/\p{M}/gu, "");
@@ -65,7 +125,7 @@ function folded(text) {
 
 // the names of a hit, the more they count the earlier they stand, and what is shown of it
 function indexed() {
-  const { profiles, systems, keys, places } = window.axicontact;
+  const { profiles, systems, keys, places, first } = window.axicontact;
   const formulas = keys.map(([key, profile, system, label, names]) => ({
     name: key,
     address: `${profile}.html#${key.slice(profile.length + 1)}`,
@@ -74,17 +134,19 @@ function indexed() {
       `${key.slice(profile.length + 1)} ${label}`, profiles[profile][0], `${profile} ${names}`, systems[system].join(" "),
       profiles[profile][1],
     ],
-    wanted: [label, profiles[profile][0]],
+    wanted: label,
+    title: profiles[profile][0],
+    unnamed: first.includes(profile) ? 0 : 4,
     behind: 0,
   }));
   const others = places.map(([title, address, also, behind]) => ({
-    name: title, address, words: `${address} · ${also}`, fields: [title, "", also], wanted: [title], behind,
+    name: title, address, words: `${also} · ${address}`, fields: [title, "", also], wanted: title, title: "", unnamed: 0, behind,
   }));
   return [...formulas, ...others].map((hit) => {
     const fields = hit.fields.map(folded);
     return {
       ...hit, fields: fields.map((field) => field.split(" ")), joined: fields.join("").replaceAll(" ", ""),
-      wanted: hit.wanted.map((text) => new Set(folded(text).split(" "))),
+      wanted: [...new Set(folded(hit.wanted).split(" "))], title: folded(hit.title).split(" ").filter(Boolean),
       folded: folded(hit.name),
     };
   });
@@ -102,14 +164,16 @@ function distance(hit, part) {
   return least === Infinity && part.length > 5 && hit.joined.includes(part) ? 12 : least;
 }
 
-// the key itself first, then the ends of keys, then hits with the fewest words that nobody asked for
+// the key itself first, then the ends of keys, then hits with the fewest words that nobody asked for;
+// where no profile is asked for, the first ones come first
 function score(hit, query, parts) {
-  if (hit.name === query) return -30;
-  if (hit.folded === parts.join(" ")) return -20;
+  if (hit.name === query && (query.includes(".") || !hit.behind)) return -30;
+  if (!hit.behind && hit.folded === parts.join(" ")) return -20;
   if (query.includes(".") && hit.name.toLowerCase().startsWith(query.toLowerCase())) return -10;
   const asked = (word) => parts.some((part) => word === part || (part.length > 1 && word.startsWith(part)));
   const far = parts.reduce((sum, part) => sum + distance(hit, part), hit.behind);
-  const extra = hit.wanted.reduce((sum, words) => sum + [...words].filter((word) => !asked(word)).length, 0);
+  const rest = (words) => words.filter((word) => !asked(word)).length;
+  const extra = rest(hit.wanted) + (hit.title.some(asked) ? rest(hit.title) : hit.unnamed);
   return far + extra - (hit.name.endsWith(`.${query.replace(/^\./, "")}`) ? 4 : 0);
 }
 
@@ -234,5 +298,10 @@ function startSearch() {
 
 renderFormulas();
 startSearch();
-// the formulas have changed the height of everything above the target
-if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+startFilter();
+offerTables();
+reveal();  // the formulas have changed the height of everything above the target
+addEventListener("hashchange", reveal);
+document.addEventListener("click", (event) => {
+  if (event.target.closest('a[href^="#"]')) setTimeout(reveal);  // also where the address stays
+});
