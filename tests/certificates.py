@@ -6,9 +6,9 @@ import functools
 from collections.abc import Callable
 
 from axiderive import profiles
-from axiderive.contact import adhesive, normal, tangential, viscoelastic
-from axiderive.contact.medium import GRADED
 from axiderive.entry import Entry
+from axiderive.physics import adhesive, normal, tangential, viscoelastic
+from axiderive.physics.medium import GRADED
 from axiderive.profiles.profile import Profile
 
 Entries = dict[str, Entry]

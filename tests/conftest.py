@@ -14,9 +14,9 @@ from hypothesis import HealthCheck, settings
 from plane_modules import PACKAGE, entries, written
 from stored_book import CATALOGUE, KEYS, evidence, stored
 
-from axiderive.emit.html import html_sources
-from axiderive.emit.plane import module_sources
+from axiderive.code.plane import module_sources
 from axiderive.profiles import plane
+from axiderive.web import html_sources
 
 # a run says the same of the same commit, on a machine that is busy too, which draws slowly;
 # --hypothesis-profile=explore draws other numbers every time

@@ -22,10 +22,10 @@ from test_mutations import flipped_sign, power_of_face, swapped_symbols, wrong_e
 
 from axiderive import notation as nt
 from axiderive.abel.masters import StruveL
-from axiderive.contact import systems
 from axiderive.entry import Case, Entry, Primitive
-from axiderive.proof.evaluate import at_precision
-from axiderive.proof.shape import coefficient, concrete
+from axiderive.oracle.evaluate import at_precision
+from axiderive.oracle.shape import coefficient, concrete
+from axiderive.physics import systems
 
 Entries = dict[str, Entry]
 Change = Callable[[sp.Expr], sp.Expr]

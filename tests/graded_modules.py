@@ -11,10 +11,10 @@ from typing import Any
 import sympy as sp
 
 from axiderive import notation as nt
-from axiderive.contact.systems import problems
-from axiderive.emit import example
+from axiderive.code import example
 from axiderive.entry import Entry
 from axiderive.letters import name_of
+from axiderive.physics.systems import problems
 from axiderive.profiles.profile import Profile
 
 MATERIAL = {nt.H: "2.5", nt.H_x: "0.8", nt.dgamma: "0.0125", nt.mu: "0.3"}

@@ -6,7 +6,7 @@ import random
 import re
 from collections.abc import Iterator
 
-from axiderive.emit.readback.grammar import read
+from axiderive.readback.grammar import read
 
 LAYOUT = re.compile(
     r"\\(?:begin|end)\{[^}]*\}(?:\[t\])?|\\\\\[[^\]]*\]|\\q?quad|\\enspace|\\displaystyle|\\[,;:! ]"

@@ -11,10 +11,10 @@ from typing import Any
 import sympy as sp
 
 from axiderive import notation as nt
-from axiderive.contact import systems
-from axiderive.emit import example
+from axiderive.code import example
 from axiderive.entry import Entry
 from axiderive.letters import name_of
+from axiderive.physics import systems
 from axiderive.profiles.profile import Profile
 
 SYSTEMS = ("normal", "adhesive", "tangential", "viscoelastic", "loads", "materials")

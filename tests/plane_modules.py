@@ -5,13 +5,11 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from axiderive.contact.plane import derive
-from axiderive.emit.imports import RUNTIME
-from axiderive.emit.kernels import kernels_source
-from axiderive.emit.nodes import nodes_source
-from axiderive.emit.python import NODE_COUNTS
-from axiderive.emit.symbols import symbols_sources
+from axiderive.code.imports import RUNTIME
+from axiderive.code.python import NODE_COUNTS
+from axiderive.code.tables import kernels_source, nodes_source, symbols_sources
 from axiderive.entry import Entry
+from axiderive.physics.plane import derive
 from axiderive.profiles import plane
 
 PACKAGE = "emitted_plane"

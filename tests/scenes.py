@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
-from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import Result, composed
 from axiderive.scene.text import SceneError
 

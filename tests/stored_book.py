@@ -9,18 +9,18 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from axiderive.contact.systems import BY_NAME, Problem, problem, problems
-from axiderive.emit import in_print
-from axiderive.emit.blocks import rows_of
-from axiderive.emit.readback import front
-from axiderive.emit.readback.borders import Place, misplaced, places_of
-from axiderive.emit.readback.compare import residuals, worst_residual
-from axiderive.emit.readback.front import Reading
-from axiderive.emit.rows import Region, Row
-from axiderive.emit.special import HOSTS
-from axiderive.emit.spread import pool_of
+from axiderive.book.spread import pool_of
+from axiderive.build.work import read_entries
 from axiderive.entry import Entry
-from axiderive.work import read_entries
+from axiderive.physics.systems import BY_NAME, Problem, problem, problems
+from axiderive.readback import front
+from axiderive.readback.borders import Place, misplaced, places_of
+from axiderive.readback.compare import residuals, worst_residual
+from axiderive.readback.front import Reading
+from axiderive.rows import in_print
+from axiderive.rows.blocks import rows_of
+from axiderive.rows.row import Region, Row
+from axiderive.rows.special import HOSTS
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 HANDBOOK = CATALOGUE / "handbook"

@@ -18,9 +18,9 @@ import pytest
 import sympy as sp
 
 from axiderive import notation as nt
-from axiderive.contact.normal import derive
-from axiderive.emit.example import NUMERIC
+from axiderive.code.example import NUMERIC
 from axiderive.entry import Entry
+from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
 
 EPS = np.finfo(float).eps

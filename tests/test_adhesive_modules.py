@@ -10,7 +10,7 @@ import sympy as sp
 from physics_package import CLOSED, derived, emitted, exact, keywords, public, radius, values
 
 from axiderive import notation as nt
-from axiderive.emit import example
+from axiderive.code import example
 from axiderive.profiles import COMPACT_NAMES, load
 
 POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law")

@@ -13,13 +13,13 @@ import sympy as sp
 from stored_book import KEYS, stored
 
 from axiderive import notation as nt
-from axiderive.contact.systems import problem
-from axiderive.emit import approach, approaches, reductions
-from axiderive.emit.approach import DIGITS, GAP, Approach
-from axiderive.emit.readback.grammar import read
-from axiderive.emit.readback.printed import Printed, named
 from axiderive.entry import Case, Entry
-from axiderive.proof.evaluate import at_precision, case_at, evaluate
+from axiderive.oracle.evaluate import at_precision, case_at, evaluate
+from axiderive.physics.systems import problem
+from axiderive.readback.grammar import read
+from axiderive.readback.printed import Printed, named
+from axiderive.rows import approach, approaches, limits
+from axiderive.rows.approach import DIGITS, GAP, Approach
 
 READ_BACK = mp.mpf(10) ** -20
 NAMES = [key for key in KEYS if problem(key).system.name in ("normal", "plane", "loads")]
@@ -42,9 +42,9 @@ def printed(key: str) -> list[tuple[Approach, str, str]]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(approaches, "approach_row", noted)
-        patch.setattr(reductions, "approach_row", noted)
+        patch.setattr(limits, "approach_row", noted)
         profile, entries = problem(key).profile, stored(key)
-        rows = [*approaches.approach_rows(profile, entries), *reductions.reduction_rows(profile, entries)]
+        rows = [*approaches.approach_rows(profile, entries), *limits.reduction_rows(profile, entries)]
     shown = [tex for row in rows for tex in row["tex"].split(GAP)]
     return [one for one in kept if one[1] in shown]
 

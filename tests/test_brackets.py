@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from axiderive.emit.height import AXIS, bracket, extent, size_around
+from axiderive.print.height import AXIS, bracket, extent, size_around
 
 MEASURED = {
     r"\frac{a^{2}}{r^{2}}": (15.6, 7.1),

@@ -18,15 +18,15 @@ import pytest
 import sympy as sp
 from selected import few
 
-from axiderive import pool, sources, work
-from axiderive.cache import Cache, digest
-from axiderive.contact.systems import problem, problems
+from axiderive.build import pool, work
+from axiderive.build.verification import checks_of
+from axiderive.build.work import Settings, derivation_key, verification_key
 from axiderive.notation import R, a, b, r, theta
+from axiderive.physics.systems import problem, problems
 from axiderive.profiles.profile import Piece, Sketch
-from axiderive.records import entry_record, profile_record, read_entry
-from axiderive.srepr import ReadingError, from_text, to_text
-from axiderive.verification import checks_of
-from axiderive.work import Settings, derivation_key, verification_key
+from axiderive.store import sources
+from axiderive.store.cache import Cache, digest
+from axiderive.store.records import ReadingError, entry_record, from_text, profile_record, read_entry, to_text
 
 EVERY = [own.key for own in problems()]
 
@@ -134,7 +134,7 @@ def test_keys_follow_everything_a_result_depends_on(monkeypatch):
     }
     assert len(keys) == 5
     before = derivation_key(cone)
-    monkeypatch.setattr("axiderive.work.version", lambda package: "1.99")
+    monkeypatch.setattr("axiderive.build.work.version", lambda package: "1.99")
     assert derivation_key(cone) != before
     assert profile_record(cone.profile) != profile_record(sphere.profile)
 
@@ -166,7 +166,7 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
 
 def test_import_digest_follows_what_a_function_uses(tmp_path, monkeypatch):
     """Comments, docstrings, files and what is not used do not count, what is imported inside a function does."""
-    monkeypatch.setattr(sources, "__file__", str(tmp_path / "engine" / "sources.py"))
+    monkeypatch.setattr(sources, "__file__", str(tmp_path / "engine" / "store" / "sources.py"))
     for name in ("_module", "_source"):
         monkeypatch.setattr(sources, name, getattr(sources, name).__wrapped__)
     (tmp_path / "engine").mkdir()
@@ -226,7 +226,9 @@ def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch)
     assert kept(entries={"w": {**made.entries["w"], "status": "root"}}) is None
     assert kept(checks=[{**checks[0], "worst": "0.0"}, *checks[1:]]) is None
     assert kept(receipts={}) is None
-    monkeypatch.setattr("axiderive.verification.checks.check_problem", lambda *args, **kwargs: pytest.fail("made anew"))
+    monkeypatch.setattr(
+        "axiderive.build.verification.checks.check_problem", lambda *args, **kwargs: pytest.fail("made anew")
+    )
     again = work.task(own.key, str(tmp_path / "other"), False, settings, standing)
     assert again.kept
     assert again.evidence == made.evidence
@@ -255,7 +257,7 @@ def test_a_dead_worker_is_an_error_not_a_hang():
 
 INTERRUPTED = """
 import signal, sys, time
-from axiderive import pool, work
+from axiderive.build import pool
 
 def work(seconds):
     print("at work", flush=True)

@@ -11,10 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from axiderive import cli, commands, pdf, pool, work
-from axiderive.build import Failure
-from axiderive.comparison import LONGEST
-from axiderive.progress import failure_lines
+from axiderive import cli
+from axiderive.build import pdf, pool, work
+from axiderive.build.catalogue import Failure
+from axiderive.build.comparison import LONGEST
+from axiderive.build.progress import failure_lines
+from axiderive.commands import build
 
 ROOT = Path(__file__).parents[1]
 
@@ -28,7 +30,7 @@ def axicontact(*arguments, **options):
 @pytest.fixture
 def elsewhere(tmp_path, monkeypatch):
     """Builds of this test have a cache and a catalogue of their own."""
-    monkeypatch.setattr(commands, "project_root", lambda: tmp_path)
+    monkeypatch.setattr(build, "project_root", lambda: tmp_path)
     return tmp_path
 
 
@@ -83,7 +85,7 @@ def test_a_page_made_alone_has_its_number_of_the_whole_book(elsewhere, capsys):
 
 
 def test_a_problem_with_a_failed_check_is_left_out_and_listed(elsewhere, monkeypatch, capsys):
-    from axiderive import verification
+    from axiderive.build import verification
 
     genuine = verification.verify
 
@@ -105,8 +107,8 @@ def test_a_problem_with_a_failed_check_is_left_out_and_listed(elsewhere, monkeyp
 
 def test_what_rests_on_a_problem_that_is_left_out_is_left_out_too():
     """The adhesive module calls the normal one; the plane problem of the same name rests on nothing."""
-    from axiderive.build import _publishable
-    from axiderive.contact.systems import problems
+    from axiderive.build.catalogue import _publishable
+    from axiderive.physics.systems import problems
 
     wanted = list(problems(["cone", "plane.wedge"]))
     failed = {"failures": [{"key": "cone.p", "message": "wrong"}]}
@@ -117,7 +119,7 @@ def test_what_rests_on_a_problem_that_is_left_out_is_left_out_too():
 
 
 def test_a_defect_in_one_problem_does_not_take_the_others(elsewhere, monkeypatch, capsys):
-    from axiderive.contact.systems import Problem
+    from axiderive.physics.systems import Problem
 
     genuine = Problem.derive
 

@@ -14,11 +14,11 @@ from pathlib import Path
 
 import pytest
 
-from axiderive import work
-from axiderive.contact.systems import BODIES, BY_NAME, SYSTEMS, Problem, problems
-from axiderive.index import loads
-from axiderive.verification import checks_of
-from axiderive.work import Settings
+from axiderive.build import work
+from axiderive.build.verification import checks_of
+from axiderive.build.work import Settings
+from axiderive.physics.systems import BODIES, BY_NAME, SYSTEMS, Problem, problems
+from axiderive.store.index import loads
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 PROBLEMS = {problem.key: problem for problem in problems()}

@@ -10,12 +10,12 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact.normal import derive
 from axiderive.notation import F, R, a, b, n, r, x
+from axiderive.physics.normal import derive
+from axiderive.proof.algebra.domain import Domain, NotProvedError
+from axiderive.proof.algebra.functions import canonical, normal, require_analytic, sign
+from axiderive.proof.algebra.identity import at, is_zero, logarithmic
 from axiderive.proof.certificate import certify, certify_profile
-from axiderive.proof.domain import Domain, NotProvedError
-from axiderive.proof.functions import canonical, normal, require_analytic, sign
-from axiderive.proof.identity import at, is_zero, logarithmic
 
 # an equation whose root is shown to be the place of least pressure
 PROVED_ROOT = "concave_power.rz"

@@ -9,11 +9,12 @@ from certificates import entries
 
 from axiderive import notation as nt
 from axiderive.abel.masters import CapMoment, Hypergeometric, IncompleteBeta, Kummer, StruveH, StruveL
-from axiderive.proof import graded, special
-from axiderive.proof.domain import Domain, NotProvedError
-from axiderive.proof.elements import spelled
-from axiderive.proof.functions import require_analytic, sign
-from axiderive.proof.identity import at, is_zero
+from axiderive.proof.algebra import special
+from axiderive.proof.algebra.domain import Domain, NotProvedError
+from axiderive.proof.algebra.elements import spelled
+from axiderive.proof.algebra.functions import require_analytic, sign
+from axiderive.proof.algebra.identity import at, is_zero
+from axiderive.proof.rules import graded
 from axiderive.proof.statement import require_integral
 
 KAPPA = graded.KAPPA

@@ -14,9 +14,9 @@ from test_mutations import flipped_sign, swapped_symbols, wrong_exponent, wrong_
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact import adhesive, loads, normal
-from axiderive.contact.medium import GRADED
 from axiderive.entry import Case, Entry
+from axiderive.physics import adhesive, loads, normal
+from axiderive.physics.medium import GRADED
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
 from axiderive.proof.certificate import certify

@@ -12,16 +12,16 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact import adhesive, detachment, loads, normal, tangential, viscoelastic
-from axiderive.contact.medium import GRADED, HOMOGENEOUS
+from axiderive.physics import adhesive, detachment, loads, normal, tangential, viscoelastic
+from axiderive.physics.medium import GRADED, HOMOGENEOUS
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
-from axiderive.proof import graded
-from axiderive.proof import viscoelastic as laws
+from axiderive.proof.algebra.domain import NotProvedError
 from axiderive.proof.certificate import certify, certify_profile
-from axiderive.proof.compact import Compact
-from axiderive.proof.complete import Complete
-from axiderive.proof.domain import NotProvedError
+from axiderive.proof.rules import graded
+from axiderive.proof.rules import viscoelastic as laws
+from axiderive.proof.rules.compact import Compact
+from axiderive.proof.rules.complete import Complete
 
 # every build proves all of them, and .ci/run compares the evidence of one from nothing
 PROVED = [pytest.param(*cell, marks=() if cell[1] in ("cone", "flat_punch") else pytest.mark.sweep) for cell in CELLS]

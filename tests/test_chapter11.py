@@ -18,11 +18,10 @@ from stored_book import CATALOGUE
 
 from axiderive import cli
 from axiderive.chapter11 import runner
-from axiderive.chapter11.draw import Draw
-from axiderive.chapter11.equation import Formula
+from axiderive.chapter11.equation import Draw, Formula
 from axiderive.chapter11.errata import REMARKS, agreement, errata
 from axiderive.chapter11.first_principles import Step, steps
-from axiderive.emit.transcribed import NAMES, typeset
+from axiderive.print.words import NAMES, typeset
 
 MISPRINTED = {66, 88, 102, 106, 110}
 DIGITS = 30

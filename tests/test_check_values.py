@@ -13,8 +13,8 @@ import sympy as sp
 from stored_book import HANDBOOK, PRINTED, stored
 
 from axiderive import notation as nt
-from axiderive.emit.page import BREAKS
-from axiderive.emit.spread import pool_of, problems_of
+from axiderive.book.page import BREAKS
+from axiderive.book.spread import pool_of, problems_of
 from axiderive.letters import name_of
 
 SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PRINTED}

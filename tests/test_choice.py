@@ -9,7 +9,7 @@ import pytest
 from flint import arb
 
 from axiderive.stable.measure import Sample
-from axiderive.study.choice import FIRST, MARGIN, TOLERANCE, Candidate, Points, choose
+from axiderive.study.forms import FIRST, MARGIN, TOLERANCE, Candidate, Points, choose
 
 UNIT = 2.0**-52
 WRONG_HERE = 1.75

@@ -9,14 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from axiderive import cli, index
-from axiderive.show import shown
+from axiderive import cli
+from axiderive.store import index
+from axiderive.store.index import shown
 
 ROOT = Path(__file__).parents[1]
 
 
 def test_every_profile_is_listed(capsys):
-    from axiderive.contact.systems import profile_ids
+    from axiderive.physics.systems import profile_ids
 
     assert cli.main(["list"]) == 0
     rows = capsys.readouterr().out.splitlines()[1:]
@@ -166,6 +167,6 @@ def test_a_damaged_index_is_no_index(text):
 
 def test_without_a_catalogue_the_next_step_is_named(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(index, "find_spec", lambda name: None)
-    monkeypatch.setattr(index, "__file__", str(tmp_path / "a" / "b" / "index.py"))
+    monkeypatch.setattr(index, "__file__", str(tmp_path / "a" / "b" / "c" / "index.py"))
     assert cli.main(["list"]) == 3
     assert capsys.readouterr().err == "axicontact: there is no catalogue yet; run axicontact build\n"

@@ -9,8 +9,7 @@ import pytest
 import sympy as sp
 
 from axiderive.cli import main
-from axiderive.study.corpus import agreement, corpus, solve, value
-from axiderive.study.peer import Attempt, integrate
+from axiderive.study.corpus import Attempt, agreement, corpus, integrate, solve, value
 
 IDS = list(corpus())
 FUNCTIONS = {"sqrt": mp.sqrt, "acos": mp.acos, "atanh": mp.atanh, "exp": mp.exp, "sin": mp.sin, "tan": mp.tan}

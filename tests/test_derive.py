@@ -17,17 +17,16 @@ from own_profiles import AGREEMENT, ALL, ROUNDING, RULES, answer_to, errors_of, 
 from scenes import NO_PDF, composed_from
 
 from axiderive import notation as nt
+from axiderive.build.pool import Beside, LimitError, limited
 from axiderive.cli import main
-from axiderive.contact import normal
-from axiderive.contact.medium import HOMOGENEOUS
-from axiderive.emit import python
+from axiderive.code import python
 from axiderive.expression import own_profile, routes, undetermined
-from axiderive.expression.beside import Beside
 from axiderive.expression.definition import Definition
 from axiderive.expression.routes import Route
 from axiderive.notation import R, a, b, theta
+from axiderive.physics import normal
+from axiderive.physics.medium import HOMOGENEOUS
 from axiderive.scene.compose import Request, composed
-from axiderive.scene.worker import LimitError, limited
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import axicontact
-from axiderive.index import load
+from axiderive.store.index import load
 
 ROOT = Path(axicontact.__file__).parent
 PACKAGES = sorted({path.parent.relative_to(ROOT) for path in ROOT.rglob("*.py")})

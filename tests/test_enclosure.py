@@ -12,10 +12,10 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive.abel import masters
-from axiderive.contact.normal import derive
+from axiderive.checks.enclosure import ENCLOSED, check, check_profile
+from axiderive.oracle.balls import Ball, NotAvailableError, enclose, integral, shrinking
+from axiderive.physics.normal import derive
 from axiderive.profiles import NAMES, load
-from axiderive.proof.balls import Ball, NotAvailableError, enclose, integral, shrinking
-from axiderive.proof.enclosure import ENCLOSED, check, check_profile
 
 MISSING = {
     "sphere_tipped_cone": {"p"},

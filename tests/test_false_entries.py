@@ -7,8 +7,9 @@ from collections import Counter
 import pytest
 from false_entries import PROBLEMS, FalseEntry, candidates, derived, difference, false_entries, of
 
-from axiderive.contact import systems
-from axiderive.proof import certificate, plane
+from axiderive.physics import systems
+from axiderive.proof import certificate
+from axiderive.proof.rules import plane
 
 QUICK = (
     "paraboloid", "flat_punch", "capped_cylinder", "concave_paraboloid", "paraboloid.fgm", "flat_punch.fgm.adh",

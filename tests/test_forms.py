@@ -11,17 +11,14 @@ from typing import Any
 import pytest
 
 import axicontact
-from axiderive.contact.normal import derive
-from axiderive.contact.systems import problem
 from axiderive.entry import Entry
+from axiderive.physics.normal import derive
+from axiderive.physics.systems import problem
 from axiderive.profiles import load
-from axiderive.stable import chosen
+from axiderive.stable import variants
 from axiderive.stable.slopes import RATE, rate
 from axiderive.stable.variants import FULL
-from axiderive.study.choice import TOLERANCE
-from axiderive.study.cost import POWER, cost
-from axiderive.study.forms import race, text
-from axiderive.study.variants import Written, written
+from axiderive.study.forms import POWER, TOLERANCE, Written, cost, race, text, written
 
 ROOT = Path(axicontact.__file__).parents[1]
 PACKAGE = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "axicontact").rglob("*.py")}
@@ -58,7 +55,7 @@ def altered(one: Written, before: str, after: str, cost: int = 1) -> Written:
 )
 def test_a_wrong_form_loses_whatever_it_costs(key: str, suffix: str, before: str, after: str) -> None:
     own = forms_of(key)[1][suffix]
-    assert own[0].variant == chosen.chosen(f"{key}.{suffix}").name
+    assert own[0].variant == variants.chosen(f"{key}.{suffix}").name
     row = raced(key, suffix, (*own, altered(own[0], before, after)))
     assert "better" not in row
     assert row["runner_up"]["form"] != "wrong"
@@ -95,11 +92,11 @@ def test_a_rule_below_and_a_closed_form_beyond() -> None:
 
 
 def test_frozen_choices_are_functions_and_variants() -> None:
-    for key in chosen.CHOSEN:
+    for key in variants.CHOSEN:
         name, _, suffix = key.rpartition(".")
         entries = problem(name).derive()
         assert suffix in entries or suffix == RATE.suffix and rate(entries) is not None
-        assert chosen.chosen(key) is not FULL
+        assert variants.chosen(key) is not FULL
 
 
 def test_the_cost_of_a_body() -> None:

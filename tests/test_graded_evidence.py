@@ -12,20 +12,14 @@ import sympy as sp
 from test_identities import SEED, TWICE, changed, failed
 
 from axiderive import notation as nt
-from axiderive.contact import adhesive, complete, normal, systems, viscoelastic
-from axiderive.contact.medium import GRADED, HOMOGENEOUS
+from axiderive.checks import graded_threshold, homogeneous, physics_identities, resultants, viscoelastic_quadrature
 from axiderive.entry import Entry
+from axiderive.physics import adhesive, complete, normal, systems, viscoelastic
+from axiderive.physics.medium import GRADED, HOMOGENEOUS
 from axiderive.profiles import load
-from axiderive.proof import (
-    certificate,
-    graded,
-    graded_threshold,
-    homogeneous,
-    physics_identities,
-    resultants,
-    viscoelastic_quadrature,
-)
-from axiderive.proof.domain import NotProvedError
+from axiderive.proof import certificate
+from axiderive.proof.algebra.domain import NotProvedError
+from axiderive.proof.rules import graded
 
 
 def at_zero(name: str, entries: dict[str, Entry]):

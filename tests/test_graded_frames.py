@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from stored_book import stored
 
-from axiderive.emit.graded.frames import BESIDE, EXPONENTS, SHOWN, frames
-from axiderive.emit.html.drawing import pairs
+from axiderive.figures.graded import BESIDE, EXPONENTS, SHOWN, frames
 from axiderive.profiles import load
+from axiderive.web.figures import pairs
 
 
 @pytest.mark.parametrize("name", SHOWN)

@@ -15,8 +15,8 @@ from graded_modules import derived, emitted, keywords, public, values
 
 from axiderive import notation as nt
 from axiderive.abel.reduce import NotReducibleError
-from axiderive.emit.graded import TITLES
-from axiderive.emit.graded.families import family
+from axiderive.code.graded import TITLES
+from axiderive.code.graded.families import family
 from axiderive.letters import name_of
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES, load
 from axiderive.profiles.profile import Piece, Profile

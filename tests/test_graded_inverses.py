@@ -14,7 +14,7 @@ from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, 
 from test_inverse_steps import MISSED, STEPS, arguments, counted, missed
 
 from axiderive import notation as nt
-from axiderive.emit import example
+from axiderive.code import example
 from axiderive.profiles import COMPACT_NAMES, load
 
 

@@ -14,13 +14,13 @@ import sympy as sp
 from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, public, values
 
 from axiderive import notation as nt
-from axiderive.emit import example
-from axiderive.emit.graded import TITLES, module_sources
-from axiderive.emit.graded.families import family
+from axiderive.code import example
+from axiderive.code.graded import TITLES, module_sources
+from axiderive.code.graded.families import family
 from axiderive.entry import Entry
+from axiderive.oracle.half_space import HalfSpace
 from axiderive.profiles import COMPACT_NAMES, NAMES, load
 from axiderive.profiles.profile import Profile
-from axiderive.proof.half_space import HalfSpace
 
 # measured: 4e-15 for power laws, 2e-14 elsewhere (quotients of Gamma functions at k = 0.95, the sphere at k = -0.9)
 CLOSED, INTEGRAL = 1e-14, 1e-13

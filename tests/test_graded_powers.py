@@ -13,9 +13,9 @@ import sympy as sp
 from axicontact._graded_pressure import power_growth
 from axicontact.graded.normal import concave_power, power_law
 from axiderive import notation as nt
-from axiderive.contact.systems import problem
 from axiderive.entry import Entry
-from axiderive.proof.evaluate import case_at, evaluate
+from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.physics.systems import problem
 
 EPS = 2.0**-52
 ENTRIES = problem("power_law.fgm").derive()

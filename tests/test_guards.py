@@ -17,15 +17,17 @@ import sympy as sp
 
 from axiderive import notation as nt
 from axiderive.abel.masters import Hypergeometric, IncompleteBeta
-from axiderive.contact import systems, viscoelastic
 from axiderive.entry import Case, Entry
 from axiderive.notation import E_star, F, L, P, R, a, a_c, b, d, dgamma, e, h, n, r, time, x
+from axiderive.physics import systems, viscoelastic
 from axiderive.profiles.profile import Piece, Profile, Rule
-from axiderive.proof import certificate, functions, graded, identity, materials, plane, statement
-from axiderive.proof import plane_threshold as threshold
-from axiderive.proof import tilted as punch
-from axiderive.proof import viscoelastic as relaxing
-from axiderive.proof.domain import Domain, NotProvedError
+from axiderive.proof import certificate, statement
+from axiderive.proof.algebra import functions, identity
+from axiderive.proof.algebra.domain import Domain, NotProvedError
+from axiderive.proof.rules import graded, materials, plane
+from axiderive.proof.rules import plane_threshold as threshold
+from axiderive.proof.rules import tilted as punch
+from axiderive.proof.rules import viscoelastic as relaxing
 
 Claim = Callable[[], str]
 """What is claimed falsely: the reason why it is refused, empty if it is certified."""

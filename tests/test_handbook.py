@@ -13,21 +13,21 @@ from typing import Any
 import mpmath as mp
 import pytest
 
-from axiderive import pdf
-from axiderive.contact.normal import derive
-from axiderive.contact.systems import problems
-from axiderive.emit.blocks import rows_of
-from axiderive.emit.evidence import kind_of, summary
-from axiderive.emit.handbook import handbook_sources
-from axiderive.emit.in_print import printed
-from axiderive.emit.page import spaced
-from axiderive.emit.prose import prose
-from axiderive.emit.references import WORKS, label
-from axiderive.emit.sketch import sketch
-from axiderive.emit.universal import universal_rows
-from axiderive.emit.values import Numbers, sketch_values
+from axiderive.book.evidence import kind_of, summary
+from axiderive.book.handbook import handbook_sources
+from axiderive.book.page import spaced
+from axiderive.book.references import WORKS, label
+from axiderive.build import pdf
 from axiderive.entry import Entry
+from axiderive.figures.sketch import sketch
+from axiderive.oracle.values import Numbers, sketch_values
+from axiderive.physics.normal import derive
+from axiderive.physics.systems import problems
+from axiderive.print.words import prose
 from axiderive.profiles import NAMES, load
+from axiderive.rows.blocks import rows_of
+from axiderive.rows.in_print import printed
+from axiderive.rows.laws import universal_rows
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
 """Profiles that bring every kind of row, one of them in complete contact."""
@@ -209,8 +209,8 @@ def _points(text: str) -> list[tuple[float, float]]:
 @pytest.mark.slow
 def test_the_sources_do_not_depend_on_the_hash_seed() -> None:
     program = (
-        "import hashlib; from axiderive.emit.handbook import handbook_sources;"
-        "from axiderive.contact.systems import problems;"
+        "import hashlib; from axiderive.book.handbook import handbook_sources;"
+        "from axiderive.physics.systems import problems;"
         "s = handbook_sources({p.key: p.derive() for p in problems(('truncated_cone', 'plane.concave_power'))});"
         "print(hashlib.sha256(repr(sorted(s.items())).encode()).hexdigest())"
     )

@@ -10,12 +10,12 @@ import pytest
 import sympy as sp
 
 from axiderive.abel.masters import MASTERS
-from axiderive.contact.normal import derive
 from axiderive.entry import Entry
 from axiderive.notation import E_star, a, r
+from axiderive.oracle import integrals
+from axiderive.oracle.shape import shape
+from axiderive.physics.normal import derive
 from axiderive.profiles.profile import Piece, Profile, Sketch
-from axiderive.proof import integrals
-from axiderive.proof.shape import shape
 
 B1, B2 = sp.symbols("b1 b2", positive=True)
 DIGITS = 30

@@ -15,13 +15,13 @@ from markupsafe import Markup
 from stored_book import CATALOGUE, HANDBOOK, stored
 from web_page import Page
 
-from axiderive.contact.systems import problems
-from axiderive.emit.blocks import rows_of
-from axiderive.emit.guide import TITLE
-from axiderive.emit.html import html_sources
-from axiderive.emit.html.drawing import Scale, pairs
-from axiderive.emit.html.words import words
+from axiderive.book.guide import TITLE
 from axiderive.entry import Entry
+from axiderive.physics.systems import problems
+from axiderive.rows.blocks import rows_of
+from axiderive.web import html_sources
+from axiderive.web.figures import Scale, pairs
+from axiderive.web.words import words
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
 """Profiles that bring every kind of row, one of them in complete contact."""
@@ -272,7 +272,7 @@ def test_an_entry_shows_itself_in_a_notebook(derived: dict[str, dict[str, Entry]
 @pytest.mark.slow
 def test_the_web_edition_does_not_depend_on_the_hash_seed() -> None:
     program = (
-        "import hashlib, json; from axiderive.emit.html import html_sources;"
+        "import hashlib, json; from axiderive.web import html_sources;"
         "from stored_book import CATALOGUE, KEYS, stored;"
         "found = sorted((CATALOGUE / 'evidence' / 'study').glob('*.json'));"
         "studies = {path.stem: json.loads(path.read_text()) for path in found};"

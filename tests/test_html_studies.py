@@ -15,15 +15,14 @@ import pytest
 from stored_book import CATALOGUE, KEYS, stored
 from web_page import Page
 
-from axiderive.emit import study as studies_of_book
-from axiderive.emit.graded.frames import frames
-from axiderive.emit.handbook import page_models
-from axiderive.emit.html import html_sources, study
-from axiderive.emit.html.drawing import Figure, pairs
-from axiderive.emit.html.figures import figures
-from axiderive.emit.study import error
+from axiderive.book import study as studies_of_book
+from axiderive.book.handbook import page_models
+from axiderive.book.study import error
+from axiderive.figures.graded import frames
 from axiderive.profiles import load
 from axiderive.study.problems import NAMES, OTHERS
+from axiderive.web import html_sources, study
+from axiderive.web.figures import Figure, figures, pairs
 
 SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
 WIDELY = {*NAMES, *OTHERS}

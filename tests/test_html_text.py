@@ -8,8 +8,8 @@ import re
 
 import pytest
 
-from axiderive.emit.html.search import anchor_of
-from axiderive.emit.html.words import symbol
+from axiderive.web.search import anchor_of
+from axiderive.web.words import symbol
 
 READABLE = 4.5
 """Contrast of text with its ground that WCAG 2.2 asks for at level AA."""

@@ -9,13 +9,13 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
-from axiderive.contact import adhesive, loads, normal, tangential, viscoelastic
-from axiderive.contact.medium import GRADED, HOMOGENEOUS
-from axiderive.contact.normal import derive
+from axiderive.checks import adhesive_identities, identities, limits, physics_identities
 from axiderive.entry import Entry
+from axiderive.physics import adhesive, loads, normal, tangential, viscoelastic
+from axiderive.physics.medium import GRADED, HOMOGENEOUS
+from axiderive.physics.normal import derive
 from axiderive.profiles import NAMES, load
 from axiderive.profiles.loads import LOADS
-from axiderive.proof import adhesive_identities, identities, limits, physics_identities
 
 SEED = 1
 

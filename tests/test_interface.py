@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from axicontact._peak import PeakPressure
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from axicontact._peak import PeakPressure
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES
 
 PARAMETERS: dict[str, dict[str, Any]] = {

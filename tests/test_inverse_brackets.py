@@ -13,12 +13,11 @@ import sympy as sp
 
 from axicontact import _inverse, _waves
 from axicontact.normal import polynomial, power_law
-from axiderive.contact.normal import derive
-from axiderive.emit.compact import Compact
-from axiderive.emit.growth import DIGITS, Growth, exponents
-from axiderive.emit.private import PrivateFunctions
-from axiderive.emit.slope_bounds import log_slope, proved
+from axiderive.code.bodies.compact import Compact
+from axiderive.code.bodies.growth import DIGITS, Growth, exponents, log_slope, proved
+from axiderive.code.private import PrivateFunctions
 from axiderive.notation import R, b, r, s
+from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
 
 EPS = 2.0**-52

@@ -8,10 +8,10 @@ import pytest
 from stored_book import stored
 from test_pictures import profile_of
 
-from axiderive.emit.axes import Axes
-from axiderive.emit.given import axes_of
-from axiderive.emit.html.drawing import pairs
-from axiderive.emit.labels import Curve, Rows, labelled
+from axiderive.figures.axes import Axes
+from axiderive.figures.given import axes_of
+from axiderive.figures.labels import Curve, Rows, labelled
+from axiderive.web.figures import pairs
 
 WIDE, TALL = 67.0, 27.0
 """Millimetres of a frame."""

@@ -10,14 +10,14 @@ import sympy as sp
 from stored_book import rows, stored
 
 from axiderive import notation as nt
-from axiderive.contact.normal import derive
-from axiderive.contact.systems import problems
-from axiderive.emit.latex import entry_latex, latex
-from axiderive.emit.readback.grammar import read
-from axiderive.emit.readback.printed import holds
-from axiderive.emit.rows import row
-from axiderive.emit.width import width
+from axiderive.book.latex import entry_latex, latex
+from axiderive.physics.normal import derive
+from axiderive.physics.systems import problems
+from axiderive.print.width import width
 from axiderive.profiles import load
+from axiderive.readback.grammar import read
+from axiderive.readback.printed import holds
+from axiderive.rows.row import row
 
 E, F, a, b, d, r, R, theta = nt.E_star, nt.F, nt.a, nt.b, nt.d, nt.r, nt.R, nt.theta
 INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}

@@ -11,12 +11,12 @@ import pytest
 
 import axicontact
 from axicontact.loads import power
-from axiderive.contact.systems import problem
-from axiderive.emit.imports import RUNTIME as EVERYWHERE
-from axiderive.emit.physics import RUNTIME as PHYSICS
-from axiderive.emit.physics import loads
+from axiderive.code.imports import RUNTIME as EVERYWHERE
+from axiderive.code.physics import RUNTIME as PHYSICS
+from axiderive.code.physics import loads
+from axiderive.physics.systems import problem
 from axiderive.profiles.loads import load
-from axiderive.stable.closure import closure
+from axiderive.stable.measure import closure
 from axiderive.stable.records import record
 
 mp = mpmath.mp.clone()

@@ -13,12 +13,12 @@ import sympy as sp
 from physics_package import emitted, positional, public
 
 from axiderive import notation as nt
-from axiderive.contact import materials
-from axiderive.emit import example
+from axiderive.checks.units import Units
+from axiderive.code import example
 from axiderive.entry import Case
-from axiderive.proof import materials as proof
-from axiderive.proof.graded_half_space import surface_compliance
-from axiderive.proof.units import Units
+from axiderive.oracle.half_space import surface_compliance
+from axiderive.physics import materials
+from axiderive.proof.rules import materials as proof
 
 HALF_SPACES = tuple((k, nu) for k in ("-0.999999", "-0.5", "0.01", "0.7", "0.999999") for nu in ("-0.9", "0.3", "0.5"))
 KERNEL = 2e-15

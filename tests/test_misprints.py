@@ -11,8 +11,8 @@ import pytest
 from misprints import KINDS, misprints
 from stored_book import KEYS, changed, differs, front_readings, printed, rows
 
-from axiderive.contact.systems import SYSTEMS, problem
-from axiderive.emit.rows import Row
+from axiderive.physics.systems import SYSTEMS, problem
+from axiderive.rows.row import Row
 
 READ_BACK = mp.mpf(10) ** -20
 NOT_A_NUMBER = (

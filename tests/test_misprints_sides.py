@@ -10,7 +10,7 @@ from misprints import left_misprints, range_misprints
 from stored_book import KEYS, changed, differs, range_faults, ranged, rows
 from test_misprints import NOT_A_NUMBER, READ_BACK
 
-from axiderive.contact.systems import SYSTEMS, problem
+from axiderive.physics.systems import SYSTEMS, problem
 
 QUICK = (
     "cone", "rounded_cone", "capped_cylinder", "concave_power", "sphere.adh", "paraboloid.tan", "cone.vis",

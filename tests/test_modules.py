@@ -11,9 +11,9 @@ from importlib import import_module
 
 import pytest
 
-from axiderive.contact.normal import derive
-from axiderive.emit.private import parameter_name
-from axiderive.emit.python import module_source, source_of
+from axiderive.code.private import parameter_name
+from axiderive.code.python import module_source, source_of
+from axiderive.physics.normal import derive
 from axiderive.profiles import COMPLETE_NAMES, NAMES, load
 
 COMPACT_FUNCTIONS = {

@@ -17,8 +17,8 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact.normal import derive
 from axiderive.entry import Case, Entry
+from axiderive.physics.normal import derive
 from axiderive.proof.certificate import certify, certify_profile
 from axiderive.proof.statement import summand
 

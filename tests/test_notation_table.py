@@ -9,9 +9,9 @@ import pytest
 from stored_book import HANDBOOK, PRINTED
 
 from axiderive import notation as nt
-from axiderive.emit import notation_table
-from axiderive.emit.readback.grammar import names
-from axiderive.emit.readback.source import GAP, OPENING, Formula, formulas
+from axiderive.book import notation_table
+from axiderive.readback.grammar import names
+from axiderive.readback.source import GAP, OPENING, Formula, formulas
 
 ENTRIES = tuple(f"profiles/{name}.tex" for name in PRINTED)
 

@@ -46,7 +46,7 @@ def test_wheel_holds_both_packages_and_the_index(tmp_path):
     assert {top for top in tops if not top.endswith(".dist-info")} == {"axiderive", "axicontact"}
     assert "axicontact/index.json" in names
     assert "axicontact/normal/cone.py" in names
-    assert any(name.startswith("axiderive/emit/templates/") for name in names)
+    assert any(name.startswith("axiderive/book/templates/") for name in names)
     target = tmp_path / "site"
     run("-m", "pip", "install", "--quiet", "--no-deps", "--target", str(target), str(wheel), stdin=subprocess.DEVNULL)
     code = f"import sys; sys.path.insert(0, {str(target)!r}); from axiderive.cli import main; main(['show', 'cone.F'])"

@@ -14,13 +14,13 @@ import pytest
 from stored_book import stored
 
 from axiderive import notation as nt
-from axiderive.emit import matrix
-from axiderive.emit.handbook import templates
-from axiderive.emit.panel import panel as panel_of
-from axiderive.emit.prose import domain, prose
-from axiderive.emit.spread import pool_of
-from axiderive.emit.study import error, extremes, figures, maps, spread
-from axiderive.pdf import problems
+from axiderive.book import readme
+from axiderive.book.handbook import templates
+from axiderive.book.page import panel as panel_of
+from axiderive.book.spread import pool_of
+from axiderive.book.study import error, extremes, figures, maps, spread
+from axiderive.build.pdf import problems
+from axiderive.print.words import domain, prose
 from axiderive.study.problems import NAMES, OTHERS
 
 CATALOGUE = Path(__file__).parents[1] / "catalogue"
@@ -145,10 +145,10 @@ def test_the_cells_of_the_matrix_count_by_kind() -> None:
         "p": {"status": "integral", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 46}]},
         "aF": {"status": "root", "certified": False, "checks": [{"outcome": "passed", "worst": "1", "digits": 50}]},
     }
-    cells = matrix.matrix(["cone", "cone.vis"], {"cone": {"entries": entries}, "cone.vis": {"entries": {}}})
+    cells = readme.matrix(["cone", "cone.vis"], {"cone": {"entries": entries}, "cone.vis": {"entries": {}}})
     own = cells["profiles"]["cone"]
     assert own["normal"] == "1 ✓, 1 ∫46, 1 √50"
-    assert own["viscoelastic"] == matrix.NOT_VERIFIED
+    assert own["viscoelastic"] == readme.NOT_VERIFIED
 
 
 def test_what_is_known_of_the_formulas_is_counted() -> None:
@@ -160,7 +160,7 @@ def test_what_is_known_of_the_formulas_is_counted() -> None:
         {"status": "closed", "certified": False, "checks": []},
     ]
     counted = {"formulas": 4, "certified": 2, "twice": 1, "closed": 1, "integral": 1, "root": 0, "digits": 41}
-    assert matrix.coverage(entries) == counted
+    assert readme.coverage(entries) == counted
 
 
 @pytest.mark.parametrize("record", nt.all_notation(), ids=lambda record: record.name)

@@ -8,10 +8,10 @@ import re
 import pytest
 from scenes import NEEDLE, NO_PDF, OUTSIDE
 
-from axiderive import pdf
-from axiderive.emit.handbook import templates
+from axiderive.book.handbook import templates
+from axiderive.build import pdf
+from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
-from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import composed
 
 DOCUMENT = rb"""\documentclass{article}

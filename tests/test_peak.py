@@ -15,11 +15,11 @@ from scenes import composed_from, problems, run_plainly
 
 from axicontact.normal import quartic, rounded_punch, sextic
 from axiderive import notation as nt
-from axiderive.contact.normal import derive
+from axiderive.checks import quadrature
 from axiderive.entry import Entry
 from axiderive.notation import E_star, R, a, b, r_peak
+from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
-from axiderive.proof import quadrature
 from axiderive.proof.certificate import certify
 from axiderive.stable.measure import ulps
 from axiderive.stable.reference import of_contact

@@ -16,14 +16,16 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.contact import adhesive, loads, normal, systems, tangential, viscoelastic
-from axiderive.contact.medium import GRADED
+from axiderive.checks import physics_quadrature, units
+from axiderive.checks.checks import check_problem
+from axiderive.checks.viscoelastic_quadrature import material
 from axiderive.entry import Case, Entry
+from axiderive.physics import adhesive, loads, normal, systems, tangential, viscoelastic
+from axiderive.physics.medium import GRADED
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
-from axiderive.proof import certificate, physics_quadrature, plane, units
-from axiderive.proof.checks import check_problem
-from axiderive.proof.viscoelastic_quadrature import material
+from axiderive.proof import certificate
+from axiderive.proof.rules import plane
 
 DERIVE = {
     "graded": lambda profile: normal.derive(profile, GRADED),

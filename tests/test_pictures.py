@@ -9,20 +9,18 @@ from typing import Any
 import pytest
 from stored_book import stored
 
-from axiderive.emit import plots
-from axiderive.emit.curves import WIDEST, curves
-from axiderive.emit.html.drawing import pairs
-from axiderive.emit.html.sketch import sketch
-from axiderive.emit.labels import HIGHEST
-from axiderive.emit.sketch import ARROW, LONG
-from axiderive.emit.sketch import sketch as outline
-from axiderive.emit.sketch_given import load_sketch
-from axiderive.emit.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
-from axiderive.emit.spread import pool_of
-from axiderive.emit.strips import StripNumbers
-from axiderive.emit.values import Numbers, sketch_values
+from axiderive.book.spread import pool_of
+from axiderive.figures import plots
+from axiderive.figures.curves import WIDEST, curves
+from axiderive.figures.labels import HIGHEST
+from axiderive.figures.sketch import ARROW, LONG
+from axiderive.figures.sketch import sketch as outline
+from axiderive.figures.sketch_given import load_sketch
+from axiderive.figures.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
 from axiderive.notation import R1, R2, R, b, describe, h, s, wavelength
+from axiderive.oracle.values import Numbers, StripNumbers, sketch_values
 from axiderive.profiles import NAMES
+from axiderive.web.figures import pairs, sketch
 
 NOTHING: dict[str, Any] = {"picture": None, "load_picture": None, "tilted_picture": None, "load": "P", "place": "x"}
 

@@ -9,13 +9,13 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
-from axiderive.contact.plane import derive
+from axiderive.checks import plane_closure, plane_quadrature, units
 from axiderive.entry import Case
+from axiderive.oracle.evaluate import at_precision, case_at, evaluate
+from axiderive.oracle.sampling import points
+from axiderive.physics.plane import derive
 from axiderive.profiles import plane as profiles
-from axiderive.proof import plane as proof
-from axiderive.proof import plane_closure, plane_quadrature, units
-from axiderive.proof.evaluate import at_precision, case_at, evaluate
-from axiderive.proof.sampling import points
+from axiderive.proof.rules import plane as proof
 
 COMPACT = {"load", "pressure", "slope", "depth", "half_width_from_load"}
 COMPLETE = {"pressure", "slope"}

@@ -19,10 +19,10 @@ import sympy as sp
 from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
 
 from axiderive import notation as nt
-from axiderive.emit.plane import module_source
+from axiderive.checks import plane_quadrature
+from axiderive.code.plane import module_source
 from axiderive.entry import Case, Entry
 from axiderive.profiles import plane
-from axiderive.proof import plane_quadrature
 from axiderive.stable.measure import samples, ulps
 from axiderive.stable.measure import value as measured
 from axiderive.stable.reference import condition

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from axiderive import writing
-from axiderive.comparison import LONGEST, MOST, book_of, differences, only_profiles, shortened, standing
-from axiderive.emission import Book
+from axiderive.build.comparison import LONGEST, MOST, book_of, differences, only_profiles, shortened, standing
+from axiderive.build.emission import Book
+from axiderive.store import writing
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 FILES = {"axicontact/index.json": b"{}\n", "axicontact/normal/cone.py": b"new\n", "evidence/cone.json": b"{}\n"}

@@ -11,15 +11,15 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
-from axiderive.contact.normal import derive
+from axiderive.checks.quadrature import check
 from axiderive.entry import Entry
+from axiderive.oracle import ball_rules, integrals
+from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.oracle.rules import exponential_rule, gauss_rule, integrate, middle
+from axiderive.oracle.sampling import NEARLY_ONE, NEARLY_ZERO, points
+from axiderive.oracle.shape import number, shape
+from axiderive.physics.normal import derive
 from axiderive.profiles import NAMES, load
-from axiderive.proof import ball_rules, integrals
-from axiderive.proof.evaluate import case_at, evaluate
-from axiderive.proof.quadrature import check
-from axiderive.proof.rules import exponential_rule, gauss_rule, integrate, middle
-from axiderive.proof.sampling import NEARLY_ONE, NEARLY_ZERO, points
-from axiderive.proof.shape import number, shape
 
 DIGITS = 50
 # seconds each; the build checks them

@@ -19,13 +19,13 @@ from stored_book import (
     stored,
 )
 
-from axiderive.contact.systems import problem
-from axiderive.emit import front, front_rules
-from axiderive.emit.handbook import behind
-from axiderive.emit.page import derivation
-from axiderive.emit.readback.source import Formula, arguments, formulas, without_remark
-from axiderive.emit.special import MEMBERS, hosted
+from axiderive.book import front, front_rules
+from axiderive.book.handbook import behind
+from axiderive.book.page import derivation
+from axiderive.physics.systems import problem
 from axiderive.profiles import load
+from axiderive.readback.source import Formula, arguments, formulas, without_remark
+from axiderive.rows.special import MEMBERS, hosted
 
 READ_BACK = mp.mpf(10) ** -20
 """A printed row agrees with its entry to twenty digits or it does not agree."""

@@ -12,16 +12,15 @@ from misprints import misprints, range_misprints
 from stored_book import HANDBOOK, KEYS, PRINTED, evidence, stored
 from test_misprints import NOT_A_NUMBER
 
-from axiderive.contact.systems import problem
-from axiderive.emit.readback import sentences, statements
-from axiderive.emit.readback.examples import body_constants, further_examples
-from axiderive.emit.readback.further import ENDS, KINDS, further, wrong
-from axiderive.emit.readback.inline import Inline, inline
-from axiderive.emit.readback.numbers import Printout, number
-from axiderive.emit.readback.sentences import LISTED
-from axiderive.emit.readback.statements import Said
-from axiderive.emit.readback.tables import Proved, check_values, proved, worked_example
-from axiderive.emit.spread import pool_of
+from axiderive.book.spread import pool_of
+from axiderive.physics.systems import problem
+from axiderive.readback import sentences, statements
+from axiderive.readback.examples import body_constants, further_examples
+from axiderive.readback.further import ENDS, KINDS, Inline, further, inline, wrong
+from axiderive.readback.numbers import Printout, number
+from axiderive.readback.sentences import LISTED
+from axiderive.readback.statements import Said
+from axiderive.readback.tables import Proved, check_values, proved, worked_example
 
 SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PRINTED))
 SPREADS = ("cone", "ellipsoid", "capped_cylinder", "polynomial", "plane.rounded_punch", "plane.concave_power")

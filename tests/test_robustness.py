@@ -22,7 +22,8 @@ PROGRAM = """
 import os, signal, sys, time
 from pathlib import Path
 from threading import Thread
-from axiderive import cli, commands
+from axiderive import cli
+from axiderive.commands import build as commands
 root, steps = sys.argv[1], 0
 last, pause = int(os.environ.get("LAST_STEP", 0)), float(os.environ.get("PAUSE", 0))
 

@@ -10,8 +10,8 @@ from axicontact import _across, _arcs, _inverse
 from axicontact._nodes import gauss_legendre
 from axicontact._powers import power_displacement, power_pressure, power_punches
 from axicontact._special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
-from axiderive.emit import nodes as certified
-from axiderive.emit.symbols import bounds
+from axiderive.code import tables as certified
+from axiderive.code.tables import bounds
 
 EPS = np.finfo(float).eps
 FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS

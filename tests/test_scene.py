@@ -15,7 +15,7 @@ import sympy as sp
 from scenes import EXAMPLES, NEEDLE, NO_PDF, composed_from, titles
 
 from axiderive.cli import main
-from axiderive.scene import sources
+from axiderive.scene.linker import sources
 from axiderive.scene.page import escaped
 
 

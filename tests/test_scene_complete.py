@@ -7,7 +7,7 @@ import math
 import pytest
 from scenes import NO_PDF, composed_from, problems
 
-from axiderive.scene import assembled, sources
+from axiderive.scene.linker import assembled, sources
 
 SHOE = 'profile = "eccentric_punch"\n[parameters]\na = 0.02\n{}[medium]\nE_star = 3e9\n[physics]\nplane = true\n'
 

@@ -8,7 +8,7 @@ import math
 import pytest
 from scenes import NO_PDF, composed_from, problems, run_plainly, titles
 
-from axiderive.scene import sources
+from axiderive.scene.linker import sources
 
 GRADED = 'profile = "{}"\n[medium]\nkind = "power_law"\n{}\n[physics]\n{} = true\n'
 FAST = ("cone", "truncated_cone")

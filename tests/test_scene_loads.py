@@ -7,7 +7,7 @@ import json
 import pytest
 from scenes import NO_PDF, composed_from, problems, run_plainly, titles
 
-from axiderive.scene import sources
+from axiderive.scene.linker import sources
 
 LOADS = 'profile = "{}"\n{}[physics]\nloads = true\n'
 WORST = 1e-14

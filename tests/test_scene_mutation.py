@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 import pytest
 
+from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
-from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import composed
 
 QUANTITIES = '["depth", "force", "pressure", "displacement", "mean_pressure", "stiffness"]'

@@ -10,7 +10,7 @@ import pytest
 from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, run_plainly, titles
 
 from axiderive.exits import CommandError
-from axiderive.scene import sources
+from axiderive.scene.linker import sources
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 from scenes import NO_PDF, composed_from, run_plainly, titles
 
 from axiderive.profiles.plane import load
-from axiderive.scene import sources
+from axiderive.scene.linker import sources
 
 PLANE = 'profile = "{}"\n{}[physics]\nplane = true\n'
 FAST = ("wedge", "truncated_wedge", "flat_punch", "concave_quartic")

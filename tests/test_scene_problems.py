@@ -10,9 +10,9 @@ import pytest
 from scenes import BAD, EXAMPLES, NEEDLE, OUTSIDE, problems, random_scene
 
 from axiderive.cli import main
+from axiderive.commands.scene import _request as request_of
 from axiderive.exits import CommandError
 from axiderive.scene import reading, text
-from axiderive.scene.commands import _request as request_of
 from axiderive.scene.compose import composed
 from axiderive.scene.text import SceneError
 

@@ -8,8 +8,8 @@ import re
 import pytest
 from scenes import EXAMPLES, composed_from
 
-from axiderive.scene.library import Module
-from axiderive.scene.specialising import specialised
+from axiderive.scene.linker.linking import Module
+from axiderive.scene.linker.specialising import specialised
 
 RULE = '''
 LENGTHS = (1.0, 2.0)

@@ -17,14 +17,13 @@ from stored_book import HANDBOOK, stored
 from test_misprints import NOT_A_NUMBER
 
 from axiderive import notation as nt
-from axiderive.emit.readback.further import Further, wrong
-from axiderive.emit.readback.grammar import read
-from axiderive.emit.readback.points import points_of
-from axiderive.emit.readback.printed import named
-from axiderive.emit.readback.source import formulas
-from axiderive.emit.special import COLUMNS, HOSTS, MEMBERS, hosted
-from axiderive.emit.superposition import SUMS, sum_rows
-from axiderive.proof.evaluate import case_at, evaluate
+from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.readback.further import Further, wrong
+from axiderive.readback.grammar import read
+from axiderive.readback.printed import named
+from axiderive.readback.source import formulas
+from axiderive.rows.points import points_of
+from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, hosted, sum_rows
 
 READ_BACK = mp.mpf(10) ** -20
 DIGITS = 40

@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 from stored_book import evidence, stored
 
-from axiderive.emit.blocks import blocks
-from axiderive.emit.evidence import evidence_rows
-from axiderive.emit.given import axes_of
-from axiderive.emit.graded.frames import frames
-from axiderive.emit.limits import limit_rows
-from axiderive.emit.readback.further import Further, wrong
-from axiderive.emit.universal import power_of_depth, universal_rows
+from axiderive.book.evidence import evidence_rows
+from axiderive.figures.given import axes_of
+from axiderive.figures.graded import frames
 from axiderive.profiles import NAMES, load
+from axiderive.readback.further import Further, wrong
+from axiderive.rows.blocks import blocks
+from axiderive.rows.laws import power_of_depth, universal_rows
+from axiderive.rows.limits import limit_rows
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
 

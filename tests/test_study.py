@@ -14,14 +14,12 @@ import pytest
 from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.exits import USAGE
-from axiderive.study import accuracy, bem, error, extremes, grids, limits, maps, rivals, rule, speed
-from axiderive.study.methods import QUICK, methods
-from axiderive.study.points import DIGITS, arguments, exact
+from axiderive.store.writing import stale_files
+from axiderive.study import bem, error, extremes, grids, maps, naive, rivals, rule, speed
+from axiderive.study.methods import DIGITS, QUICK, arguments, exact, methods, skipped
 from axiderive.study.problems import PARAMETERS, QUANTITIES, RADIUS, RULED
 from axiderive.study.report import relative, rounded, to_json
-from axiderive.study.skipped import skipped
 from axiderive.study.subject import Subject, subject
-from axiderive.writing import stale_files
 
 # worst relative errors of the quick settings over all CASES, with a margin of at least 1.5
 TOLERANCES = {
@@ -136,7 +134,7 @@ def test_skipped_methods_say_why(monkeypatch):
 
 def test_axes_are_the_lengths_that_the_formula_compares():
     def names(problem, suffix):
-        return [axis.name for axis in maps.axes(accuracy.entries(problem)[suffix])]
+        return [axis.name for axis in maps.axes(naive.entries(problem)[suffix])]
 
     assert names("cone", "p") == ["r/a"]
     assert names("cone", "w") == ["a/r"]
@@ -218,7 +216,7 @@ def test_extremes_hold_every_limit():
     named = {row["limit"] for row in record["rows"]}
     assert {"b -> 0", "b -> a", "R -> infinity", "a -> R", "n -> 0", "edge", "axis", "float range"} <= named
     # what has no module in the catalogue is named, nothing is dropped in silence
-    measured = {limit.__name__ for limit in limits.LIMITS} - {row["limit"] for row in record["skipped"]}
+    measured = {limit.__name__ for limit in extremes.LIMITS} - {row["limit"] for row in record["skipped"]}
     assert {"grading", "pull_off"} & measured == {
         name for name, limit in (("grading", "k -> 0"), ("pull_off", "pull-off")) if limit in named
     }
@@ -227,30 +225,30 @@ def test_extremes_hold_every_limit():
 
 def test_extremes_judge_both_ways():
     """Next to the edge the printed acosh(a/r) loses half of the digits, the emitted form none."""
-    (case,) = (c for c in limits.edges(quick=False) if c.problem == "cone" and c.suffix == "p" and "1e-15" in c.label)
-    value = accuracy.reference(case.problem, case.suffix, case.point)
-    found = accuracy.judged(case.problem, case.suffix, [case.point], [value])
+    (case,) = (c for c in extremes.edges(quick=False) if c.problem == "cone" and c.suffix == "p" and "1e-15" in c.label)
+    value = naive.reference(case.problem, case.suffix, case.point)
+    found = naive.judged(case.problem, case.suffix, [case.point], [value])
     assert found["emitted"][0].ulps < 10 < 1e6 < found["naive"][0].ulps
 
 
 def test_limits_of_other_systems_have_their_references():
     """Grading and pull-off: two ways to the same numbers, whether or not the catalogue has their modules yet."""
-    for limit, tolerance in ((limits.grading, 1e-12), (limits.pull_off, 1e-10)):
+    for limit, tolerance in ((extremes.grading, 1e-12), (extremes.pull_off, 1e-10)):
         cases = list(limit(quick=True))
         assert cases
         for case in cases:
-            known = accuracy.entries(case.problem)
-            value = accuracy.reference(case.problem, case.suffix, case.point)
+            known = naive.entries(case.problem)
+            value = naive.reference(case.problem, case.suffix, case.point)
             assert value is not None, case
-            got = np.squeeze(accuracy.naive(known[case.suffix], known)(case.point))
+            got = np.squeeze(naive.naive(known[case.suffix], known)(case.point))
             assert relative(got, value) < tolerance, case
 
 
 def test_values_that_are_lost_or_refused_count_as_such():
-    assert accuracy.judge(math.nan, mp.mpf(1)).lost
-    assert accuracy.judge(math.inf, mp.mpf(1)).lost
-    assert accuracy.judge(1.0, mp.mpf(1)).ulps == 0
-    assert accuracy.judge(float(np.nextafter(1.0, 2.0)), mp.mpf(1)).ulps == 1
+    assert naive.judge(math.nan, mp.mpf(1)).lost
+    assert naive.judge(math.inf, mp.mpf(1)).lost
+    assert naive.judge(1.0, mp.mpf(1)).ulps == 0
+    assert naive.judge(float(np.nextafter(1.0, 2.0)), mp.mpf(1)).ulps == 1
 
 
 def test_study_alone_lists_its_topics(capsys):

@@ -8,9 +8,9 @@ import sympy as sp
 
 from axiderive import profiles
 from axiderive.abel.masters import MASTERS
-from axiderive.contact.medium import GRADED
-from axiderive.contact.normal import derive
 from axiderive.notation import E_star, H, R, a, d, h, k, n, r, r_zero, s, wavelength
+from axiderive.physics.medium import GRADED
+from axiderive.physics.normal import derive
 from axiderive.profiles import gaussian, wavy_paraboloid
 
 OWN = {master.__name__: master.numeric for master in MASTERS}

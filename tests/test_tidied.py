@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from axiderive.emit.labels import labelled
-from axiderive.emit.plots import TOP, cut
-from axiderive.emit.printer import Printer
-from axiderive.emit.tidied import tidied
+from axiderive.figures.labels import labelled
+from axiderive.figures.plots import TOP, cut
 from axiderive.notation import A, E_star, R, a, c, d, k, mu, r
+from axiderive.print.formula import Printer
+from axiderive.print.terms import tidied
 
 CASES = {
     r"\bigl[(k+1) d R\bigr]^{(k+3)/2}": (sp.sqrt(R) * sp.sqrt(d) * sp.sqrt(k + 1)) ** (k + 3),

@@ -13,19 +13,18 @@ import pytest
 from stored_book import CATALOGUE, PROFILES, evidence
 from test_misprints import NOT_A_NUMBER
 
-from axiderive.contact.systems import problem, problems
-from axiderive.emit.html import study
-from axiderive.emit.html.drawing import Figure
-from axiderive.emit.readback.numbers import Printout
-from axiderive.emit.readback.statements import Said
-from axiderive.emit.readback.timing import key, sentences
-from axiderive.emit.study.timing import GOAL, Timing, timing
+from axiderive.book.study.timing import GOAL, Timing, timing
+from axiderive.physics.systems import problem, problems
+from axiderive.readback.numbers import Printout
+from axiderive.readback.statements import Said
+from axiderive.readback.timing import key, sentences
 from axiderive.study import rule
 from axiderive.study import timing as pairs
-from axiderive.study.methods import Plan, methods
-from axiderive.study.points import arguments
+from axiderive.study.methods import Plan, arguments, methods
 from axiderive.study.problems import NORMAL, RULED
 from axiderive.study.subject import subject
+from axiderive.web import study
+from axiderive.web.figures import Figure
 
 RECORD: dict[str, Any] = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_bytes())
 MEASURED = {row["key"] for row in RECORD["rows"]}

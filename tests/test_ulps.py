@@ -19,21 +19,18 @@ import pytest
 
 import axicontact
 from axiderive import notation as nt
-from axiderive.check import _drift as check_again
-from axiderive.contact.normal import derive
-from axiderive.contact.systems import problem
-from axiderive.emit.private import parameter_name
+from axiderive.build.work import read_entries
+from axiderive.code.private import parameter_name
+from axiderive.commands.check import _drift as check_again
 from axiderive.entry import Entry
+from axiderive.physics.normal import derive
+from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
-from axiderive.stable.closure import closure
 from axiderive.stable.drift import drift, settled
-from axiderive.stable.emitted import form
-from axiderive.stable.measure import Sample, count_for, function_of, samples, ulps, value
-from axiderive.stable.naive import naive
+from axiderive.stable.measure import Sample, closure, count_for, form, function_of, naive, samples, ulps, value
 from axiderive.stable.records import record
 from axiderive.stable.reference import CURVES, condition, reference
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
-from axiderive.work import read_entries
 
 ROOT = Path(axicontact.__file__).parents[1]
 POINTS, MANY = 8, 270

@@ -9,9 +9,9 @@ import sympy as sp
 
 from axiderive import notation as nt
 from axiderive.abel.masters import C0
-from axiderive.contact.normal import derive
+from axiderive.checks.units import Units, UnitsError, check, check_profile, same
+from axiderive.physics.normal import derive
 from axiderive.profiles import NAMES, load
-from axiderive.proof.units import Units, UnitsError, check, check_profile, same
 
 
 @pytest.mark.parametrize("name", NAMES)

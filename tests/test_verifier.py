@@ -14,10 +14,9 @@ import pytest
 from false_entries import PROBLEMS, FalseEntry, derived, difference, of
 
 import axiderive.verifier
-from axiderive.contact import systems
 from axiderive.entry import Entry
-from axiderive.records import RecordError, entry_record, profile_record
-from axiderive.srepr import ReadingError
+from axiderive.physics import systems
+from axiderive.store.records import ReadingError, RecordError, entry_record, profile_record
 from axiderive.verifier import reasons, rests_on
 
 FOLDER = Path(axiderive.verifier.__file__).parent

@@ -16,13 +16,12 @@ from axicontact.materials import effective_modulus, effective_shear_modulus, gra
 from axicontact.normal import sphere
 from axicontact.tangential import sphere as slipping
 from axicontact.viscoelastic import sphere as relaxing
-from axiderive.emit.readback.numbers import number
-from axiderive.emit.spread import pool_of, problems_of
-from axiderive.emit.strips import StripNumbers
-from axiderive.emit.values import Numbers
-from axiderive.emit.worked import worked
-from axiderive.emit.worked.cases import CASES, CERAMIC, POLYETHYLENE, STEEL
-from axiderive.emit.worked.further import GRADED, SOLIDS
+from axiderive.book.spread import pool_of, problems_of
+from axiderive.oracle.values import Numbers, StripNumbers
+from axiderive.readback.numbers import number
+from axiderive.worked import worked
+from axiderive.worked.cases import CASES, CERAMIC, POLYETHYLENE, STEEL
+from axiderive.worked.further import GRADED, SOLIDS
 
 
 @cache

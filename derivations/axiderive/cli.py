@@ -14,7 +14,7 @@ from pathlib import Path
 
 from . import study
 from .exits import ENVIRONMENT, FAILED, INCOMPLETE, INTERRUPTED, CommandError
-from .show import FORMS, TOPICS
+from .store.index import FORMS, TOPICS
 
 MOST_JOBS = 4
 LEAST_DIGITS = 10
@@ -153,22 +153,20 @@ def _names(text: str) -> list[str]:
 
 
 def _build(arguments: argparse.Namespace) -> int:
-    from .commands import build
+    from .commands.build import build
 
     return build(arguments)
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    from .index import load
-    from .show import listing
+    from .store.index import listing, load
 
     print(listing(load(), arguments.topic, as_json=arguments.json))
     return 0
 
 
 def _show(arguments: argparse.Namespace) -> int:
-    from .index import load
-    from .show import shown
+    from .store.index import load, shown
 
     print(shown(load(), arguments.key, arguments.form).rstrip())
     return 0
@@ -180,8 +178,8 @@ def _check(arguments: argparse.Namespace) -> int:
 
         jobs = min(os.cpu_count() or 1, MOST_JOBS)
         return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, jobs) else FAILED
-    from .check import check
-    from .work import Settings, project_root
+    from .build.work import Settings, project_root
+    from .commands.check import check
 
     settings = Settings(arguments.digits, arguments.points, arguments.seed)
     folder = project_root() / "catalogue" / "evidence"
@@ -189,15 +187,15 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _verify(arguments: argparse.Namespace) -> int:
-    from .verify import verify
-    from .work import project_root
+    from .build.work import project_root
+    from .commands.verify import verify
 
     return 0 if verify(arguments.keys, project_root() / "catalogue" / "evidence") else FAILED
 
 
 def _derive(arguments: argparse.Namespace) -> int:
     _remember_all()
-    from .scene.commands import derive
+    from .commands.scene import derive
 
     return derive(arguments)
 
@@ -209,7 +207,7 @@ def _remember_all() -> None:
 
 def _emit(arguments: argparse.Namespace) -> int:
     _remember_all()
-    from .scene.commands import emit
+    from .commands.scene import emit
 
     return emit(arguments)
 

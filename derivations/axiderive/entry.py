@@ -111,7 +111,7 @@ class Entry:
     def _repr_markdown_(self) -> str:
         """What Jupyter shows: key, label and formula as the handbook prints them."""
         # late: print knows entries, an entry knows nothing of print until it is shown
-        from .notebook import markdown
+        from .book.latex import markdown
 
         return markdown(self)
 

@@ -21,7 +21,7 @@ import sympy as sp
 
 from ..entry import Primitive
 from ..notation import a, r, x
-from .form import Form
+from .form import Form, Order
 from .masters import IncompleteBeta, gamma_normalised
 from .moments import (
     ONE,
@@ -33,7 +33,6 @@ from .moments import (
     outside_moment,
     pressure_moment,
 )
-from .order import Order
 
 
 class Atom(Protocol):

@@ -21,10 +21,9 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import L, a, r, x
 from .atoms import PowerAtom
-from .form import Form
+from .form import Form, Order
 from .masters import IncompleteBeta
 from .moments import ONE, ZERO, depth_moment, pressure_moment
-from .order import Order
 
 
 class Kernel(Protocol):

@@ -9,10 +9,9 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import a, r, x
 from .atoms import depth_kernel
-from .form import Form
+from .form import Form, Order
 from .masters import ArctanIntegral, CapMoment, Hypergeometric, IncompleteBeta, LegendreChi2
 from .moments import ONE, ZERO, outside_moment
-from .order import Order
 
 
 def _radical_depth(curvature: sp.Expr, z: sp.Expr, k: sp.Expr) -> Form:

@@ -16,9 +16,8 @@ from ..entry import Primitive
 from ..notation import r
 from ..profiles.profile import Piece
 from .atoms import Atom, PowerAtom
-from .form import Form
+from .form import Form, Order
 from .moments import ZERO
-from .order import Order
 from .radicals import HyperboloidAtom, SphereAtom
 from .transcendental import CosineAtom, ExponentialAtom, GaussianAtom
 

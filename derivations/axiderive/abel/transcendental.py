@@ -11,10 +11,9 @@ import sympy as sp
 
 from ..entry import Primitive
 from ..notation import a, r, x
-from .form import Form
+from .form import Form, Order
 from .masters import Dawson, Kummer, StruveH, StruveL, gamma_normalised
 from .moments import ONE, ZERO
-from .order import Order
 
 
 class _SingleScale:

@@ -7,10 +7,8 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw, PowerSum
-from .equation import ENERGY, FORCE, LENGTH, Formula, Residual, equation
-from .quadrature import singular
-from .routes import derivative
+from .equation import ENERGY, FORCE, LENGTH, Draw, Formula, PowerSum, Residual, equation
+from .quadrature import derivative, singular
 
 ZERO = mp.mpf(0)
 

@@ -1,19 +1,23 @@
-"""The errata of chapter 11 as the checks show them, for the handbook."""
+"""What the checks of chapter 11 leave for the handbook.
+
+The errata of chapter 11 as the checks show them, for the handbook.
+
+The checks of the chapter as plain data, for the evidence and the handbook.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw
-from .equation import FORCE, LENGTH, STRESS, Residual
-from .graded_medium import exponent
-from .quadrature import panels, singular
+from .equation import FORCE, LENGTH, STRESS, Draw, Residual
+from .first_principles import steps
+from .graded_punch import exponent
+from .quadrature import even_pressure, kappa, panels, pressure, rings, singular, total_force
 from .round_trip import edge_pressure
-from .routes import even_pressure, kappa, pressure, rings, total_force
 from .runner import GUARD, Row, equations, run
 
 ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2
@@ -179,3 +183,42 @@ REMARKS = (
         "Plane problems have no axis, and the symmetric load is named just before",
     ),
 )
+
+
+def record(rows: Iterable[Row], digits: int = 30, seed: int = 11) -> dict[str, Any]:
+    """What `runner.run` found, the errata those rows show, and the exact steps from the point load to the punch.
+
+    Returns
+    -------
+    dict
+        JSON-able: the digits demanded, the seed, `rows` (an equation each), `errata` (place, printed, right,
+        reason, evidence) and `steps` (equations, claim, holds).
+    """
+    rows = tuple(rows)
+    return {
+        "digits": digits,
+        "seed": seed,
+        "rows": [_row(row) for row in rows],
+        "errata": [asdict(erratum) for erratum in errata(digits, seed, rows)],
+        "steps": [{"equations": step.equations, "claim": step.claim, "holds": step.holds()} for step in steps()],
+    }
+
+
+def failures(found: Mapping[str, Any]) -> list[str]:
+    """What of a record does not hold, one sentence each."""
+    wrong = [f"({row['name']}) {row['title']}" for row in found["rows"] if row["verdict"] == "fails"]
+    return wrong + [f"{step['equations']}: {step['claim']}" for step in found["steps"] if not step["holds"]]
+
+
+def _row(row: Row) -> dict[str, Any]:
+    """The residual is that of the form that holds; that of a misprint stands beside it."""
+    misprint = row.verdict == "misprint"
+    return {
+        "name": row.name,
+        "title": row.title,
+        "verdict": row.verdict,
+        "digits": row.digits(),
+        "residual": f"{(row.corrected or row.printed).residual():.1e}",
+        "as_printed": f"{row.printed.values:.1e}" if misprint else "",
+        "right_form": row.right_form if misprint else "",
+    }

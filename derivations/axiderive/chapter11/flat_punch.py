@@ -7,10 +7,8 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw
-from .equation import AREA, FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Formula, Residual, chain, equation
-from .quadrature import singular, weighted
-from .routes import across, around, rings, total_force
+from .equation import AREA, FORCE, LENGTH, NUMBER, STIFFNESS, STRESS, Draw, Formula, Residual, chain, equation
+from .quadrature import across, around, rings, singular, total_force, weighted
 
 HALF = mp.mpf(1) / 2
 

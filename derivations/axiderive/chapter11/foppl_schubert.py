@@ -7,12 +7,24 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw
-from .equation import FORCE, LENGTH, NUMBER, STRESS, Dimension, Formula, Residual, chain, equation
-from .power_load import PowerLoadChord, a_load, power_load
-from .quadrature import half_turn, panels, singular, weighted
+from .equation import FORCE, LENGTH, NUMBER, STRESS, Dimension, Draw, Formula, Residual, chain, equation
+from .quadrature import (
+    PowerLoadChord,
+    a_load,
+    around,
+    derivative,
+    even_pressure,
+    half_turn,
+    kappa,
+    panels,
+    power_load,
+    pressure,
+    rings,
+    singular,
+    total_force,
+    weighted,
+)
 from .round_trip import catalogue_inversion, catalogue_pressures, load_displacements
-from .routes import around, derivative, even_pressure, kappa, pressure, rings, total_force
 
 Function = Callable[[Any], Any]
 ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2

@@ -7,12 +7,21 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, STRESS, Formula, Residual, chain, equation
-from .graded_medium import Medium, exponent, medium
-from .quadrature import panels, singular, weighted
+from .equation import FORCE, LENGTH, STRESS, Draw, Formula, PowerSum, Residual, chain, equation
+from .graded_punch import Medium, exponent, medium
+from .quadrature import (
+    around,
+    even_pressure,
+    graded_centre,
+    graded_rings,
+    kappa,
+    panels,
+    pressure,
+    singular,
+    total_force,
+    weighted,
+)
 from .round_trip import graded_catalogue_depths, graded_catalogue_pressures
-from .routes import around, even_pressure, graded_centre, graded_rings, kappa, pressure, total_force
 
 Function = Callable[[Any], Any]
 ZERO = mp.mpf(0)

@@ -7,11 +7,9 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw, PowerSum
-from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Formula, Residual, equation
-from .graded_medium import Medium, medium
-from .quadrature import panels
-from .routes import derivative, pressure, total_force
+from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Draw, Formula, PowerSum, Residual, equation
+from .graded_punch import Medium, medium
+from .quadrature import derivative, panels, pressure, total_force
 
 
 def spring_stiffness(foundation: Any, dx: Any) -> Any:

@@ -7,11 +7,9 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Formula, Residual, chain, equation
-from .quadrature import panels, singular, weighted
+from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Draw, Formula, PowerSum, Residual, chain, equation
+from .quadrature import even_pressure, kappa, panels, pressure, rings, singular, total_force, weighted
 from .round_trip import catalogue_depths
-from .routes import even_pressure, kappa, pressure, rings, total_force
 
 Function = Callable[[Any], Any]
 ZERO = mp.mpf(0)

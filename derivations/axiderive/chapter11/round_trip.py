@@ -12,15 +12,14 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from ..contact.loads import derive as derive_load
-from ..contact.medium import GRADED, HOMOGENEOUS, Medium
-from ..contact.normal import derive
 from ..entry import Case, Entry
+from ..physics.loads import derive as derive_load
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics.normal import derive
 from ..profiles import NAMES, load
 from ..profiles.loads import LOADS
 from ..profiles.profile import Profile
-from .draw import Draw
-from .equation import LENGTH, STRESS, Formula, Residual, chain
+from .equation import LENGTH, STRESS, Draw, Formula, Residual, chain
 from .quadrature import singular
 
 Function = Callable[[Any], Any]

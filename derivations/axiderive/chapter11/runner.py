@@ -13,8 +13,7 @@ from typing import Any, Literal
 
 import mpmath as mp
 
-from .draw import Draw
-from .equation import NUMBER, REGISTRY, Equation, Formula
+from .equation import NUMBER, REGISTRY, Draw, Equation, Formula
 
 SECTIONS = (
     "flat_punch", "normal", "adhesive", "graded_punch", "graded", "graded_adhesive",

@@ -11,10 +11,8 @@ from typing import Any
 
 import mpmath as mp
 
-from .draw import Draw
-from .equation import Formula, Residual, chain, equation
-from .quadrature import singular, to_infinity, weighted
-from .routes import derivative
+from .equation import Draw, Formula, Residual, chain, equation
+from .quadrature import derivative, singular, to_infinity, weighted
 
 Function = Callable[[Any], Any]
 ZERO, ONE, HALF = mp.mpf(0), mp.mpf(1), mp.mpf(1) / 2

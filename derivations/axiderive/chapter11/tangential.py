@@ -12,10 +12,8 @@ from typing import Any, NamedTuple
 
 import mpmath as mp
 
-from .draw import Draw, PowerSum
-from .equation import FORCE, LENGTH, NUMBER, STRESS, Formula, Residual, equation
-from .quadrature import singular
-from .routes import around, even_pressure, pressure, rings, total_force
+from .equation import FORCE, LENGTH, NUMBER, STRESS, Draw, Formula, PowerSum, Residual, equation
+from .quadrature import around, even_pressure, pressure, rings, singular, total_force
 
 Function = Callable[[Any], Any]
 ZERO = mp.mpf(0)

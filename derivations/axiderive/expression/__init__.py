@@ -1,6 +1,6 @@
 """Profiles of one's own: text f(r) -> checked SymPy tree -> `Profile`, never through `eval` or `sympify`."""
 
-from .errors import ExpressionError
+from .names import ExpressionError
 from .profile import own_profile
 from .reading import Expression, read
 

@@ -14,21 +14,19 @@ from .. import notation as nt
 from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import parse
-from ..contact import normal
-from ..contact.general import layers
-from ..contact.medium import GRADED, HOMOGENEOUS
-from ..emit import python
-from ..emit.example import number
-from ..emit.general import library_source
-from ..emit.layers import least_power
+from ..code import python
+from ..code.bodies.general import least_power, library_source
+from ..code.example import number
 from ..entry import Entry
 from ..notation import a, r
+from ..oracle.evaluate import case_at, evaluate
+from ..physics import normal
+from ..physics.general import layers
+from ..physics.medium import GRADED, HOMOGENEOUS
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate
-from ..proof.evaluate import case_at, evaluate
-from .definition import Definition
-from .errors import ExpressionError
-from .numeric import Numeric
+from .definition import Definition, Numeric
+from .names import ExpressionError
 from .profile import OwnProfile
 from .routes import Derived, Route, derived
 from .validity import Validity, drawn, examine, require_slopes

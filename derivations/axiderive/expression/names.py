@@ -1,4 +1,9 @@
-"""Which names an expression may use: parameters of its own, letters of the notation, and those that are taken."""
+"""Names in an expression, and what is said of wrong ones.
+
+What is wrong with an expression, and where in its text.
+
+Which names an expression may use: parameters of its own, letters of the notation, and those that are taken.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +13,23 @@ import keyword
 import re
 
 from .. import notation as nt
+from ..exits import USAGE, CommandError
+
+
+class ExpressionError(CommandError):
+    """The value, the rule and the next step; `position` counts characters of the expression from 0."""
+
+    code = USAGE
+
+    def __init__(self, message: str, text: str = "", position: int | None = None, length: int = 1) -> None:
+        self.plain, self.position = message, position
+        shown = message
+        if position is not None:
+            line = "".join(c if c.isprintable() else " " for c in text)
+            start = max(0, position - 60)
+            shown += f"\n  {line[start : start + 100]}\n  {' ' * (position - start)}{'^' * max(1, min(length, 40))}"
+        super().__init__(shown)
+
 
 SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9]{0,9}(_[A-Za-z0-9]{1,6})?")
 RESULTS = frozenset(

@@ -1,4 +1,10 @@
-"""Whitelist reader of expressions in r: a walk over Python's own syntax tree that builds the SymPy tree node by node.
+"""Whitelist reader of expressions in r.
+
+Breaks of an expression: `Max(0, ...)` and `Piecewise` as sums of what begins at a break times its step.
+
+How large an expression may be: numbers of bounded size, and as many terms as can be multiplied out in no time.
+
+Whitelist reader of expressions in r: a walk over Python's own syntax tree that builds the SymPy tree node by node.
 
 Nothing is evaluated but sums, products and powers of checked size; decimals
 stay exact; `Max(0, r - b)` becomes (r - b) times the step symbol of b.
@@ -7,20 +13,119 @@ stay exact; `Max(0, r - b)` becomes (r - b) times the step symbol of b.
 from __future__ import annotations
 
 import ast
+import math
 import re
 import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NoReturn
 
 import sympy as sp
 
-from ..notation import r
+from ..notation import r, theta
 from . import advice
-from .breaks import FORM, PIECES, BreakError, begins_at, joined, limit, step
-from .errors import ExpressionError
-from .names import FUNCTIONS, nearest_function, refusal
-from .size import LARGEST_EXPONENT, LARGEST_ROOT, excess
+from .names import FUNCTIONS, ExpressionError, nearest_function, refusal
+
+FORM = "write breaks as Max(0, r - b) with a parameter b"
+PIECES = "write Piecewise((f1, r < b), (f2, True)) with a parameter b"
+
+
+class BreakError(ValueError):
+    """What is wrong with a break, and the node where it is."""
+
+    def __init__(self, message: str, node: ast.AST) -> None:
+        self.node = node
+        super().__init__(message)
+
+
+def step(b: sp.Symbol) -> sp.Symbol:
+    """0 for r < b, 1 for r > b."""
+    return sp.Symbol(f"[r > {b.name}]", nonnegative=True)
+
+
+def begins_at(height: sp.Expr, parameters: Sequence[sp.Symbol]) -> sp.Symbol | None:
+    """The parameter b at which an expression in r changes from below to above 0."""
+    slope = sp.diff(height, r).subs(sp.tan(theta), sp.Dummy(positive=True))
+    if any(symbol not in (r, *parameters) for symbol in height.free_symbols) or not slope.is_positive:
+        return None
+    return next((b for b in parameters if height.has(b) and sp.expand(height.subs(r, b)) == 0), None)
+
+
+def limit(node: ast.expr, parameter: Callable[[ast.Name], sp.Expr]) -> sp.Symbol | None:
+    """The b of a condition r < b or r <= b; None for True."""
+    match node:
+        case ast.Constant(value=True):
+            return None
+        case ast.Compare(left=ast.Name(id="r"), ops=[ast.Lt() | ast.LtE()], comparators=[ast.Name() as name]):
+            found = parameter(name)
+            if found.is_Symbol and found != r:
+                return found
+    message = f"a condition is r < b with a parameter b, and True for the last piece; {PIECES}"
+    raise BreakError(message, node)
+
+
+def joined(pieces: Sequence[tuple[sp.Expr, sp.Symbol | None]], node: ast.AST) -> sp.Expr:
+    """The sum of the first piece and of what each further one adds at its break."""
+    if len(pieces) < 2 or pieces[-1][1] is not None or any(b is None for _, b in pieces[:-1]):
+        message = f"the last piece, and no other, has the condition True; {PIECES}"
+        raise BreakError(message, node)
+    total, before = pieces[0][0], pieces[0]
+    for piece in pieces[1:]:
+        added, b = sp.expand(piece[0] - before[0]), before[1]
+        jump = sp.expand(added.subs(r, b))
+        if any(str(symbol).startswith("[") for symbol in jump.free_symbols):
+            message = f"a piece has a break of its own; {PIECES} for each break in turn"
+            raise BreakError(message, node)
+        if jump != 0:
+            message = f"f jumps by {sp.sstr(jump)[:60]} at the break r = {b}; write pieces that agree there"
+            raise BreakError(message, node)
+        total, before = total + added * step(b), piece
+    return total
+
+
+LARGEST_EXPONENT, LARGEST_ROOT = 24, 12
+MOST_DIGITS, MOST_TERMS = 60, 400
+
+
+def excess(expr: sp.Expr) -> str:
+    """What of an expression is too large, with the next step; an empty text if nothing is."""
+    if expr.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
+        return "is no real number; change it"
+    if any(max(abs(number.p), number.q) > 10**MOST_DIGITS for number in expr.atoms(sp.Rational)):
+        return f"holds a number of more than {MOST_DIGITS} digits; scale it into a parameter"
+    for power in (p for p in expr.atoms(sp.Pow) if p.exp.is_Rational and not p.is_number):
+        if abs(power.exp) > LARGEST_EXPONENT or power.exp.q > LARGEST_ROOT**2:
+            allowed = f"use exponents up to {LARGEST_EXPONENT} in {LARGEST_ROOT}ths"
+            return f"holds {sp.sstr(power)[:40]}, whose exponent is too large or too fine; {allowed}"
+    if expr.is_number and not finite(expr):
+        return "is out of the range of numbers; scale it"
+    if terms(expr) > MOST_TERMS:
+        return f"has more than {MOST_TERMS} terms when multiplied out; lower its power"
+    return ""
+
+
+def finite(number: sp.Expr) -> bool:
+    """Whether a number is in the range of doubles."""
+    value = number.evalf(15)
+    try:
+        size = abs(complex(value))
+    except OverflowError:
+        return False
+    return math.isfinite(size) and (size > 0.0 or value == 0)
+
+
+def terms(expr: sp.Expr) -> int:
+    """How many terms `expand` makes of it."""
+    if expr.is_Add:
+        return sum(terms(arg) for arg in expr.args)
+    if expr.is_Mul:
+        return math.prod(terms(arg) for arg in expr.args)
+    if expr.is_Pow and expr.exp.is_Integer:
+        count, power = terms(expr.base), abs(int(expr.exp))
+        return math.comb(count + power - 1, power) if count > 1 else 1
+    return max([1, *(terms(arg) for arg in expr.args)])
+
 
 LONGEST, DEEPEST, MOST_NODES = 400, 30, 150
 DIGITS = 15

@@ -10,15 +10,15 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from ..abel.radicals import SphereAtom
 from ..abel.reduce import NotReducibleError, parse
-from ..contact import general, normal
-from ..contact.medium import HOMOGENEOUS, Medium
+from ..build.pool import Beside
 from ..entry import Entry
 from ..notation import a
+from ..physics import general, normal
+from ..physics.medium import HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
 from ..proof.certificate import Certificate, certify_profile
-from . import algebraic
-from .beside import Beside
-from .errors import ExpressionError
+from . import undetermined
+from .names import ExpressionError
 from .undetermined import NotSolvableError
 
 
@@ -81,7 +81,7 @@ def _by_coefficients(profile: Profile) -> Derived:
     NotSolvableError
         If the depth or the force is not found, or not proved.
     """
-    profile, entries, single = algebraic.derive(profile)
+    profile, entries, single = undetermined.derive(profile)
     certificates = certify_profile(profile, dict(entries))
     if not (certificates["d"].proved and certificates["F"].proved and certificates["pm"].proved):
         raise NotSolvableError

@@ -12,11 +12,11 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
-from ..contact.general import layers
 from ..notation import describe, r, theta
+from ..physics.general import layers
 from ..profiles.profile import Piece, Profile
-from .errors import ExpressionError
-from .numeric import Array, Numeric
+from .definition import Array, Numeric
+from .names import ExpressionError
 
 DECADES = 3
 PER_DECADE = 60

@@ -11,18 +11,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..abel.order import Chain
-from ..contact import normal
-from ..contact.medium import GRADED, HOMOGENEOUS, Medium
+from ..abel.form import Chain
 from ..entry import Entry
 from ..notation import F, d
+from ..physics import normal
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from . import adhesive, detachment, frame, graded, loads, materials, peak, tangential, viscoelastic
-from .compact import Compact
-from .complete import Complete
-from .domain import NotProvedError
+from . import frame
+from .algebra.domain import NotProvedError
 from .frame import Frames
+from .rules import adhesive, detachment, graded, loads, materials, peak, tangential, viscoelastic
+from .rules.compact import Compact
+from .rules.complete import Complete
 from .statement import Rule
 
 COMPACT: dict[str, Rule] = {

@@ -11,9 +11,6 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ..contact import adhesive, detachment, loads, materials, normal, tangential, viscoelastic
-from ..contact.medium import Medium
-from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..entry import COMPACT, COMPLETE, Entry, Quantity, Status
 from ..notation import (
     E_0,
@@ -54,10 +51,13 @@ from ..notation import (
     young_1,
     young_2,
 )
+from ..physics import adhesive, detachment, loads, materials, normal, tangential, viscoelastic
+from ..physics.medium import Medium
+from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
 from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
-from .domain import NotProvedError
+from .algebra.domain import NotProvedError
 
 Symbols = tuple[sp.Symbol, ...]
 Frames = dict[str, "Frame"]

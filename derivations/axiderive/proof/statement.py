@@ -7,13 +7,13 @@ from typing import Any
 
 import sympy as sp
 
-from ..abel.order import Chain
+from ..abel.form import Chain
 from ..entry import Case, Entry
 from ..notation import N, coefficients, j
-from . import special
-from .domain import Domain, NotProvedError
-from .functions import require_analytic, sign
-from .identity import is_zero, logarithmic
+from .algebra import special
+from .algebra.domain import Domain, NotProvedError
+from .algebra.functions import require_analytic, sign
+from .algebra.identity import is_zero, logarithmic
 
 Rule = tuple[tuple[str, ...], Callable[[Any], list[str]]]
 """What a quantity rests on, and what has to be shown for it."""

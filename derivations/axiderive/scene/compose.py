@@ -11,21 +11,20 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
-from ..emit.plane import document
-from ..emit.symbols import bounds
+from ..code.plane import document
+from ..code.tables import bounds
 from ..exits import USAGE, CommandError
-from . import assembled, evidence, interface, rules, sources
-from .assembled import Assembled
-from .check import check_values
-from .contact import Contact, values_of
-from .heading import head
-from .library import Module
-from .linking import OWN, Wanted
-from .measured import Run, measured
-from .module import Constant, module_text
+from . import interface
+from .linker import assembled, sources
+from .linker.assembled import Assembled
+from .linker.linking import OWN, Module, Wanted
+from .linker.module import Constant, head, module_text
 from .page import page_sources
-from .request import Request
-from .written import test_text
+from .reading import Request
+from .values import evidence
+from .values.check import check_values
+from .values.contact import Contact, values_of
+from .values.evidence import Run, measured, test_text
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -156,7 +155,9 @@ class _Composition:
     def _module(self) -> str:
         request, physics = self.request, self.request.physics
         modules = sources.library(self.profile, self.entries, self.normal, physics)
-        written, order = assembled.order(self.profile, rules.between(self.profile, physics), physics, request.values)
+        written, order = assembled.order(
+            self.profile, interface.between(self.profile, physics), physics, request.values
+        )
         texts = [written] if written else []
         wanted: list[Wanted] = []
         above: list[Assembled] = []

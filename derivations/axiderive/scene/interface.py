@@ -1,25 +1,34 @@
-"""The functions a scene can ask for, by physics: name, fields, and one line that says what they are."""
+"""What a scene can ask for, and the rules between its parameters.
+
+The functions a scene can ask for, by physics: name, fields, and one line that says what they are.
+
+The rules between the parameters of a scene, which on the graded half-space depend on its exponent.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..contact import adhesive, detachment, loads, normal, tangential, viscoelastic
-from ..contact.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ..emit import docstring
-from ..emit import plane as plane_text
-from ..emit.physics import adhesive as adhesive_text
-from ..emit.physics import loads as loads_text
-from ..emit.physics import tangential as tangential_text
-from ..emit.physics import viscoelastic as viscoelastic_text
+from ..code import docstring
+from ..code import plane as plane_text
+from ..code.physics import adhesive as adhesive_text
+from ..code.physics import loads as loads_text
+from ..code.physics import tangential as tangential_text
+from ..code.physics import viscoelastic as viscoelastic_text
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 from ..letters import name_of
+from ..oracle.half_space import HalfSpace
+from ..physics import adhesive, detachment, loads, normal, tangential, viscoelastic
+from ..physics.adhesive import pull_off_rule
+from ..physics.medium import GRADED, HOMOGENEOUS
+from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles import NAMES
-from ..profiles.profile import Profile
+from ..profiles.profile import Profile, Rule
 
 LAWS = {law.name: law for law in viscoelastic.LAWS}
 LETTERS = {"tau": "relaxation", "t": "time"}
@@ -192,3 +201,54 @@ def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ..
     if function.quantity.suffix == "k" and entry is not None and any(c.expr.has(nt.d) for c in entry.cases):
         return ("d",)
     return function.fields
+
+
+NEEDS_PULL_OFF = frozenset([PULL_OFF, *SIGNED])
+"""Functions that rest on a pull-off."""
+DIGITS = 8
+PHASES = tuple(0.5 * i for i in range(4, 16))
+"""Values of 2 pi a/wavelength around the least g'/a of waves: from 4.49 at k = -1, where g' ~ f', to pi at k = 1."""
+
+
+def between(profile: Profile, physics: str) -> list[Rule]:
+    """The rules of the profile on its medium."""
+    if not physics.startswith("graded"):
+        return list(profile.rules)
+    return [_graded(profile, rule) for rule in profile.rules]
+
+
+def _graded(profile: Profile, rule: Rule) -> Rule:
+    if profile.contact == "complete" and rule.right == nt.n:
+        return replace(rule, left=1 - nt.k, reason=rule.reason.replace("n > 1", "n > 1 - k"))
+    return rule
+
+
+def of_pull_off(profile: Profile, physics: str) -> list[Rule]:
+    """What the exponent of a power law must be for a contact that is stable under tension."""
+    if kind_of(physics) != "adhesive" or profile.contact != "compact":
+        return []
+    rule = pull_off_rule(profile, GRADED if physics.startswith("graded") else HOMOGENEOUS)
+    return [rule] if rule else []
+
+
+def depend_on_waves(profile: Profile, physics: str) -> bool:
+    """Whether the rule between height and length of the waves is another one for every exponent of the grading."""
+    return physics.startswith("graded") and nt.wavelength in profile.parameters
+
+
+def open_between_waves(profile: Profile, values: Mapping[str, float]) -> float | None:
+    """A radius at which g' < 0 on the graded half-space, so that the contact is not compact; None if there is none."""
+    known = {symbol: mp.mpf(values[name]) for name, symbol in parameters(profile).items()}
+    here = HalfSpace(profile, {**known, nt.H: mp.mpf(1), nt.k: mp.mpf(values["k"])}, DIGITS, graded=True)
+    with mp.workdps(DIGITS + 10):
+        unit = known[nt.wavelength] / (2 * mp.pi)
+
+        def rate(phase: float) -> float:
+            return float(here.rates(unit * phase)[0] / phase)
+
+        least = min(PHASES[1:-1], key=rate)
+        step = 0.25
+        while step > 1e-3:
+            least = min((least - step, least, least + step), key=rate)
+            step /= 2
+        return float(unit * least) if rate(least) < 0.0 else None

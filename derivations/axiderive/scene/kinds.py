@@ -1,4 +1,9 @@
-"""The kind of contact a scene asks for, and the combinations that are at hand."""
+"""The kinds of contact a scene can ask for.
+
+The kind of contact a scene asks for, and the combinations that are at hand.
+
+Which kinds of contact are at hand on which medium for which profile, and the nearest one where one is not.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +11,54 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .. import profiles
+from ..physics import detachment, tangential
+from ..physics.medium import GRADED, HOMOGENEOUS
 from ..profiles import loads as prescribed
 from ..profiles import plane as strips
 from ..profiles.profile import Profile
-from . import combinations, interface
-from .freezing import inline
+from . import interface
+from .linker.sources import graded_refusal
+from .medium import inline
 from .text import SceneText, near
 
 if TYPE_CHECKING:
     from .reading import Scene
+
+
+ALONE = ("plane", "loads")
+"""Kinds of contact with profiles of their own."""
+
+
+def refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
+    """Why nothing is emitted for a kind of contact; empty if something is, else a sentence that names the nearest."""
+    reason = _reason(kind, profile, graded=graded, own=own)
+    if not reason:
+        return ""
+    elsewhere = 'normal = true with kind = "homogeneous"' if graded else "normal = true"
+    forms = {("normal", False): elsewhere, ("normal", True): "normal = true"}
+    forms = {(kind, False): 'kind = "homogeneous"', **({} if kind == "normal" else dict(reversed(forms.items())))}
+    nearest = next(
+        (form for (other, medium), form in forms.items()
+         if (graded or not medium) and (other, medium) != (kind, graded)
+         and not _reason(other, profile, graded=medium, own=own)), "another profile",
+    )  # fmt: skip
+    return f"{reason}; the nearest is {nearest}"
+
+
+def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
+    """What stands against it."""
+    if kind in ALONE:
+        if own:
+            return f"{kind} is emitted for what the catalogue holds"
+        return f"{kind} on a graded half-space is not derived" if graded else ""
+    if kind == "viscoelastic":
+        return "viscoelastic on a graded half-space is not derived" if graded else ""
+    if kind == "adhesive" and (found := detachment.refusal(profile, GRADED if graded else HOMOGENEOUS)):
+        return found.partition(": use")[0]
+    if kind == "tangential" and (found := tangential.refusal(profile)):
+        return found
+    return graded_refusal(profile) if graded and own else ""
+
 
 PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
 Pool = tuple[str, tuple[str, ...], Callable[[str], Profile]]
@@ -80,7 +124,7 @@ def physics(text: SceneText, scene: Scene) -> None:
         model = ""
         scene.physics = ".".join(["graded", *chosen[:1]]) if graded and kind not in POOLS else kind
     if scene.profile is not None and len(chosen) < 2:
-        reason = combinations.refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
+        reason = refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
         if reason:
             text.problem("physics" if chosen else "medium", kind if chosen else "kind", reason)
     for name in chosen:

@@ -1,33 +1,41 @@
-"""The page of a scene: preamble and the page of its profile under one title, ready for LaTeX."""
+"""The page of a scene.
+
+The page of a scene: preamble and the page of its profile under one title, ready for LaTeX.
+
+LaTeX at work on a page while the rest of a scene is written.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from threading import Thread
+from types import TracebackType
 from typing import Any
 
 import sympy as sp
 
 from .. import __version__
 from .. import notation as nt
-from ..contact import general
-from ..contact.systems import problem
-from ..emit import notation_table
-from ..emit.arrangement import ordered
-from ..emit.laws import laws
-from ..emit.laws import rows as law_rows
-from ..emit.page import symbols
-from ..emit.panel import shape_tex
-from ..emit.plane import document
-from ..emit.printer import Printer
-from ..emit.prose import prose
-from ..emit.ranges import chain_of, condition, regions
-from ..emit.rows import Row
+from ..book import notation_table
+from ..book.page import shape_tex, symbols
+from ..build import pdf
+from ..build.work import read_entries
+from ..code.plane import document
 from ..entry import Entry
-from ..index import NoCatalogueError, package
+from ..exits import CommandError
+from ..physics import general
+from ..physics.systems import problem
+from ..print.formula import Printer
+from ..print.words import prose
 from ..profiles.profile import Profile
-from ..work import read_entries
-from . import interface, sources
-from .request import Request
+from ..rows.laws import laws
+from ..rows.laws import rows as law_rows
+from ..rows.ranges import chain_of, condition, regions
+from ..rows.row import Row, ordered
+from ..store.index import NoCatalogueError, package
+from . import interface
+from .linker import sources
+from .reading import Request
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \documentclass[10pt,a4paper,twoside]{article}
@@ -88,7 +96,7 @@ def page_sources(
         closed = "d" not in entries or entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
         # that of the catalogue is stored
-        from ..emit.handbook import templates
+        from ..book.handbook import templates
 
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
@@ -211,3 +219,58 @@ def _number(value: float) -> str:
 
 def _math(text: str) -> str:
     return f"${text}$" if text else ""
+
+
+class Typesetting:
+    """A page that is typeset in the background; it is waited for at the end of the `with`."""
+
+    def __init__(self) -> None:
+        self._thread: Thread | None = None
+        self._content = b""
+        self._error: Exception | None = None
+
+    def __enter__(self) -> Typesetting:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._join()
+
+    def start(self, sources: Mapping[str, bytes]) -> None:
+        """Begin with the page of these sources."""
+        self._thread = Thread(target=self._typeset, args=(sources,))
+        self._thread.start()
+
+    def page(self) -> bytes:
+        """The PDF, as soon as there is one; empty where LaTeX is missing, which is said.
+
+        Raises
+        ------
+        CommandError
+            If the page does not compile.
+        """
+        self._join()
+        if isinstance(self._error, pdf.LatexError):
+            message = f"the page does not compile, nothing was written\n{self._error}"
+            raise CommandError(message) from self._error
+        if isinstance(self._error, pdf.NoLatexError):
+            print(self._error)
+        elif self._error is not None:
+            raise self._error
+        return self._content
+
+    def _join(self) -> None:
+        if self._thread is not None:
+            self._thread.join()
+
+    def _typeset(self, sources: Mapping[str, bytes]) -> None:
+        try:
+            self._content = pdf.compile_page(sources)
+        except (pdf.LatexError, OSError) as error:
+            self._error = error
+            # asked only now: where all is there it would cost a tenth of the pass
+            try:
+                pdf.ensure_latex(install=False, say=print)
+            except pdf.NoLatexError as missing:
+                self._error = missing

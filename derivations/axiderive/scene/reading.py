@@ -1,9 +1,14 @@
-"""A scene: which profile, medium, physics, functions, frozen values and formats; checked as a whole."""
+"""A scene as it is read, and what is to be composed of it.
+
+A scene: which profile, medium, physics, functions, frozen values and formats; checked as a whole.
+
+What is to be composed.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -12,11 +17,10 @@ from .. import notation as nt
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
 from ..profiles.profile import Profile
-from . import interface, rules, wishes
-from .freezing import frozen
+from . import interface, wishes
 from .kinds import PHYSICS, elsewhere, physics, pool
 from .medium import KEYS as MEDIUM
-from .medium import medium_values
+from .medium import frozen, medium_values
 from .text import SceneText, near
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
@@ -157,11 +161,11 @@ def _rules(text: SceneText, scene: Scene) -> None:
         return
     symbols = {**interface.parameters(profile), "k": nt.k}
     known = {symbol: sp.Float(scene.values[n], 17) for n, symbol in symbols.items() if n in scene.values}
-    if rules.depend_on_waves(profile, scene.physics):
+    if interface.depend_on_waves(profile, scene.physics):
         _waves(text, scene, profile)
         return
-    found = rules.between(profile, scene.physics)
-    found += rules.of_pull_off(profile, scene.physics) if rules.NEEDS_PULL_OFF & set(scene.quantities) else []
+    found = interface.between(profile, scene.physics)
+    found += interface.of_pull_off(profile, scene.physics) if interface.NEEDS_PULL_OFF & set(scene.quantities) else []
     for rule in found:
         if rule.relation().xreplace(known) == sp.false:
             shown = sorted(rule.left.free_symbols | rule.right.free_symbols, key=str)
@@ -176,7 +180,7 @@ def _waves(text: SceneText, scene: Scene, profile: Profile) -> None:
     names = [*interface.parameters(profile), "k"]
     if not set(names) <= set(scene.values):
         return
-    place = rules.open_between_waves(profile, scene.values)
+    place = interface.open_between_waves(profile, scene.values)
     if place is not None:
         given = ", ".join(f"{name} = {scene.values[name]:g}" for name in names)
         (rule,) = profile.rules
@@ -193,3 +197,21 @@ def _place(text: SceneText, symbols: Sequence[sp.Symbol]) -> tuple[str, str]:
 def _keys(text: SceneText, section: str) -> Collection[str]:
     table = text.values.get(section)
     return table if isinstance(table, dict) else ()
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is to be composed."""
+
+    title: str
+    module: str
+    profile: Profile | None
+    own: OwnProfile | None
+    physics: str
+    quantities: Sequence[str]
+    values: Mapping[str, float] = field(default_factory=dict)
+    formats: Sequence[str] = ("python", "tex", "json")
+    at: tuple[str, float] | None = None
+    """Name and value of what the worked example is given at: a, d or F."""
+    scene: str = ""
+    """Text of the scene, copied into the folder."""

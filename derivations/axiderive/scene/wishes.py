@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from .. import notation as nt
 from . import interface
-from .sources import ramps
+from .linker.sources import ramps
 from .text import SceneText, near
 from .units import UnitError, kind_of, value_of
 

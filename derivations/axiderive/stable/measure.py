@@ -1,13 +1,27 @@
-"""Errors of the emitted functions, in units of the last place, over the bench and the extreme domain."""
+"""Errors of emitted functions, measured on modules that are run from their texts.
+
+Errors of the emitted functions, in units of the last place, over the bench and the extreme domain.
+
+Emitted modules straight from their texts, without files, and what their functions rest on.
+
+The part of the package that some modules rest on.
+
+What `lambdify` makes of the printed formula: the form that the emitted one is measured beside.
+"""
 
 from __future__ import annotations
 
+import ast
 import math
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib import import_module
-from typing import Any
+from hashlib import sha256
+from importlib import abc, import_module, machinery
+from pathlib import PurePosixPath
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
@@ -15,10 +29,13 @@ from flint import arb, ctx
 
 from .. import notation as nt
 from ..abel.masters import C0
-from ..entry import Entry
+from ..entry import Case, Entry
 from ..letters import name_of
 from .reference import CURVES, UnknownError, of_contact, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
 
 
 @dataclass(frozen=True)
@@ -134,7 +151,7 @@ def measure(function: Callable[..., float], points: list[Sample], tolerance: flo
 
 def main(arguments: list[str]) -> None:
     """`python -m axiderive.stable.measure COUNT [NAME ...]`: the table of all entries."""
-    from ..contact.normal import derive
+    from ..physics.normal import derive
     from ..profiles import NAMES, load
     from .samples import DOMAINS
 
@@ -153,3 +170,165 @@ def main(arguments: list[str]) -> None:
 
 if __name__ == "__main__":
     main(sys.argv[1:])
+
+
+PACKAGE = "axicontact"
+RULES = ("integral", "panels")
+STRIPS = frozenset(("depth_beyond", "load_beyond", "slope_beyond"))
+"""Rules of the plane problem; private functions of other modules end on the same words."""
+ITERATIONS = frozenset(("inverse", "inverse_across", "inverse_below", "inverse_beyond", "inverse_over_waves"))
+KERNELS = frozenset(
+    (
+        "arc_strips", "arctan_gap", "beside", "dawson", "gamma_ratio", "nth_root", "outside_zero_pressure",
+        "peak_share", "power", "power_displacement", "power_pressure", "power_punches", "power_strips", "root_gap",
+        "struve_h0", "struve_h1", "tanh_gap", "uniform",
+    )
+)  # fmt: skip
+ARRAYS = frozenset(("outside_zero_pressure", "power", "power_displacement", "power_pressure", "power_strips"))
+"""Kernels that are rules themselves."""
+
+
+class Texts(abc.MetaPathFinder, abc.InspectLoader):
+    """Finds and loads the modules of one package among texts by path."""
+
+    def __init__(self, name: str, texts: Mapping[str, str]) -> None:
+        self.name, self.texts = name, texts
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> machinery.ModuleSpec | None:
+        if fullname.partition(".")[0] != self.name or self._path(fullname) is None:
+            return None
+        return machinery.ModuleSpec(fullname, self, is_package=self.is_package(fullname))
+
+    def is_package(self, fullname: str) -> bool:
+        return str(self._path(fullname)).endswith("__init__.py")
+
+    def get_source(self, fullname: str) -> str:
+        return self.texts[str(self._path(fullname))]
+
+    def _path(self, fullname: str) -> str | None:
+        stem = "/".join((PACKAGE, *fullname.split(".")[1:]))
+        return next((path for path in (f"{stem}/__init__.py", f"{stem}.py") if path in self.texts), None)
+
+
+@contextmanager
+def loaded(texts: Mapping[str, str], module: str) -> Iterator[Any]:
+    """The module at a path, with the rest of its package, under a name of its own."""
+    name = f"_emitted_{sha256(repr(sorted(texts.items())).encode()).hexdigest()[:16]}"
+    finder = Texts(name, texts)
+    sys.meta_path.insert(0, finder)
+    try:
+        yield import_module(".".join((name, *PurePosixPath(module).with_suffix("").parts[1:])))
+    finally:
+        sys.meta_path.remove(finder)
+        for known in [known for known in sys.modules if known.partition(".")[0] == name]:
+            del sys.modules[known]
+
+
+def form(source: str, function: str) -> tuple[str, list[int]]:
+    """How a function of a module is evaluated, and the node counts its rules state.
+
+    `rule` with nodes, `root` by iteration, `kernel` (a fitted or special function) or `closed`;
+    a rule without stated nodes takes what the length of its interval asks for.
+    """
+    bodies = {node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)}
+    names, nodes, pending, seen = set[str](), set[int](), [function], set[str]()
+    while pending:
+        body = bodies[pending.pop()]
+        seen.add(body.name)
+        names |= {node.id for node in ast.walk(body) if isinstance(node, ast.Name)}
+        nodes |= _stated(body)
+        pending += [name for name in names & set(bodies) if name not in seen and name not in pending]
+    kernels = names & KERNELS
+    if any(map(is_rule, names)) or kernels & ARRAYS:
+        kind = "rule"
+    else:
+        kind = "kernel" if kernels else "closed"
+    return ("root" if names & ITERATIONS else kind), sorted(nodes)
+
+
+def is_rule(name: str) -> bool:
+    """Whether a function of the runtime sums an integrand."""
+    return name in STRIPS or any(word in name for word in RULES)
+
+
+def _stated(body: ast.FunctionDef) -> set[int]:
+    calls = (node for node in ast.walk(body) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name))
+    rules = (call for call in calls if is_rule(call.func.id))  # type: ignore[attr-defined]
+    last = (call.args[-1] for call in rules if call.args)
+    return {arg.value for arg in last if isinstance(arg, ast.Constant) and isinstance(arg.value, int)}
+
+
+def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
+    """The texts of modules, of all they import from the package, and of the packages around them.
+
+    A package stands for its name alone, with an empty text, unless it is imported to ask it for one of its modules.
+    """
+    found: dict[str, str] = {}
+    pending = list(modules)
+    while pending:
+        path = pending.pop()
+        found[path] = sources[path]
+        pending += [other for other in _imported(sources, path) if other not in found and other not in pending]
+    packages = {f"{parent}/__init__.py" for path in found for parent in PurePosixPath(path).parents if parent.name}
+    return dict(sorted({**dict.fromkeys(packages, ""), **found}.items()))
+
+
+def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:
+    tree = ast.parse(sources[path])
+    asked = {
+        (node.value.id, node.attr)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            folder = PurePosixPath(path).parents[node.level - 1]
+            base = folder.joinpath(*(node.module or "").split(".")) if node.module else folder
+            for target in (base, *(base / alias.name for alias in node.names)):
+                if f"{target}.py" in sources:
+                    yield f"{target}.py"
+            for alias in node.names:
+                if f"{base}/{alias.name}/__init__.py" in sources:
+                    yield f"{base}/{alias.name}/__init__.py"
+                    modules = (f"{base}/{alias.name}/{attribute}.py" for name, attribute in asked if name == alias.name)
+                    yield from sorted(module for module in modules if module in sources)
+
+
+ELEMENTARY = (
+    sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh,
+    sp.atanh,
+)  # fmt: skip
+
+
+def naive(entry: Entry) -> Callable[[Floats], float] | None:
+    """The value at a point by the formula of its region; None where there is none, or NumPy lacks a function of it."""
+    if entry.status != "closed" or entry.composed is not None:
+        return None
+    short = dict(entry.profile.abbreviations)
+    exprs = [case.expr.subs(short) for case in entry.cases]
+    if any(expr.has(sp.Integral, sp.Sum) or not expr.atoms(sp.Function) <= _elementary(expr) for expr in exprs):
+        return None
+    symbols = sorted(set[Any]().union(*(expr.free_symbols for expr in exprs)), key=str)
+    functions = [sp.lambdify(symbols, expr, "numpy") for expr in exprs]
+
+    def value(values: Floats) -> float:
+        known = {str(symbol): number for symbol, number in values.items()}
+        chosen = next((i for i, case in enumerate(entry.cases) if _holds(case, short, known)), None)
+        if chosen is None:
+            return float("nan")
+        with np.errstate(all="ignore"):
+            return float(functions[chosen](*(np.float64(known[str(symbol)]) for symbol in symbols)))
+
+    return value
+
+
+def _elementary(expr: sp.Expr) -> set[sp.Expr]:
+    return {call for call in expr.atoms(sp.Function) if isinstance(call, ELEMENTARY)}
+
+
+def _holds(case: Case, short: dict[sp.Symbol, sp.Expr], known: dict[str, float]) -> bool:
+    lengths = [sp.sympify(x).subs(short) for x in case.chain]
+    sizes = [float(x.subs({symbol: known[str(symbol)] for symbol in x.free_symbols})) for x in lengths]
+    return all(low < high for low, high in zip(sizes, sizes[1:], strict=False))

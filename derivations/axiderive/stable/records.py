@@ -9,11 +9,9 @@ from typing import Any
 
 import sympy as sp
 
-from ..contact.systems import problem
 from ..entry import Entry
-from .emitted import form, loaded
-from .measure import Sample, count_for, function_of, samples, ulps, value
-from .naive import naive
+from ..physics.systems import problem
+from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
 from .reference import CURVES, UnknownError, condition
 from .samples import DOMAINS
 

@@ -12,8 +12,8 @@ from flint import acb, arb, ctx
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..proof.balls import Ball, NotAvailableError, exact
-from ..proof.shape import coefficient, concrete
+from ..oracle.balls import Ball, NotAvailableError, exact
+from ..oracle.shape import coefficient, concrete
 from .samples import TERMS, Floats
 
 BITS, HIGHEST, WANTED, STEP = 160, 1 << 13, 70, 90

@@ -11,8 +11,7 @@ import sympy as sp
 from ..entry import Case, Entry, Quantity
 from ..notation import E_star, a, d, t
 from .forms import EvaluationForm
-from .ratios import gamma_ratios
-from .rewriting import Rewriting
+from .rewriting import Rewriting, gamma_ratios
 from .signs import Facts, cancels, squares
 from .variants import FULL, Variant
 

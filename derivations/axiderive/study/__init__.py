@@ -143,7 +143,7 @@ def _names(arguments: argparse.Namespace, known: Sequence[str]) -> list[str]:
     only: list[str] = arguments.only
     for name in only:
         if name not in known:
-            from ..index import nearest
+            from ..store.index import nearest
 
             raise nearest(name, "problem of the study", known)
     return only or list(known)

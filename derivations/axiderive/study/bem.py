@@ -8,8 +8,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from .problems import RADIUS
-from .special_functions import Array
-from .subject import Subject
+from .subject import Array, Subject
 
 WIDTH = 3.0
 """Side of the square in contact radii."""

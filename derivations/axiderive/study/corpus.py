@@ -1,4 +1,11 @@
-"""The corpus of Abel integrals: what the engine answers, and what SymPy's integrate does beside it.
+"""The corpus of Abel integrals.
+
+SymPy's own integrate on one integral of the corpus, in a process that is killed when its time is up.
+
+Times and limits are seconds of the processor, so that they do not depend on
+what else the machine is doing.
+
+The corpus of Abel integrals: what the engine answers, and what SymPy's integrate does beside it.
 
 The integrals are data (tests/data/cas_corpus.json): text of the integrand,
 limits, sample point and a reference value, and the profile whose reduced
@@ -9,30 +16,92 @@ from __future__ import annotations
 
 import argparse
 import json
+import multiprocessing
 import re
+import signal
 import statistics
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from multiprocessing.connection import Connection
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 from sympy.core.cache import clear_cache
 
-from ..abel.form import Form
+from ..abel.form import Chain, Form, Order
 from ..abel.masters import MASTERS
 from ..abel.moments import outside_kernel
-from ..abel.order import Chain, Order
 from ..abel.reduce import Reduced, parse
+from ..build.work import project_root
 from ..exits import ENVIRONMENT, FAILED, CommandError
-from ..index import nearest
 from ..notation import a
 from ..profiles.profile import Piece
-from ..work import project_root
+from ..store.index import nearest
 from . import LIMIT, add_corpus_arguments
-from .peer import Attempt, integrate
+
+DIGITS = 25
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """What came of it: ok, WRONG, unevaluated, timeout or error, and the processor seconds of the call."""
+
+    verdict: str
+    seconds: float
+
+
+def integrate(integral: Integral, limit: float, required: int) -> Attempt:
+    """`sp.integrate(integrand, (v, lo, hi), conds="none")` with positive symbols, given `limit` seconds."""
+    context = multiprocessing.get_context("spawn")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_attempt, args=(integral, limit, sender), daemon=True)
+    process.start()
+    sender.close()
+    try:
+        return _judge(integral, required, *receiver.recv())
+    except EOFError:
+        process.join()
+        return Attempt("timeout" if process.exitcode == -signal.SIGPROF else "error", limit)
+    finally:
+        process.kill()
+        process.join()
+
+
+def _attempt(integral: Integral, limit: float, sender: Connection) -> None:
+    variable = integral.symbols[integral.variable]
+    limits = (integral.read(text) for text in integral.limits)
+    integrand = integral.read(integral.integrand)
+    signal.setitimer(signal.ITIMER_PROF, limit)  # the default action of its signal is to end the process
+    start = time.process_time()
+    try:
+        result = sp.integrate(integrand, (variable, *limits), conds="none")
+    except (ArithmeticError, AttributeError, NotImplementedError, RecursionError, TypeError, ValueError) as error:
+        sender.send((time.process_time() - start, "error", repr(error)))
+        return
+    elapsed = time.process_time() - start
+    if result.has(sp.Integral):
+        sender.send((elapsed, "unevaluated", ""))
+        return
+    point = {integral.symbols[name]: sp.Rational(text) for name, text in integral.point.items()}
+    number = sp.N(result.subs(point), DIGITS)
+    sender.send((elapsed, "value", (str(sp.re(number)), str(sp.im(number)))))
+
+
+def _judge(integral: Integral, required: int, seconds: float, outcome: str, text: tuple[str, str] | str) -> Attempt:
+    if outcome != "value":
+        return Attempt(outcome, seconds)
+    with mp.workdps(2 * DIGITS):
+        reference = mp.mpf(integral.reference)
+        try:
+            error = abs(mp.mpc(*map(mp.mpf, text)) - reference)
+        except ValueError:  # nan, zoo or a symbol that was left over
+            return Attempt("WRONG", seconds)
+        right = error <= mp.mpf(10) ** -required * abs(reference)
+    return Attempt("ok" if right else "WRONG", seconds)
+
 
 REQUIRED = 15
 """Digits from which an answer counts as right."""

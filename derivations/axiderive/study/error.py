@@ -11,11 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from .methods import QUICK, Method, Plan, methods
-from .points import DIGITS, exact
+from .methods import DIGITS, QUICK, Method, Plan, exact, methods, skipped
 from .problems import EVERY, PARAMETERS, RADIUS
 from .report import Record, relative, rounded, summary, table, versions
-from .skipped import skipped
 from .subject import Subject, subject
 from .timing import paired
 

@@ -17,8 +17,7 @@ from scipy import integrate
 
 from .problems import RADIUS
 from .rivals import jacobi, radius, spans
-from .special_functions import Array
-from .subject import Subject
+from .subject import Array, Subject
 
 a = RADIUS
 

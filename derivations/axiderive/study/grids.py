@@ -14,8 +14,7 @@ from scipy import integrate, signal
 
 from .problems import RADIUS
 from .rivals import punch_pressure
-from .special_functions import Array
-from .subject import Subject
+from .subject import Array, Subject
 
 a = RADIUS
 

@@ -16,7 +16,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from .accuracy import Judged, Point, judged, reference
+from .naive import Judged, Point, judged, reference
 from .problems import GRADED, NAMES, PARAMETERS
 from .report import Record, rounded, table, versions
 from .subject import entries

@@ -1,22 +1,98 @@
-"""Every way to p(r), w(r) and F(d) at every setting, as the study of error against run time runs it."""
+"""Every way to p(r), w(r) and F(d) at every setting.
+
+Arguments at which the methods are compared, and the defining integral there.
+
+Every way to p(r), w(r) and F(d) at every setting, as the study of error against run time runs it.
+
+Methods that have nothing to run for a quantity, with the reason.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import Any
 
+import mpmath as mp
 import numpy as np
+import sympy as sp
 
 from .. import notation as nt
-from . import adhesive, bem, graded, grids, rivals, rule
+from ..checks import plane_quadrature
+from ..oracle.definitions import contact
+from ..oracle.half_space import HalfSpace
+from ..oracle.shape import number
+from . import bem, graded, grids, rivals, rule
 from .naive import naive, per_point, printed
-from .points import arguments, defined
 from .problems import RADIUS, RULED
-from .special_functions import Array
-from .subject import Subject, emitted
+from .subject import Array, Subject, emitted
 from .timing import seconds
+
+DIGITS = 30
+
+
+def arguments(subject: Subject, suffix: str, count: int) -> Array:
+    """Radii in the contact, radii up to 2a outside, or depths of contacts up to a; with adhesion from a/2 on."""
+    steps = (np.arange(count) + 0.5) / count
+    match suffix:
+        case "p":
+            return RADIUS * steps
+        case "w":
+            return RADIUS * (1 + steps)
+        case _:
+            smallest = RADIUS / 2 if suffix == "ad" else subject.edge
+            radii = smallest + (RADIUS - smallest) * steps
+            with mp.workdps(DIGITS + 20):
+                return np.array([float(defined(subject, float(x))("d")) for x in radii])
+
+
+@cache
+def defined(subject: Subject, radius: float, r: float | None = None) -> Callable[[str], mp.mpf]:
+    """The quantities of the contact of that radius, as the integrals of the definition see it."""
+    values = _values(subject, radius) | ({} if r is None else {subject.across: sp.Rational(r)})
+    with mp.workdps(DIGITS + 20):
+        if subject.plane:
+            return lambda suffix: plane_quadrature.defined(subject.profile, suffix, values, DIGITS)
+        if nt.dgamma in values:
+            return partial(_half_space(subject, values).adhesive, a=mp.mpf(radius))
+        if subject.graded:
+            depth = number(values[nt.d]) if subject.complete else None
+            return partial(_half_space(subject, values).normal, a=mp.mpf(radius), free_depth=depth)
+        return contact(subject.profile, values, DIGITS).quantity
+
+
+def _half_space(subject: Subject, values: dict[Any, Any]) -> HalfSpace:
+    return HalfSpace(subject.profile, values, DIGITS, subject.graded)
+
+
+def _values(subject: Subject, radius: float) -> dict[Any, Any]:
+    values = {symbol: sp.Rational(value) for symbol, value in subject.values.items()} | {nt.a: sp.Rational(radius)}
+    return values | {symbol: expr.subs(values) for symbol, expr in subject.profile.abbreviations}
+
+
+@cache
+def exact(subject: Subject, suffix: str, argument: float) -> mp.mpf:
+    """The defining integral at the double that the methods are given."""
+    with mp.workdps(DIGITS + 20):
+        if suffix in ("p", "w"):
+            return defined(subject, RADIUS, argument)(suffix)
+        start = rivals.radius(subject, lambda x: float(subject.depth(np.float64(x))) - argument)
+        radius, here = mp.mpf(start), defined(subject, start)
+        # the depth of that radius misses the argument by its rounding
+        missed = mp.mpf(argument) - here("d")
+        if suffix == "ad":
+            return radius + missed / _rate(subject, start)
+        # dF/dd is the stiffness of a flat punch, (11.18)
+        k = mp.mpf(subject.exponent)
+        return here("F") + 2 * subject.modulus * radius ** (1 + k) / (1 + k) * missed
+
+
+def _rate(subject: Subject, radius: float) -> mp.mpf:
+    """dd/da of an adhesive contact, whose retraction grows as a**((1 - k)/2)."""
+    here = _half_space(subject, _values(subject, radius))
+    rate, _ = here.rates(mp.mpf(radius))
+    return rate - here.retraction(mp.mpf(radius)) * (1 - here.k) / (2 * mp.mpf(radius))
 
 
 @dataclass(frozen=True)
@@ -230,9 +306,9 @@ def _few(setup: _Setup) -> Iterator[Method]:
 
 def _adhesive(setup: _Setup) -> Iterator[Method]:
     subject, plan = setup.subject, setup.plan
-    yield setup.over("quad and root", "", partial(adhesive.quad_radius, subject), setup.few)
-    yield from setup.sized("table", adhesive.table_radius, plan.table, setup.many)
-    yield from setup.digits(adhesive.mpmath_radius)
+    yield setup.over("quad and root", "", partial(rivals.quad_radius, subject), setup.few)
+    yield from setup.sized("table", rivals.table_radius, plan.table, setup.many)
+    yield from setup.digits(rivals.mpmath_radius)
 
 
 def _graded(setup: _Setup) -> Iterator[Method]:
@@ -254,3 +330,40 @@ def _graded(setup: _Setup) -> Iterator[Method]:
         quad = partial(graded.quad_displacement, subject, weighted=weighted)
         yield setup.over(f"quad{suffix}", "", quad, setup.points)
     yield from setup.digits(graded.mpmath_displacement)
+
+
+def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
+    """One record for each; of a problem that is measured beside a few ways, among these."""
+    reasons = (
+        _of_few(subject, suffix) if subject.few else _on_grids(subject, suffix) | _boundary_elements(subject, suffix)
+    )
+    key = f"{subject.name}.{suffix}"
+    return [{"key": key, "method": method, "reason": reason} for method, reason in reasons.items()]
+
+
+def _of_few(subject: Subject, suffix: str) -> dict[str, str]:
+    if printed(subject.printed(suffix)):
+        return {}
+    return {"lambdify": "no closed form in standard functions was found"}
+
+
+def _on_grids(subject: Subject, suffix: str) -> dict[str, str]:
+    if subject.graded:
+        closed = {"generated rule": "depth and force are closed: no rule is generated"} if suffix == "Fd" else {}
+        return closed | dict.fromkeys(
+            ("trapezoid MDR", "FFT MDR"), "their weights are those of the homogeneous half-space"
+        )
+    if suffix == "ad":
+        return {"FFT MDR": "a convolution gives fields, not a(d)"}
+    if suffix == "Fd":
+        closed = {"generated rule": "depth and force are closed: no rule is generated"}
+        return closed | {"FFT MDR": "a convolution gives fields, not F(d)"}
+    return {}
+
+
+def _boundary_elements(subject: Subject, suffix: str) -> dict[str, str]:
+    if subject.graded:
+        return {"BEM": "its half-space is homogeneous"}
+    if suffix != "p":
+        return {"BEM": "its pressures are compared"}
+    return {"BEM": bem.missing()} if bem.missing() else {}

@@ -14,8 +14,8 @@ from typing import Any, TypeAlias
 
 import mpmath as mp
 
-from ..work import project_root
-from ..writing import STUDIES, write_atomic
+from ..build.work import project_root
+from ..store.writing import STUDIES, write_atomic
 
 Record: TypeAlias = dict[str, Any]
 CARRIED = 60

@@ -16,10 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from ..emit.nodes import gauss_legendre
+from ..code.tables import gauss_legendre
 from .problems import RADIUS
-from .special_functions import Array
-from .subject import Subject
+from .subject import Array, Subject
 
 
 @cache

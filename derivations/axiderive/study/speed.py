@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..contact import systems
 from ..entry import Entry
+from ..physics import systems
+from .methods import arguments
 from .naive import naive
-from .points import arguments
 from .problems import NAMES, PARAMETERS, RADIUS
 from .report import Record, rounded, table, versions
 from .subject import Subject, subject

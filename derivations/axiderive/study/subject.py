@@ -1,4 +1,10 @@
-"""What the study measures: a problem at chosen parameters, its emitted functions, and what a rival is given.
+"""What the study measures, and what its rivals are given.
+
+The special functions of the printed formulas as a first script has them, from SciPy.
+
+Functions that a rival is given in closed form, one expression between two breaks after the other.
+
+What the study measures: a problem at chosen parameters, its emitted functions, and what a rival is given.
 
 A rival knows the profile f, or the depth g(t) of the one-dimensional model and
 its rate g'(t) in closed form: everything that the method itself does not find.
@@ -7,7 +13,8 @@ its rate g'(t) in closed form: everything that the method itself does not find.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import warnings
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from importlib import import_module
@@ -16,19 +23,153 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import sympy as sp
+from scipy import integrate, special
 
 from .. import notation as nt
-from ..contact import systems
-from ..contact.complete import edge_depth
-from ..contact.medium import GRADED, HOMOGENEOUS
-from ..contact.plane import Superposition
+from ..abel.masters import MASTERS
 from ..entry import Case, Entry
+from ..oracle.shape import coefficient, concrete
+from ..physics import systems
+from ..physics.complete import edge_depth
+from ..physics.medium import GRADED, HOMOGENEOUS
+from ..physics.plane import Superposition
 from ..profiles.profile import Piece as ProfilePiece
 from ..profiles.profile import Profile
-from ..proof.shape import coefficient, concrete
-from .given import Function, Given, Piece, joined
 from .problems import FURTHER, NAMES, OTHERS, PARAMETERS, RADIUS, RULED
-from .special_functions import Array
+
+Array = Any
+
+
+@np.vectorize(otypes=[float])
+def _c0(b: float, r: float, a: float) -> float:
+    """The master integral C0 has no function of SciPy: its definition by quad."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what its estimate warns of is what the study measures
+        value, _ = integrate.quad(lambda t: np.arccos(b / t) / np.sqrt(t * t - r * r), max(b, r), a)
+    return float(value)
+
+
+def _chi2(x: Array) -> Array:
+    return (special.spence(1 - x) - special.spence(1 + x)) / 2
+
+
+def _arctan_integral(x: Array) -> Array:
+    """Ti2(x), the imaginary part of the dilogarithm of ix."""
+    return special.spence(1 - 1j * x).imag
+
+
+def _beta(z: Array, p: Array, q: Array) -> Array:
+    return z**p / p * special.hyp2f1(p, 1 - q, p + 1, z)
+
+
+def _cap_moment(k: float, b: float, R: float, a: Array) -> Array:
+    """For a < R; the difference of an antiderivative between the tip and the break."""
+    gap, power = (R - a) * (R + a), (k + 1) / 2
+
+    def primitive(v: Array) -> Array:
+        return v**power / (k + 1) / np.sqrt(gap) * special.hyp2f1(0.5, power, power + 1, -v / gap)
+
+    return primitive(a * a) - primitive((a - b) * (a + b))
+
+
+FUNCTIONS: dict[str, Any] = {
+    "C0": _c0,
+    "LegendreChi2": _chi2,
+    "ArctanIntegral": _arctan_integral,
+    "IncompleteBeta": _beta,
+    "Dawson": special.dawsn,
+    "StruveH": special.struve,
+    "elliptic_f": special.ellipkinc,
+    "elliptic_e": special.ellipeinc,
+    "Hypergeometric": special.hyp2f1,
+    "Kummer": special.hyp1f1,
+    "CapMoment": _cap_moment,
+    "gamma": special.gamma,
+}
+"""By the names that SymPy prints."""
+
+
+Function = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """The expression that holds from `low` to `high`."""
+
+    low: float
+    high: float
+    expr: sp.Expr
+
+
+@dataclass(frozen=True)
+class Given:
+    """A function of one variable at numbers for its parameters, zero below its first piece."""
+
+    pieces: tuple[Piece, ...]
+    variable: sp.Symbol
+    values: Mapping[Any, float]
+
+    @property
+    def rate(self) -> Given:
+        """The derivative."""
+        pieces = tuple(Piece(one.low, one.high, sp.diff(one.expr, self.variable)) for one in self.pieces)
+        return Given(pieces, self.variable, self.values)
+
+    def numpy(self) -> Function:
+        """Of an array; each expression sees its own range only."""
+        functions = [self._bound(one.expr, [FUNCTIONS, "numpy"]) for one in self.pieces]
+        if len(functions) == 1 and not self.pieces[0].low:
+            return lambda x: functions[0](x) + 0.0 * x  # a constant broadcasts
+
+        def chosen(x: Array) -> Array:
+            value = 0.0 * x
+            with np.errstate(divide="ignore", invalid="ignore"):  # at a break, whose value is not taken
+                for one, function in zip(self.pieces, functions, strict=True):
+                    value = np.where(x > one.low, function(np.clip(x, one.low, one.high)), value)
+            return value
+
+        return chosen
+
+    def math(self) -> Function:
+        """Of a float above the first break."""
+        return self._scalar([FUNCTIONS, "math"], float)
+
+    def mpmath(self) -> Function:
+        """Of a number of mpmath above the first break."""
+        return self._scalar([{master.__name__: master.numeric for master in MASTERS}, "mpmath"], mp.mpf)
+
+    def _scalar(self, modules: Any, number: Callable[[float], Any]) -> Function:
+        functions = [self._bound(one.expr, modules, number) for one in self.pieces]
+        if len(functions) == 1:
+            return functions[0]
+        ends = [one.high for one in self.pieces]
+
+        def chosen(x: Any) -> Any:
+            for end, function in zip(ends, functions, strict=True):
+                if x <= end:
+                    return function(x)
+            return math.nan
+
+        return chosen
+
+    def _bound(self, expr: sp.Expr, modules: Any, number: Callable[[float], Any] = float) -> Function:
+        parameters = sorted(expr.free_symbols - {self.variable}, key=str)
+        function = sp.lambdify((self.variable, *parameters), expr, modules)
+        values = [self.values[symbol] for symbol in parameters]
+        if number is float:
+            return lambda x: function(x, *values)
+        return lambda x: function(x, *map(number, values))  # at the digits in force
+
+
+def joined(pieces: list[Piece]) -> tuple[Piece, ...]:
+    """In ascending order, neighbours of one expression as one, empty ones left out."""
+    found: list[Piece] = []
+    for one in sorted((one for one in pieces if one.low < one.high), key=lambda one: one.low):
+        if found and found[-1].expr == one.expr:
+            found[-1] = Piece(found[-1].low, one.high, one.expr)
+        else:
+            found.append(one)
+    return tuple(found)
 
 
 @cache

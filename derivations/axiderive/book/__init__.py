@@ -1,0 +1,1 @@
+"""The printed handbook as page models and templates."""

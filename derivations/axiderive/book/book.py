@@ -1,0 +1,135 @@
+"""Front and back of the book: from the summaries of its profiles to the model of the main file."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from typing import Any
+
+from .. import __version__
+from ..figures.chart import chart
+from ..print.words import escaped, typeset
+from ..rows import laws
+from ..store.cache import digest
+from . import front, front_rules, guide, notation_table, readme, references, study
+from .evidence import power_of_ten
+from .notation_table import symbol_index
+from .study.spread import CELLS, spread
+from .word_index import word_index
+
+CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
+PLACES = {"plane": 2, "loads": 3, "materials": 4}
+"""Chapters of the profiles whose id begins so, counted from zero; the others are compact or complete."""
+FRONT = (
+    ("How to read an entry", "howto"), ("Conventions", "conventions"), ("When does it hold?", "validity"),
+    ("Which profile?", "chart"), ("All profiles", "master"), ("Notation", "notation"),
+    ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
+)  # fmt: skip
+BACK = (
+    ("Errata of chapter 11", "errata"), ("Error against run time", "study"), ("References", "references"),
+    ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
+)  # fmt: skip
+"""Titles and labels of the parts before and behind the entries."""
+WITHIN = {"part:matrix": "part:howto", "part:functions": "part:definitions", "part:gradedrules": "part:rules"}
+"""Labels of sections of the parts, and the part they stand in."""
+NEEDED = {"study": "error", "errata": "chapter11"}
+"""What a part prints, by its label, where it is not always there."""
+
+Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
+"""Title and summaries of each chapter."""
+
+
+def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
+    """Number, title and label of every part and entry; the chapters with their own numbers and titles."""
+    front, back = ([("", t, f"part:{name}") for t, name in part if name not in left_out] for part in (FRONT, BACK))
+    return {
+        "front": front,
+        "back": back,
+        "chapters": [
+            (
+                members[0]["chapter"],
+                title,
+                [(m["number"], m["title"], f"sec:{m['name']}") for m in members if not m["host"]],
+            )
+            for title, members in chapters
+        ],
+    }
+
+
+def _held(chapters: Chapters) -> str:
+    """36 profiles, 4 prescribed pressures and the elastic constants: neither of the last two is a profile."""
+    kinds = dict(zip(CHAPTERS, ("profile",) * 3 + ("prescribed pressure", ""), strict=True))
+    counts: Counter[str] = Counter()
+    for title, members in chapters:
+        counts[kinds[title]] += len(members)
+    words = [
+        f"{count} {kind}{'s' * (count > 1)}" if kind else "the elastic constants" for kind, count in counts.items()
+    ]
+    *most, last = words or ["no formula"]
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def _coverage(summaries: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+    """How the formulas of all profiles are known."""
+    found = Counter(readme.NONE)
+    for m in summaries:
+        found.update({name: count for name, count in m["coverage"].items() if name != "digits"})
+    digits = min((m["coverage"]["digits"] for m in summaries if m["coverage"]["digits"]), default=0)
+    return {**found, "digits": digits}
+
+
+def model(
+    summaries: Sequence[Mapping[str, Any]],
+    chapter11: Mapping[str, Any] | None,
+    studies: Mapping[str, Mapping[str, Any]] | None = None,
+) -> dict[str, Any]:
+    """What the template of the main file prints."""
+    chapters = [(title, [m for m in summaries if m["chapter"] == i + 1]) for i, title in enumerate(CHAPTERS)]
+    chapters = [(title, members) for title, members in chapters if members]
+    keys = [key for m in summaries for key in m["keys"]]
+    drawn = study.figures(studies or {}, frozenset(keys))
+    shown = {**drawn, "chapter11": chapter11}
+    left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
+    contents = _contents(chapters, left_out)
+    return {
+        "chapters": chapters,
+        "summaries": summaries,
+        "contents": contents,
+        "suffixes": front.suffixes(),
+        "reading": guide.reading(),
+        "conventions": guide.conventions(),
+        "tips": guide.tips(),
+        "moduli": guide.MODULI,
+        "validity": guide.validity(),
+        "errors": guide.errors(),
+        "coverage": _coverage(summaries),
+        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}, summaries),
+        "definitions": front.definition_rows(),
+        "masters": front.master_rows(),
+        "laws": laws.laws(),
+        "rules": (front_rules.homogeneous(), front_rules.graded()),
+        "chart": chart(summaries),
+        "chapter11": chapter11 and _chapter(chapter11),
+        "studies": drawn,
+        "spread": spread(drawn, studies or {}),
+        "ratios": [ratio for _, ratio in CELLS],
+        "works": [
+            (references.label(short), escaped(" ".join(work[:2])), work.doi)
+            for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
+        ],
+        "symbol_index": symbol_index(summaries),
+        "word_index": word_index(summaries, contents, WITHIN),
+        "held": _held(chapters),
+        "formulas": len(keys),
+        "version": __version__,
+        "edition": digest([(m["name"], m["digest"]) for m in summaries])[:8],
+    }
+
+
+def _chapter(record: Mapping[str, Any]) -> dict[str, Any]:
+    """The record of the chapter with its words and their formulas as LaTeX."""
+    rows = [row | {"title": typeset(row["title"]), "residual": power_of_ten(row["residual"])} for row in record["rows"]]
+    errata = [{name: typeset(text) for name, text in erratum.items()} for erratum in record["errata"]]
+    steps = [step | {"claim": typeset(step["claim"])} for step in record.get("steps", [])]
+    return {"rows": rows, "errata": errata, "steps": steps}

@@ -1,0 +1,132 @@
+"""Front and back of the book as plain data: table of all profiles, definitions, special functions, ends of the keys."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ..abel import masters
+from ..entry import COMPACT, COMPLETE, Entry
+from ..physics import adhesive, complete, normal, tangential, viscoelastic
+from ..physics.medium import HOMOGENEOUS
+from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..print.formula import MASTER_NAMES, Printer
+from ..print.shorthand import with_kappa
+from ..print.width import width
+from ..rows.row import LEFT, label_of
+
+
+def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
+    """Depth and force for the table of all profiles; what is too wide for it is referred to."""
+    found = {}
+    for name, suffixes, room in (("d", ("d",), 158.0), ("F", ("F", "P"), 200.0)):
+        own = next((suffix for suffix in suffixes if suffix in entries), None)
+        found[name] = _cell(entries[own], room) if own else ""
+    return found
+
+
+def _cell(entry: Entry, room: float) -> str:
+    case = entry.cases[-1]
+    short = with_kappa(case.expr)
+    text = Printer(case.chain, short.names)(short.expr)
+    return rf"$\displaystyle {text}$" if width(text) <= room else rf"\eqr{{{entry.key}}}"
+
+
+def master_rows() -> list[dict[str, str]]:
+    """The special functions of the catalogue with their definitions."""
+    amplitude = r"\sqrt{1-k^2\sin^2\alpha}"
+    struve = r"\frac{2(z/2)^\nu}{\sqrt\pi\,\Gamma(\nu+\frac12)}\int_0^{1}(1-u^2)^{\nu-1/2}\sin(zu)\,\mathrm du"
+    rows = (
+        (r"\mathrm{F}(\varphi,k)", rf"\int_0^{{\varphi}}\frac{{\mathrm d\alpha}}{{{amplitude}}}", MODULUS),
+        (r"\mathrm{E}(\varphi,k)", rf"\int_0^{{\varphi}}{amplitude}\,\mathrm d\alpha", MODULUS),
+        (
+            r"\mathrm{C}_0(b,r,a)",
+            r"\int_{\max(b,r)}^{a}\arccos\frac bt\,\frac{\mathrm dt}{\sqrt{t^2-r^2}}",
+            "one for every break; no closed form was found",
+        ),
+        (
+            _name(masters.LegendreChi2),
+            r"\int_0^{x}\frac{\operatorname{artanh}t}{t}\,\mathrm dt",
+            "Legendre's chi function",
+        ),
+        (_name(masters.ArctanIntegral), r"\int_0^{x}\frac{\arctan t}{t}\,\mathrm dt", "inverse tangent integral"),
+        (
+            r"\mathrm{B}(z;p,q)",
+            r"\int_0^{z}u^{p-1}(1-u)^{q-1}\,\mathrm du",
+            "incomplete Beta function, $p>0$, $0\\le z<1$",
+        ),
+        (
+            r"{}_{2}\mathrm{F}_{1}(p,q;c;z)",
+            r"\frac{\Gamma(c)}{\Gamma(q)\,\Gamma(c-q)}\int_0^{1}u^{q-1}(1-u)^{c-q-1}(1-zu)^{-p}\,\mathrm du",
+            "Gauss, $c>q>0$, $z<1$ (11.93)",
+        ),
+        (
+            r"{}_{1}\mathrm{F}_{1}(p;c;z)",
+            r"\frac{\Gamma(c)}{\Gamma(p)\,\Gamma(c-p)}\int_0^{1}u^{p-1}(1-u)^{c-p-1}\,\mathrm e^{zu}\,\mathrm du",
+            "Kummer, $c>p>0$",
+        ),
+        (
+            r"\mathrm{J}(k;b,R,a)",
+            r"\int_0^{b}\frac{u\,(a^2-u^2)^{(k-1)/2}}{\sqrt{R^2-u^2}}\,\mathrm du",
+            "spherical cap on the graded half-space, $b<a$, $b<R$",
+        ),
+        (r"\mathbf{H}_{\nu}(z)", struve, "Struve functions (11.97)"),
+        (_name(masters.Dawson), r"\mathrm e^{-x^2}\int_0^{x}\mathrm e^{u^2}\,\mathrm du", "Dawson's function"),
+    )
+    return [{"name": name, "definition": definition, "remark": remark} for name, definition, remark in rows]
+
+
+MODULUS = "elliptic integral with modulus $k$; SciPy and mpmath take $m=k^2$"
+
+
+def _name(master: type[masters.Master]) -> str:
+    return MASTER_NAMES[master] + "(x)"
+
+
+QUANTITIES = (
+    ("Normal contact", "", (COMPACT, COMPLETE)),
+    ("Adhesive contact; graded: .fgm.adh", "adh.", (adhesive.QUANTITIES,)),
+    ("Tangential contact; graded: .fgm.tan", "tan.", (tangential.QUANTITIES,)),
+    ("Viscoelastic half-space", "vis.", (viscoelastic.QUANTITIES,)),
+    ("Plane contact", "", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
+)
+
+
+def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
+    """What the end of a key means, by kind of contact, in the words of the rows; without the four laws spelled out."""
+    found = []
+    for title, group, tables in QUANTITIES:
+        ends: dict[str, str] = {}
+        for q in (q for table in tables for q in table.values()):
+            suffix, label = q.suffix, q.label
+            if group == "vis.":
+                suffix = suffix.partition("_")[0] + "_..."
+            words, small = label_of(suffix, label)
+            ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)
+        found.append((title, list(ends.items())))
+    return found
+
+
+DEFINED = ("d", "F", "p", "w", "k")
+"""Quantities whose definitions stand in front of the book; the depth of a complete contact is free."""
+
+
+def definition_rows() -> list[tuple[str, str, str]]:
+    """Label, general formula and equation numbers of every quantity, compact contact first."""
+    printer = Printer()
+    rows = []
+    for title, quantities, formulas, equations in (
+        ("", COMPACT, normal.definitions(), normal.REFERENCES),
+        ("complete contact: ", COMPLETE, complete.definitions(HOMOGENEOUS), complete.REFERENCES),
+    ):
+        for suffix in DEFINED:
+            if suffix in formulas:
+                left = LEFT[suffix]
+                right = "=" + printer(HOMOGENEOUS.stiffness() if suffix == "k" else formulas[suffix])
+                rows.append(
+                    (
+                        title + quantities[suffix].label.lower().replace(" outside", ""),
+                        left + right,
+                        ", ".join(equations[suffix][0]),
+                    )
+                )
+    return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]

@@ -1,0 +1,131 @@
+"""The spread of rules that hold for every profile: on the homogeneous half-space left, on the graded one right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ..entry import COMPACT
+from ..physics import adhesive, normal, tangential, viscoelastic
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..print.formula import Printer
+from ..rows import rules
+from ..rows.row import LEFT, SOLVED, Kind, label_of
+
+
+@dataclass(frozen=True)
+class RuleRow:
+    """A rule in print, and how it is read back: as the row of this kind of any entry with its suffix."""
+
+    system: str
+    suffix: str
+    label: str
+    small: str
+    tex: str
+    remark: str = ""
+    kind: Kind | None = "rule"
+    """None for a defining integral."""
+
+    @property
+    def key(self) -> str:
+        """The end of the keys that the rule gives, and of its own label: fgm.adh.Dl."""
+        return ".".join(part for part in (*GROUPS[self.system], self.suffix) if part)
+
+
+Line = tuple[RuleRow, ...]
+Section = tuple[str, str, Sequence[Line]]
+"""Title, note and lines of one kind of contact; a line holds one rule or two."""
+GROUPS = {
+    "normal": ("",), "adhesive": ("adh",), "tangential": ("tan",), "viscoelastic": ("vis",),
+    "graded.normal": ("fgm",), "graded.adhesive": ("fgm", "adh"), "graded.tangential": ("fgm", "tan"),
+}  # fmt: skip
+QUANTITIES = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
+FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
+TANGENTIAL = (("F",), ("c",), ("tau",), ("u", "us"))
+JKR = r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$"
+SLIP = r"constant $F_{\mathrm N}$; the contact sticks for $r<c$ and slips outside"
+
+
+def homogeneous() -> list[Section]:
+    """The left page."""
+    return [
+        ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
+        ("Adhesive contact", JKR, _lines("adhesive", (*FIELDS, ("ac", "am"), *PULLED))),
+        ("Tangential contact", SLIP, _lines("tangential", TANGENTIAL)),
+        (
+            "Viscoelastic half-space",
+            r"while the contact grows; laws on page \pageref{part:laws}",
+            [(_viscoelastic(kind),) for kind in VISCOELASTIC],
+        ),
+    ]
+
+
+def graded() -> list[Section]:
+    """The right page."""
+    integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
+    return [
+        ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
+        ("Adhesive contact", JKR, _lines("graded.adhesive", (*FIELDS, ("ac",), ("am",), *PULLED))),
+        ("Tangential contact", SLIP, _lines("graded.tangential", TANGENTIAL)),
+    ]
+
+
+def rule_rows() -> list[RuleRow]:
+    """All rules of the spread."""
+    return [one for page in (homogeneous(), graded()) for _, _, lines in page for line in lines for one in line]
+
+
+def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
+    return [tuple(_rule(system, suffix) for suffix in line) for line in suffixes]
+
+
+def _rule(system: str, suffix: str) -> RuleRow:
+    found = rules.rule(system, suffix)
+    assert found is not None
+    label, small = label_of(suffix, QUANTITIES[system.rpartition(".")[2]][suffix].label)
+    small = f"${found.where}$" if found.where else small
+    return RuleRow(system, suffix, label, small, found.tex, found.remark)
+
+
+def _labelled(system: str, suffix: str, tex: str, remark: str, kind: Kind | None) -> RuleRow:
+    return RuleRow(system, suffix, *label_of(suffix, COMPACT[suffix].label), tex, remark, kind)
+
+
+def _inverses(system: str) -> list[Line]:
+    return [
+        tuple(_labelled(system, suffix, SOLVED[suffix], "solved for $a$", "root") for suffix in ("ad", "aF")),
+        (
+            _labelled(system, "Fd", rf"{LEFT['Fd']}=F_{{\mathrm N}}(a)", "where $g(a)=d$", "composition"),
+            _labelled(system, "dF", f"{LEFT['dF']}=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),
+        ),
+    ]
+
+
+def _stiffness(medium: Medium) -> RuleRow:
+    system = "normal" if medium is HOMOGENEOUS else "graded.normal"
+    return _labelled(system, "k", f"{LEFT['k']}={Printer()(medium.stiffness())}", "", "formula")
+
+
+def _mean(system: str) -> RuleRow:
+    return _labelled(system, "pm", r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}", "", "rule")
+
+
+def _integral(suffix: str) -> RuleRow:
+    """Depth or force on the graded half-space from the profile."""
+    return _labelled(
+        "graded.normal", suffix, f"{LEFT[suffix]}={Printer()(normal.definitions(GRADED)[suffix])}", "", None
+    )
+
+
+VISCOELASTIC = {
+    "step": r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
+    "load": r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",
+    "ramp": r"F_{\mathrm N}(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
+}
+
+
+def _viscoelastic(kind: str) -> RuleRow:
+    suffix = f"{kind}_{viscoelastic.LAWS[0].suffix}"
+    label, small = label_of(suffix, "")
+    remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
+    return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind], remark)

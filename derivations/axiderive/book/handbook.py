@@ -1,0 +1,231 @@
+"""The handbook: one LaTeX file per profile and a main file, from the same entries as everything else.
+
+The page model is plain data for the templates, which hold layout only.  A
+profile's file is a pure function of its own problems, so that the files can be
+made in any order and in several processes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import jinja2
+
+from .. import __version__
+from ..entry import Entry
+from ..physics.systems import profile_ids
+from ..print.width import width
+from ..profiles import COMPLETE_NAMES
+from ..rows import special
+from ..store.cache import digest
+from . import book, references, spread
+
+Derived = Mapping[str, Mapping[str, Entry]]
+Model = Mapping[str, Any]
+Summary = dict[str, Any]
+
+
+def handbook_sources(
+    derived: Derived,
+    evidence: Mapping[str, Any] | None = None,
+    chapter11: Mapping[str, Any] | None = None,
+    models: Mapping[str, Model] | None = None,
+    studies: Mapping[str, Any] | None = None,
+) -> dict[str, str]:
+    """All LaTeX files of the handbook.
+
+    Parameters
+    ----------
+    derived : mapping
+        Entries by suffix, by key of the problem.
+    evidence : mapping, optional
+        What was checked, by key of the problem; missing records are said to be missing.
+    chapter11 : mapping, optional
+        Record of the checks of the chapter, as `chapter11.record.record` makes it.
+    models : mapping, optional
+        What `page_models` gives, where it is at hand.
+    studies : mapping, optional
+        Records of `axicontact study` by name: error, speed, maps, extremes.
+
+    Returns
+    -------
+    dict of str to str
+        Text by path relative to the folder of the handbook.
+    """
+    models = page_models(derived, evidence or {}) if models is None else models
+    template = templates().get_template("profile.tex.j2")
+    files = {
+        f"profiles/{name}.tex": template.render(model, hosted=[models[i] for i in special.hosted(name) if i in models])
+        for name, model in models.items()
+        if not model["host"]
+    }
+    return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
+
+
+def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Model]:
+    """What the page of every profile shows, in print and on the web, in the order of the handbook.
+
+    A model is a pure function of the problems of its profile.
+    """
+    ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
+    return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
+
+
+def ruled(model: Model) -> list[str]:
+    """Keys that the catalogue evaluates by a quadrature rule or may, of a force that of F(d).
+
+    What evaluates the fields of a graded or a plane contact is not recorded with its formulas.
+    """
+    suffixes = [row["suffix"] for row in model["evidence"]["table"] if row["ruled"]]
+    found = [suffix for suffix in ("p", "w") if suffix in suffixes] + (["Fd"] if "F" in suffixes else [])
+    graded = [f"fgm.{suffix}" for suffix in ("p", "w")]
+    plane = ["p"] if "plane" in model["blocks"] else []
+    return [f"{model['name']}.{suffix}" for suffix in (*found, *graded, *plane)]
+
+
+def approached(model: Model, system: str) -> list[dict[str, Any]]:
+    """What was checked of the limits of a contact: key, formula, digits and points."""
+    rows = model["blocks"][system]["approached"] if system in model["blocks"] else []
+    return [check for row in rows for check in row.get("checks", ())]
+
+
+SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "master_row", "coverage")
+"""What the main file needs of a profile; plain data that can be sent between processes."""
+
+
+def summary(model: Model) -> Summary:
+    """The part of a page model that the front of the book uses."""
+    return {name: model[name] for name in SUMMARISED} | {
+        "shape": miniature(model),
+        "digest": digest(model["blocks"]),
+        "roots": _roots(model),
+    }
+
+
+def _roots(model: Model) -> list[str]:
+    """The letters that stand for a root somewhere in the rows of a profile."""
+    rows = [row for block in model["blocks"].values() for line in block["lines"] for row in line]
+    return sorted({name for row in rows for region in row["regions"] for name in _ROOT.findall(region["tex"])})
+
+
+_ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")
+
+
+def miniature(model: Model) -> dict[str, str]:
+    """Outline of the body and line of contact of its sketch, or the prescribed pressure, as the front draws it."""
+    drawn = model["picture"] or model["tilted_picture"]
+    if drawn:
+        return {"body": drawn.body, "contact": drawn.contact}
+    return {"pressure": model["load_picture"].pressure} if model["load_picture"] else {}
+
+
+def book_sources(
+    summaries: Sequence[Summary],
+    chapter11: Mapping[str, Any] | None = None,
+    studies: Mapping[str, Any] | None = None,
+) -> dict[str, str]:
+    """The main file and its preamble, from the summaries of the profiles in their order."""
+    environment = templates()
+    model = book.model(summaries, chapter11, studies)
+    return {
+        "preamble.tex": environment.get_template("preamble.tex.j2").render(
+            version=__version__, edition=model["edition"]
+        ),
+        "handbook.tex": environment.get_template("handbook.tex.j2").render(model),
+    }
+
+
+def numbered(ids: Sequence[str]) -> dict[str, str]:
+    """Section numbers, counted within the chapters of `book.CHAPTERS`; a special case has that of its host."""
+    counts = [0] * len(book.CHAPTERS)
+    found = {}
+    for profile_id in (i for i in ids if special.HOSTS.get(i) not in ids):
+        chapter = _chapter(profile_id)
+        counts[chapter] += 1
+        found[profile_id] = f"{chapter + 1}.{counts[chapter]}"
+    return {i: found[special.HOSTS[i] if special.HOSTS.get(i) in ids else i] for i in ids}
+
+
+def _chapter(profile_id: str) -> int:
+    prefix = profile_id.rpartition(".")[0] or profile_id
+    if prefix in book.PLACES:
+        return book.PLACES[prefix]
+    return int(profile_id in COMPLETE_NAMES)
+
+
+def templates() -> jinja2.Environment:
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("axiderive.book"),
+        block_start_string=r"\BLOCK{",
+        block_end_string="}",
+        variable_start_string=r"\VAR{",
+        variable_end_string="}",
+        comment_start_string=r"\#{",
+        comment_end_string="}",
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+        undefined=jinja2.StrictUndefined,
+    )
+    environment.globals.update(
+        remark=remark,
+        behind=behind,
+        shade=shade,
+        tone=tone,
+        numbers=numbers,
+        chapter_source=references.label("Popov, Heß & Willert 2019"),
+    )
+    return environment
+
+
+def remark(one: dict[str, Any]) -> str:
+    """The words behind a formula with the keys they refer to."""
+    if not one["remark"]:
+        return ""
+    key = rf" \own{{{one['uses']}}}" if one["uses"] else ""
+    return rf"\remark{{{one['remark']}{key}}}"
+
+
+ROOM = 380.0
+"""Points for a formula without a key and the words behind it."""
+
+
+def behind(tex: str, words: str) -> str:
+    """A formula with the words behind its last line, or on one more where that is full."""
+    if not words:
+        return tex
+    opening, closing, gap = r"\begin{aligned}[t]&", r"\end{aligned}", r"\\[1.5mm]&"
+    lines = tex.removeprefix(opening).removesuffix(closing).split(gap)
+    # 8.4 point type, and the spaces, which a formula does not have
+    room = ROOM - 12.0 - 0.84 * width(words) - 2.1 * words.count(" ")
+    if width(lines[-1]) > room:
+        lines.append("")
+    lines[-1] += rf"\remark{{{words}}}"
+    return lines[0] if len(lines) == 1 else opening + gap.join(lines) + closing
+
+
+def numbers(equations: Sequence[str]) -> str:
+    """(11.16), (11.18), (11.20) as (11.16, 18, 20)."""
+    found: list[str] = []
+    chapter = ""
+    for text in equations:
+        before, _, number = text.strip("()").partition(".")
+        found.append(number if before == chapter else f"{before}.{number}")
+        chapter = before
+    return f"({', '.join(found)})"
+
+
+def shade(index: int, count: int) -> str:
+    """Lighter to darker red over the curves of a family."""
+    if count == 1:
+        return "100!black"
+    steps = ("50!white", "75!white", "95!black", "62!black")
+    return steps[round(index * (len(steps) - 1) / (count - 1))]
+
+
+def tone(index: int, count: int) -> str:
+    """The shade of a curve for its label, which is too thin for the lightest."""
+    return shade(index, count).replace("50!", "78!").replace("75!", "90!")

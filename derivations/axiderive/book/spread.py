@@ -1,0 +1,142 @@
+"""The page model of one profile: everything its template needs, as plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from ..entry import Entry
+from ..figures.curves import curves
+from ..figures.given import axes_of
+from ..figures.graded import SHOWN, frames
+from ..figures.plots import plots
+from ..figures.sketch import sketch
+from ..figures.sketch_given import load_sketch
+from ..figures.sketch_tilted import tilted_sketch
+from ..oracle.values import Numbers, StripNumbers, sketch_values
+from ..physics.systems import POOLS, SYSTEMS, Pool, Problem
+from ..print.words import prose
+from ..profiles.loads import Load
+from ..profiles.profile import Profile
+from ..rows import blocks, special
+from ..worked import worked, worked_bodies, worked_given
+from . import evidence as proven
+from . import front, page, readme, references
+from .page import given_table, panel
+
+Entries = Mapping[str, Entry]
+PLOT_DIGITS = 16
+
+
+def pool_of(profile_id: str) -> Pool:
+    """The pool a profile belongs to."""
+    prefix, _, name = profile_id.rpartition(".")
+    return next(pool for pool in POOLS if pool.prefix == prefix and name in pool.names)
+
+
+def problems_of(profile_id: str) -> list[Problem]:
+    """The problems of a profile, of whatever system."""
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
+    profile = pool.load(name)
+    return [Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile)]
+
+
+def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str, Any], number: str) -> dict[str, Any]:
+    """What the template prints for one profile, whose problems are given by key."""
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
+    profile = pool.load(name)
+    refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
+    own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
+    main = next((entries for key, entries in own.items() if key == profile_id), {})
+    shown = blocks.blocks(profile_id, derived, refusals, evidence)
+    return {
+        "name": profile_id,
+        "title": prose(profile.title),
+        "number": number,
+        "chapter": int(number.partition(".")[0]),
+        "subtitle": prose(profile.subtitle),
+        "panel": panel(profile, main, pool.prefix == "plane") if main else [],
+        "place": "x" if pool.prefix == "plane" else "r",
+        "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
+        "first": next(system.name for system in SYSTEMS if system.pool is pool),
+        "blocks": {key: asdict(block) for key, block in shown.items()},
+        "evidence": proven.evidence_rows(profile_id, own, evidence),
+        "proved": proven.summary(own, evidence),
+        "uncertified": proven.missing_certificates(profile_id, own, evidence),
+        "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
+        "sources": [(prose(work), references.label(work)) for work in profile.sources],
+        "equations": _equations(own),
+        "shown": [row["suffix"] for block in shown.values() for line in block.lines for row in line]
+        + [end for block in shown.values() for line in block.lines for row in line for end in row["also"]],
+        "keys": [entry.key for entries in own.values() for entry in entries.values()],
+        "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
+        "master_row": front.master_row(main),
+        "special": special.tables(profile_id),
+        "host": special.HOSTS.get(profile_id, ""),
+        "status": _status(profile_id, own, evidence),
+        "coverage": readme.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
+        **_figures(profile_id, profile, main, derived),
+    }
+
+
+def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any]) -> dict[str, str]:
+    """The cells of the profile in the matrix profile x physics, by system."""
+    records = {key: evidence.get(key, {"entries": {}}) for key in own}
+    cells: dict[str, str] = readme.matrix(own, records)["profiles"].get(profile_id, {})
+    return cells
+
+
+def _equations(own: Mapping[str, Entries]) -> list[str]:
+    found = {r for entries in own.values() for entry in entries.values() for r in entry.references}
+    return sorted(found, key=_order)
+
+
+def _order(text: str) -> tuple[int, ...]:
+    return tuple(int(x) for x in text.strip("()").split("."))
+
+
+NOTHING: dict[str, Any] = {
+    "worked": None,
+    "picture": None,
+    "load_picture": None,
+    "tilted_picture": None,
+    "plots": (),
+    "checks": None,
+    "derivation": "",
+    "complete": False,
+    "axes": (),
+    "graded": (),
+}
+
+
+def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
+    """Sketch, plots, check values, calls and derivation, where the profile has them."""
+    prefix = profile_id.rpartition(".")[0]
+    texts = NOTHING | {"derivation": page.derivation(profile_id, profile, main)}
+    texts["axes"] = axes_of(profile, main) if main else ()
+    if texts["axes"]:
+        texts |= {"worked": worked_given(profile, main), "checks": given_table(profile, main)}
+        if isinstance(profile, Load):
+            return texts | {"load_picture": load_sketch(profile, main)}
+        return texts | {"tilted_picture": tilted_sketch(profile, main)}
+    if "E_star" in main:
+        texts["worked"] = worked_bodies(main)
+    if not main or "p" not in main:
+        return texts
+    values = sketch_values(profile)
+    if prefix == "plane":
+        rough: Numbers = StripNumbers(profile, main, values, PLOT_DIGITS)
+        exact: Numbers = StripNumbers(profile, main, values)
+    else:
+        rough, exact = Numbers(profile, main, values, PLOT_DIGITS), Numbers(profile, main, values)
+    graded = derived.get(f"{profile_id}.fgm", {})
+    return texts | {
+        "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
+        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
+        "worked": worked(profile_id, profile, derived, type(rough)),
+        "picture": sketch(profile, rough),
+        "plots": plots(profile, rough),
+        "checks": page.check_table(profile, exact),
+        "complete": profile.contact == "complete",
+    }

@@ -1,0 +1,176 @@
+"""Error against run time: one panel for every formula that was measured, all with the same axes.
+
+The panels are drawn in millimetres, because a frame of pgfplots takes TeX a
+tenth of a second and there is one for every formula.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ...print.words import escaped
+
+WIDTH, HEIGHT = 43.0, 30.0
+"""Millimetres of the frame; twelve fit below the words of the first page."""
+NAMES = "run time over that of the function", "worst relative error"
+"""What the axes measure."""
+LOWEST = -16
+WORDS = {
+    "emitted": "the function of this catalogue",
+    "lambdify": "the printed formula through NumPy",
+    "generated rule": "a generated rule of $N$ nodes",
+    "Gauss-Jacobi": "Gauss--Jacobi rule for the defining integral",
+    "quad": "adaptive quadrature in double precision",
+    "mpmath": "adaptive quadrature in many digits",
+    "quad, substituted": "adaptive quadrature, singularities substituted away",
+    "mpmath, substituted": "the same in many digits",
+    "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
+    "FFT MDR": "dimensionality reduction on a grid by FFT",
+    "quad and root": "adaptive quadrature and root finding",
+    "quad, weighted": "adaptive quadrature, singular weight",
+    "table": "interpolation in a table",
+    "BEM": "boundary elements",
+}
+OWN = ("emitted", "generated rule")
+"""Methods of the catalogue, drawn in colour."""
+
+FEW = frozenset(("emitted", "lambdify", "generated rule", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR"))
+"""Methods that the page of a profile shows."""
+DIGITS = "mpmath"
+"""Shown as well where it is the only other one: of a contact that is drawn on the page of its profile alone."""
+FLOOR = 2.0**-53
+"""Errors below the rounding of a double count as that."""
+
+Point = tuple[float, float]
+Plots = dict[str, dict[str, list[Point]]]
+
+
+@dataclass(frozen=True)
+class Line:
+    """What one method reaches: its points in millimetres, its letter and where that sits."""
+
+    letter: str
+    own: bool
+    points: tuple[Point, ...]
+    place: Point
+
+    @property
+    def coordinates(self) -> str:
+        return " ".join(f"({x:.2f},{y:.2f})" for x, y in self.points)
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One formula; `known` says whether the book prints its key."""
+
+    key: str
+    known: bool
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """All panels, their axes, and what the letters mean."""
+
+    panels: tuple[Panel, ...]
+    methods: tuple[tuple[str, str], ...]
+    xticks: tuple[tuple[float, int], ...]
+    yticks: tuple[tuple[float, int], ...]
+    width: float
+    height: float
+    names: tuple[str, str] = NAMES
+
+
+def plots(record: Mapping[str, Any]) -> Plots:
+    """Times and worst errors by key and method, in the order of the record; an error that is none is left out."""
+    found: Plots = {}
+    for row in record["rows"]:
+        if row["worst"] is not None:
+            point = row["ratio"], max(row["worst"], FLOOR)
+            found.setdefault(row["key"], {}).setdefault(row["method"], []).append(point)
+    return found
+
+
+def lettered(found: Plots) -> dict[str, str]:
+    """Letters of the methods in the order in which they come."""
+    methods = dict.fromkeys(method for plot in found.values() for method in plot)
+    return {method: chr(ord("a") + i) for i, method in enumerate(methods)}
+
+
+def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
+    """The panels in the order of the record; those of few methods stand with their profiles."""
+    found = plots(record)
+    problems = widely_measured(found)
+    shown = {key: plot for key, plot in found.items() if problem_of(key) in problems}
+    return drawn(shown, lettered(found), keys, WIDTH, HEIGHT)
+
+
+def problem_of(key: str) -> str:
+    return key.rpartition(".")[0]
+
+
+def widely_measured(found: Plots) -> set[str]:
+    """The problems of which more methods were measured than the pages of profiles show."""
+    return {problem_of(key) for key, plot in found.items() if set(plot) - FEW - {DIGITS}}
+
+
+def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width: float, height: float) -> Figure:
+    """Panels in one frame, with the words of the methods in them."""
+    ratios = [x for plot in found.values() for points in plot.values() for x, _ in points]
+    first, last = math.floor(math.log10(min(ratios))), math.ceil(math.log10(max(ratios)))
+    scale = Scale(first, last, width, height)
+    panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in found.items())
+    shown = {method for plot in found.values() for method in plot}
+    step = max(1, math.ceil((last - first) / 5))
+    return Figure(
+        panels,
+        tuple((letter, WORDS.get(method) or escaped(method)) for method, letter in letters.items() if method in shown),
+        tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
+        tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
+        width,
+        height,
+    )
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Decades of the ratio of times to millimetres; errors from 1e-16 to 1."""
+
+    first: int
+    last: int
+    width: float
+    height: float
+
+    def x(self, ratio: float) -> float:
+        return self.width * (math.log10(ratio) - self.first) / (self.last - self.first)
+
+    def y(self, error: float) -> float:
+        power = min(max(math.log10(error), LOWEST), 0.0)
+        return self.height * (power - LOWEST) / -LOWEST
+
+
+def _lines(plot: Mapping[str, Sequence[Point]], letters: Mapping[str, str], scale: Scale) -> Iterator[Line]:
+    points = {m: tuple((scale.x(ratio), scale.y(error)) for ratio, error in rows) for m, rows in plot.items()}
+    taken = [point for own in points.values() for point in own]
+    for method, own in points.items():
+        place = _free(own, taken, scale)
+        taken.append(place)
+        yield Line(letters[method], method in OWN, own, place)
+
+
+AROUND = tuple((2.1 * math.cos(math.pi * i / 4), 2.1 * math.sin(math.pi * i / 4)) for i in (2, 0, 6, 4, 1, 3, 5, 7))
+
+
+def _free(own: Sequence[Point], taken: Sequence[Point], scale: Scale) -> Point:
+    """Beside one of the points, where points and letters are farthest away."""
+
+    def room(place: Point) -> float:
+        inside = 1.0 <= place[0] <= scale.width - 1.0 and 1.0 <= place[1] <= scale.height
+        return min(math.dist(place, other) for other in taken) if inside else -1.0
+
+    places = [(x + dx, y + dy) for x, y in own for dx, dy in AROUND]
+    best = max(places, key=lambda place: round(min(room(place), 2.1), 3))
+    return round(best[0], 2), round(best[1], 2)

@@ -1,0 +1,1 @@
+"""From profiles to the bytes of the catalogue."""

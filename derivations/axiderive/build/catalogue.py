@@ -1,0 +1,202 @@
+"""The catalogue as a pure function: profiles in, `{relative path: bytes}` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from ..store.cache import Cache
+from ..store.writing import RECEIPTS
+from . import emission, pool, work
+from .comparison import CHAPTER, receipts_bytes
+from .emission import Book, Published, Record
+from .work import Outcome, Settings
+
+if TYPE_CHECKING:
+    from ..physics.systems import Problem
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Something that keeps a problem out of the catalogue: a formula that failed a check, or a defect."""
+
+    key: str
+    message: str
+    trace: str = ""
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """The files of the catalogue, and what there is to tell about them."""
+
+    files: dict[str, bytes]
+    outcomes: tuple[Outcome, ...]
+    failures: tuple[Failure, ...]
+    kept: tuple[int, int]
+    """Problems whose checks, and whose measured errors, were taken over from what is published."""
+
+
+def build(
+    ids: Sequence[str],
+    *,
+    cache: Cache,
+    settings: Settings | None = None,
+    standing: Mapping[str, Record] = MappingProxyType({}),
+    book: Book | None = None,
+    jobs: int = 1,
+    report: Callable[[Outcome], None] = lambda outcome: None,
+) -> Catalogue:
+    """Derive, verify and emit every problem of the named profiles.
+
+    Parameters
+    ----------
+    ids : sequence of str
+        Profiles as `physics.systems.profile_ids` lists them; the catalogue keeps that order.
+    cache : Cache
+        Where finished problems are kept and looked for; it does not change the result.
+    settings : Settings, optional
+        Digits, number of points and seed of the numerical checks.
+    standing : mapping of str to dict
+        What is published, by key of the problem, as `comparison.standing` reads it: checks and measured errors are
+        taken over where their inputs are the same, and errors measured anew stay as published where they agree.
+    book : Book, optional
+        The book that the pages of these profiles belong to; one of their own otherwise.
+    jobs : int
+        Number of processes.
+    report : callable
+        Called with each outcome as it is ready.
+
+    Returns
+    -------
+    Catalogue
+        The files do not depend on `jobs`, on the cache or on the hash seed.
+    """
+    from ..physics.systems import problems
+
+    settings = settings or Settings()
+    wanted = list(problems(ids))
+    found: dict[str, Outcome] = {}
+    for problem in wanted:
+        outcome = work.stored(problem, cache, settings)
+        if outcome is not None:
+            found[problem.key] = outcome
+            report(outcome)
+    missing = sorted((problem for problem in wanted if problem.key not in found), key=_expected_effort, reverse=True)
+    tasks = [(own.key, str(cache.folder), cache.fresh, settings, standing.get(own.key, {})) for own in missing]
+    for outcome in pool.run(work.task, tasks, jobs):
+        found[outcome.key] = outcome
+        report(outcome)
+    outcomes = tuple(found[problem.key] for problem in wanted)
+    published, failures = _publishable(wanted, found)
+    chapter = _chapter(cache, jobs, standing.get(CHAPTER, {})) if len(wanted) == len(list(problems())) else None
+    failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
+    package = emission.package(published, cache)
+    published, kept, measured = _measured(published, package, standing, cache, jobs)
+    book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
+    files = emission.emitted(published, package, book, cache, settings, jobs)
+    if published:
+        files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
+    return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))
+
+
+def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
+    """What the equations of chapter 11 come to; their checks compare with entries of the engine too."""
+    from ..chapter11.errata import record
+    from ..chapter11.runner import run
+
+    key = work.chapter_key()
+    kept = standing.get("record")
+    if not cache.fresh and kept is not None and standing["receipts"].get("record") == work.receipt(key, kept):
+        return dict(kept)
+    found = cache.get(key)
+    if found is None:
+        found = record(run(jobs=jobs))
+        cache.put(key, found)
+    return dict(found)
+
+
+def _wrong_equations(chapter: Record | None) -> list[str]:
+    from ..chapter11.errata import failures
+
+    return [] if chapter is None else failures(chapter)
+
+
+def _expected_effort(problem: Problem) -> tuple[int, int, int]:
+    """Longest first, so that no process is left alone with a long task at the end."""
+    profile = problem.profile
+    graded = problem.system.name.startswith("graded")
+    return int(graded), len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
+
+
+def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tuple[Published, list[Failure]]:
+    """What may be published: a problem with a failed check is left out, and so is what rests on it."""
+    published: Published = []
+    failures: list[Failure] = []
+    lost: set[str] = set()
+    for problem in wanted:
+        outcome = found[problem.key]
+        if outcome.error:
+            failures.append(Failure(problem.key, outcome.error, outcome.trace))
+        failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
+        if outcome.error or outcome.failures:
+            lost.add(problem.key)
+        elif problem.base_keys() & lost:
+            failures.append(Failure(problem.key, f"rests on {', '.join(sorted(problem.base_keys() & lost))}"))
+            lost.add(problem.key)
+        else:
+            published.append((problem, outcome))
+    return published, failures
+
+
+def _measured(
+    published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
+) -> tuple[Published, int, dict[str, str]]:
+    """The same with the errors of the emitted functions among the evidence.
+
+    Also of how many problems they were taken over, and the keys of their inputs.
+    """
+    from ..stable.drift import settled
+    from ..stable.measure import closure
+    from ..stable.records import SYSTEMS
+
+    tasks = [
+        (
+            own.key,
+            outcome.entries,
+            closure(package, own.module),
+            str(cache.folder),
+            cache.fresh,
+            standing.get(own.key, {}),
+        )
+        for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
+        if own.system.name in SYSTEMS
+    ]
+    errors, inputs, kept = {}, {}, 0
+    for key, found, made_of, taken in pool.run(work.evaluation, tasks, jobs):
+        errors[key] = settled(standing.get(key, {}).get("evaluation") or {}, found)
+        inputs[key] = made_of
+        kept += taken
+    whole = [
+        (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": errors[problem.key]}))
+        if problem.key in errors
+        else (problem, outcome)
+        for problem, outcome in published
+    ]
+    return whole, kept, inputs
+
+
+def _receipts(published: Published, settings: Settings, measured: Mapping[str, str], chapter: Record | None) -> Record:
+    """What the checks and the measured errors of each problem, and the record of the chapter, were made of."""
+    from .verification import checks_of
+
+    found = {}
+    for problem, outcome in published:
+        made_of = work.checking_key(problem, outcome.entries, settings)
+        found[problem.key] = {"checks": work.receipt(made_of, checks_of(outcome.evidence))}
+        if problem.key in measured:
+            found[problem.key]["evaluation"] = work.receipt(measured[problem.key], outcome.evidence["evaluation"])
+    if chapter is not None:
+        found[CHAPTER] = {"record": work.receipt(work.chapter_key(), chapter)}
+    return found

@@ -1,0 +1,259 @@
+"""One problem, derived and verified: the unit of work that is cached and handed to a process."""
+
+from __future__ import annotations
+
+import time
+import traceback
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache as remember
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..store.cache import Cache, digest
+from ..store.sources import import_digest, modules_of, source_digest
+
+if TYPE_CHECKING:
+    from ..entry import Entry
+    from ..physics.systems import Problem
+    from ..profiles.profile import Profile
+
+FORMAT = 2
+DERIVING = (
+    *("axiderive.physics.systems.problem", "axiderive.physics.systems.Problem"),
+    *("axiderive.store.records.entry_record", "axiderive.store.records.read_entry"),
+)
+PROVING = (*DERIVING, "axiderive.build.verification.verify")
+CHECKING = (*DERIVING, "axiderive.checks.checks.check_problem")
+MEASURING = (*DERIVING, "axiderive.stable.records.record")
+"""What derives, proves, checks and measures, with all that it uses of the engine."""
+WRITING = (
+    *("axiderive.notation", "axiderive.entry", "axiderive.abel", "axiderive.physics", "axiderive.store.records"),
+    *("axiderive.profiles", "axiderive.stable", "axiderive.code", "axiderive.runtime", "axiderive.print"),
+    *("axiderive.rows", "axiderive.figures", "axiderive.worked", "axiderive.book", "axiderive.web"),
+    *("axiderive.readback", "axiderive.oracle.values"),
+)
+"""Modules and packages, with every file in them, that write modules and pages."""
+TEXTS = ("title", "subtitle", "validity", "sources", "sketch", "synonyms", "note", "meanings", "reason")
+"""Fields of a profile and its rules that are printed and drawn: no formula and no proof depends on them."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How hard the definitions are integrated, and where."""
+
+    digits: int = 50
+    points: int = 8
+    seed: int = 17
+
+    def record(self) -> dict[str, int]:
+        return {"digits": self.digits, "points": self.points, "seed": self.seed}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a task brings back, in plain data so that it crosses processes as it is stored."""
+
+    key: str
+    """Key of the problem."""
+    entries: dict[str, Any]
+    evidence: dict[str, Any]
+    seconds: float
+    cached: bool = False
+    kept: bool = False
+    """Whether its checks were taken from the catalogue."""
+    error: str = ""
+    trace: str = ""
+
+    @property
+    def failures(self) -> list[dict[str, str]]:
+        found: list[dict[str, str]] = self.evidence.get("failures", [])
+        return found
+
+
+def project_root() -> Path:
+    """The checkout this engine lives in, or the current folder if it is installed elsewhere."""
+    checkout = Path(__file__).resolve().parents[3]
+    return checkout if (checkout / "pyproject.toml").is_file() else Path.cwd()
+
+
+def derivation_key(problem: Problem) -> str:
+    shape = _shape(problem.profile)
+    return digest([FORMAT, "derivation", installed("sympy"), import_digest(*DERIVING), problem.key, shape])
+
+
+def _shape(profile: Profile) -> Any:
+    """The record of a profile without its texts."""
+    from ..store.records import profile_record
+
+    def bare(value: Any) -> Any:
+        if isinstance(value, list):
+            return [bare(item) for item in value]
+        if isinstance(value, dict):
+            return {name: bare(item) for name, item in value.items() if name not in TEXTS}
+        return value
+
+    return bare(profile_record(profile))
+
+
+@remember
+def _shapes() -> str:
+    """Digest of all profiles: a limit is verified with the profile that it leads to."""
+    from ..physics.systems import POOLS
+
+    return digest([[pool.prefix, name, _shape(pool.load(name))] for pool in POOLS for name in pool.names])
+
+
+def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
+    """Of the whole verification: proofs, the second proofs, and the checks."""
+    proving = [import_digest(*PROVING), source_digest("axiderive.verifier")]
+    return digest([FORMAT, "verification", proving, checking_key(problem, entries, settings)])
+
+
+def checking_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
+    """Of the numerical comparisons: the code that makes them, the settings, the profiles and the entries."""
+    versions = [installed(name) for name in ("sympy", "mpmath", "python-flint")]
+    inputs = [versions, import_digest(*CHECKING), _shapes(), settings.record(), problem.key, entries]
+    return digest([FORMAT, "checks", inputs])
+
+
+def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[str, str]) -> str:
+    """Of the measured errors: the code that measures, the profile, the entries and the texts of the modules."""
+    versions = [installed(name) for name in ("numpy", "sympy", "python-flint")]
+    inputs = [versions, import_digest(*MEASURING), _shape(problem.profile), problem.key, entries, dict(sources)]
+    return digest([FORMAT, "evaluation", inputs])
+
+
+def chapter_key() -> str:
+    """Of the checks of chapter 11, which compare with entries of the engine too."""
+    sources = [import_digest(*DERIVING, *modules_of("axiderive.chapter11")), _shapes()]
+    return digest([FORMAT, "chapter", installed("sympy"), installed("mpmath"), sources])
+
+
+def receipt(key: str, found: object) -> str:
+    """What stands in the catalogue for the inputs of a result: another input or another result has another one."""
+    return digest([key, found])[:32]
+
+
+def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None:
+    """The outcome if both its halves are in the cache."""
+    derivation = cache.get(derivation_key(problem))
+    if derivation is None:
+        return None
+    verification = cache.get(verification_key(problem, derivation["entries"], settings))
+    if verification is None:
+        return None
+    seconds = derivation["seconds"] + verification["seconds"]
+    return Outcome(problem.key, derivation["entries"], verification["evidence"], seconds, cached=True)
+
+
+def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mapping[str, Any]) -> Outcome:
+    """Derive and verify one problem; what is finished is in the cache before the next step begins.
+
+    `standing` is what the catalogue holds of it: checks made from the same inputs are not made again.
+    """
+    from ..physics import systems
+
+    start = time.perf_counter()
+    entries: dict[str, Any] = {}
+    try:
+        problem, cache = systems.problem(key), Cache(Path(folder), fresh)
+        entries = _derived(problem, cache)
+        checks = None if fresh else kept_checks(problem, entries, settings, standing)
+        evidence = _verified(problem, entries, cache, settings, checks)
+    except OSError:
+        raise
+    except Exception as error:  # a defect in one problem must not take the others with it
+        kind = type(error).__name__
+        return Outcome(
+            key, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
+        )
+    return Outcome(key, entries, evidence, time.perf_counter() - start, kept=checks is not None)
+
+
+def kept_checks(
+    problem: Problem, entries: dict[str, Any], settings: Settings, standing: Mapping[str, Any]
+) -> list[dict[str, Any]] | None:
+    """The checks of the catalogue if they were made from these inputs; None otherwise."""
+    checks = standing.get("checks")
+    known = standing.get("receipts", {}).get("checks")
+    if checks is None or known != receipt(checking_key(problem, entries, settings), checks):
+        return None
+    return list(checks)
+
+
+def evaluation(
+    key: str,
+    entries: dict[str, Any],
+    sources: dict[str, str],
+    folder: str,
+    fresh: bool,
+    standing: Mapping[str, Any],
+) -> tuple[str, dict[str, Any], str, bool]:
+    """Measure the emitted functions of one problem unless that has been done for the same texts.
+
+    `sources` are those of the package that the module of the problem rests on, `standing` is what the catalogue holds.
+    Returns the key, the measured errors, the key of their inputs, and whether they were taken from the catalogue.
+    """
+    from ..physics import systems
+    from ..stable.records import record
+
+    problem, cache = systems.problem(key), Cache(Path(folder), fresh)
+    kept = evaluation_key(problem, entries, sources)
+    errors = standing.get("evaluation")
+    if not fresh and errors is not None and standing.get("receipts", {}).get("evaluation") == receipt(kept, errors):
+        return key, dict(errors), kept, True
+    found = cache.get(kept)
+    if found is None:
+        found = record(key, sources, read_entries(problem, entries))
+        cache.put(kept, found)
+    return key, dict(found), kept, False
+
+
+def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
+    from ..store.records import read_entry
+
+    profile = problem.profile
+    return {suffix: read_entry(record, profile) for suffix, record in records.items()}
+
+
+def _derived(problem: Problem, cache: Cache) -> dict[str, Any]:
+    from ..store.records import entry_record
+
+    key = derivation_key(problem)
+    found = cache.get(key)
+    if found is None:
+        start = time.perf_counter()
+        entries = {suffix: entry_record(entry) for suffix, entry in problem.derive().items()}
+        found = {"entries": entries, "seconds": round(time.perf_counter() - start, 3)}
+        cache.put(key, found)
+    return dict(found["entries"])
+
+
+def _verified(
+    problem: Problem,
+    entries: dict[str, Any],
+    cache: Cache,
+    settings: Settings,
+    checks: list[dict[str, Any]] | None,
+) -> dict[str, Any]:
+    from .verification import verify
+
+    key = verification_key(problem, entries, settings)
+    found = cache.get(key)
+    if found is None:
+        start = time.perf_counter()
+        # what is verified is what was stored, not what was in memory
+        evidence = verify(problem, read_entries(problem, entries), settings, checks)
+        found = {"evidence": evidence, "seconds": round(time.perf_counter() - start, 3)}
+        cache.put(key, found)
+    return dict(found["evidence"])
+
+
+def installed(package: str) -> str:
+    """The version of a package, for the keys of the cache."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "missing"

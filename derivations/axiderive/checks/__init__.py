@@ -1,0 +1,1 @@
+"""Every entry against the oracle, against enclosures and against its siblings."""

@@ -1,0 +1,280 @@
+"""Contact beyond the normal one against its definitions.
+
+Points at which the formulas of graded, adhesive and tangential contact are checked.
+
+Every formula of graded, adhesive, tangential, viscoelastic contact and prescribed pressure against its definition.
+
+Roots and inverses are checked by round trip: the known side is the definition
+at a chosen contact radius, the entry must lead back to it.
+"""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Mapping
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Case, Entry
+from ..oracle import load_quadrature
+from ..oracle.balls import NotAvailableError
+from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluate_integral
+from ..oracle.evidence import Evidence, judge, residual
+from ..oracle.half_space import HalfSpace
+from ..oracle.integrals import GUARD
+from ..oracle.sampling import Point, points
+from ..oracle.shape import Number, Values, number, shape
+from ..profiles.profile import Profile
+from . import graded_threshold, viscoelastic_quadrature
+from .quadrature import INVERSES, KNOWN, LOST, inverse, root
+
+Entries = Mapping[str, Entry]
+
+EXPONENTS = tuple(sp.Rational(x) for x in ("-7/10", "-3/10", "1/5", "3/5", "1/2"))
+"""Exponents of grading; every sixth point gets a random one."""
+MANY = 6
+"""Cases above which one point for each is enough."""
+PULL_OFF = {
+    "ac": ("force", "a"), "Fc": ("force", "F"), "dc": ("force", "d"),
+    "am": ("depth", "a"), "Fm": ("depth", "F"), "dm": ("depth", "d"),
+}  # fmt: skip
+FIELDS = {
+    "graded": (nt.H,),
+    "adhesive": (nt.dgamma, nt.H),
+    "tangential": (nt.mu, nt.G_star, nt.H, nt.H_x),
+}
+
+
+def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, count: int, seed: int) -> list[Point]:
+    """Points spread over the cases, those of an inverse over the cases of what it inverts."""
+    source = entries[suffix]
+    graded = nt.k in source.parameters
+    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
+        source = entries["d"]
+    elif suffix in INVERSES and profile.contact == "compact":
+        source = entries[INVERSES[suffix][0]]
+    elif (suffix == "dF" and profile.contact == "complete") or (physics == "tangential" and suffix == "c"):
+        source = entries["F"]
+    elif suffix in ("k", "pm", "Dl") and "d" in entries:
+        source = entries["d"]
+    fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
+    # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
+    tame = graded and (suffix in ("p", "tau") or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
+    many = len(source.cases) > MANY
+    each = max(1 if tame or many else 2, -(-count // len(source.cases)))
+    out: list[Point] = []
+    chains = [case.chain for case in source.cases]
+    if tame and suffix == "tau":  # seconds each; that every case is a difference of two pressures is shown symbolically
+        chains = chains[:: -(-len(chains) // MANY)]
+    for chain in chains:
+        candidates = (_point(profile, chain, i, len(out), seed, fields, graded, tame) for i in itertools.count())
+        growing = profile.contact == "compact" and suffix in PULL_OFF
+        kept = (p for p in candidates if not growing or _grows(profile, p.values, graded))
+        for _ in range(each):
+            out.append(next(kept))
+    return out
+
+
+def _grows(profile: Profile, values: Values, graded: bool) -> bool:
+    """Whether the depth grows with the contact: the largest radius that a profile names is that for k = 0."""
+    with mp.workdps(20):
+        return bool(HalfSpace(profile, values, 10, graded).rates(number(values[nt.a]))[0] > 0)
+
+
+def _point(
+    profile: Profile, chain: tuple[sp.Expr, ...], i: int, index: int, seed: int, fields: tuple[sp.Symbol, ...],
+    graded: bool, tame: bool,
+) -> Point:  # fmt: skip
+    """The i-th point of a case; on the graded half-space the exponent comes first, because chains may contain it."""
+    exponents = {nt.k: _exponent(index, profile.name, seed)} if graded else {}
+    chain = tuple(length.subs(exponents) for length in chain)
+    drawn = [p for p in points(profile, chain, i + 1 + (12 if tame else 0), seed, fields) if not (tame and p.extreme)]
+    values = {**drawn[i].values, **exponents}
+    if nt.dgamma in fields and nt.n in values and 2 * values[nt.n] + values.get(nt.k, 0) == 1:
+        values[nt.n] = sp.Rational(37, 10)  # g and Dl are the same power of a: nothing is stationary
+    return Point(values, drawn[i].extreme)
+
+
+def _exponent(index: int, name: str, seed: int) -> sp.Rational:
+    shift = random.Random(f"{seed} {name}").randrange(len(EXPONENTS))
+    random_one = sp.Rational(random.Random(f"{seed} {name} {index}").randint(-89, 89), 100)
+    return (*EXPONENTS, random_one)[(index + shift) % (len(EXPONENTS) + 1)]
+
+
+PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
+NESTED = 46
+"""Digits of a pressure on the graded half-space, which is an integral of integrals."""
+NESTED_LOST = 6
+STABLE = mp.mpf(9) / 10
+"""Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
+ILL = 60
+"""Digits carried beyond those asked for where a small stick zone is the root of a difference of two forces."""
+
+
+def check_profile(
+    profile: Profile, entries: Entries, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+) -> dict[str, Evidence]:
+    """The evidence for every entry of a profile, keyed by suffix.
+
+    Raises
+    ------
+    ValueError
+        If `physics` is not one of PHYSICS.
+    """
+    if physics not in PHYSICS:
+        message = f"physics {physics!r} has no definitions here; use one of {', '.join(PHYSICS)}"
+        raise ValueError(message)
+    return {
+        suffix: check(profile, entries, suffix, physics, digits=digits, points=points, seed=seed) for suffix in entries
+    }
+
+
+def check(
+    profile: Profile, entries: Entries, suffix: str, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+) -> Evidence:
+    """Compare one entry with its definition."""
+    if physics == "load":
+        return load_quadrature.check(profile, entries, suffix, digits=digits, points=points, seed=seed)
+    if physics == "viscoelastic":
+        return viscoelastic_quadrature.check(profile, entries, suffix, points=points, seed=seed)
+    entry = entries[suffix]
+    graded = nt.k in entry.parameters
+    if graded and suffix in graded_threshold.THRESHOLDS:
+        return graded_threshold.check(profile, entries, suffix, seed=seed)
+    nested = graded and suffix in ("p", "tau") and not _sum_of_powers(profile)
+    working = min(digits, NESTED) if nested else digits
+    drawn = drawn_points(profile, entries, suffix, physics, 1 if nested else points, seed)
+    with mp.workdps(working + GUARD + (ILL if suffix == "c" else 0)):
+        rows: list[tuple[Values, Number]] = [
+            (point.values, _residual(profile, entries, suffix, physics, point.values, working, graded))
+            for point in drawn
+        ]
+    return judge(
+        entry.key,
+        _compared(suffix, physics),
+        rows,
+        seed=seed,
+        extremes=sum(point.extreme for point in drawn),
+        digits=working,
+        required=working - (NESTED_LOST if nested else LOST),
+    )
+
+
+def _sum_of_powers(profile: Profile) -> bool:
+    """Whether the rate of the depth is known from one integral for every power of the profile."""
+    return len(profile.pieces) == 1 and all(
+        term.as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
+        for term in sp.Add.make_args(sp.expand_power_base(profile.pieces[0].expr))
+    )
+
+
+def _compared(suffix: str, physics: str) -> str:
+    """What stands against the entry."""
+    if physics == "adhesive" and suffix in PULL_OFF:
+        control, sought = PULL_OFF[suffix]
+        place = f"the radius at which the {control} by quadrature is stationary"
+        return place if sought == "a" else f"{sought} by quadrature at {place}"
+    if suffix in INVERSES:
+        given, target = INVERSES[suffix]
+        return f"round trip: {target} of the contact whose {given} is known by quadrature"
+    if suffix == "c":
+        return "round trip: the stick radius whose tangential force is known by quadrature"
+    return {
+        "graded": "mpmath quadrature of the definition",
+        "adhesive": "mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
+        "tangential": "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)",
+    }[physics]
+
+
+def _is_round_trip(suffix: str, physics: str) -> bool:
+    return suffix in INVERSES or suffix in ("ac", "am") or (physics == "tangential" and suffix == "c")
+
+
+def _residual(
+    profile: Profile, entries: Entries, suffix: str, physics: str, values: Values, digits: int, graded: bool
+) -> Number:
+    extra = ILL if suffix == "c" else 20 if _is_round_trip(suffix, physics) or physics == "tangential" else 0
+    here = HalfSpace(profile, values, digits + extra, graded)
+    a = number(values[nt.a])
+    if physics == "adhesive":
+        return _adhesive(here, entries, suffix, a, digits)
+    if physics == "tangential":
+        if suffix != "c":
+            return residual(formula_value(entries[suffix], values, digits), here.tangential(suffix, a))
+        return _stick_radius(here, entries["c"], a, digits)
+    radius, free_depth = contact(here, a)
+    if suffix not in INVERSES:
+        return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
+    given, target = INVERSES[suffix]
+    known = {**values, KNOWN[given]: here.normal(given, radius, free_depth)}
+    wanted = radius if target == nt.a else here.normal(str(target), radius, free_depth)
+    return residual(inverse(entries, suffix, known, digits), wanted)
+
+
+def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
+    """Contact radius and free depth; at a small depth a convex face of a complete contact is partly out of contact."""
+    if here.profile.contact == "compact":
+        return a, None
+    depth, full = here.at(nt.d), here.depth(a)
+    if depth >= full:
+        return a, depth
+    start = a * mp.sqrt(depth / full)
+    tolerance = mp.mpf(10) ** (-2 * here.digits)
+
+    def gap(x: Number) -> Number:
+        return here.depth(x) / depth - 1
+
+    return mp.findroot(gap, (start, start * mp.mpf("1.001")), solver="secant", tol=tolerance, verify=False), None
+
+
+def formula_value(entry: Entry, values: Values, digits: int) -> Number:
+    """A formula of the catalogue at a point; an enclosure where Arb has all its functions, which is faster."""
+    case = case_at(entry, values)
+    if case.expr.has(sp.Integral):
+        stretches = shape(entry.profile, values).stretches
+        radii = {z for piece in stretches for z in piece.singular} | {complex(piece.hi) for piece in stretches[:-1]}
+        ordered = tuple(sorted(radii | {0j}, key=lambda z: (abs(z), z.imag)))
+        return evaluate_integral(case.expr, values, digits, ordered)
+    try:
+        return evaluate_case(case, values, digits)
+    except NotAvailableError:
+        return evaluate(case.expr, values, digits)
+
+
+def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
+    entry, values = entries[suffix], here.values
+    if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
+        defined = here.adhesive({"Fc": "F", "dc": "d"}.get(suffix, suffix), a)
+        return residual(formula_value(entry, values, digits), defined)
+    if suffix in PULL_OFF:
+        control, sought = PULL_OFF[suffix]
+        stationary = {**values, nt.dgamma: here.separation(control, a), nt.a_c: a}
+        if sought == "a":
+            found = _radius(entry, nt.a_c, stationary, digits)
+            return residual(found, a)
+        there = HalfSpace(here.profile, {**stationary, nt.a: a}, here.digits, here.graded)
+        return residual(evaluate(case_at(entry, stationary).expr, stationary, digits), there.adhesive(sought, a))
+    if suffix in INVERSES:
+        given = INVERSES[suffix][0]
+        stable = here.separation({"F": "force", "d": "depth"}[given], a) * STABLE
+        values = {**values, nt.dgamma: min(number(values[nt.dgamma]), stable)}
+        there = HalfSpace(here.profile, values, here.digits, here.graded)
+        return residual(_radius(entry, nt.a, {**values, KNOWN[given]: there.adhesive(given, a)}, digits), a)
+    return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
+
+
+def _stick_radius(here: HalfSpace, entry: Entry, a: Number, digits: int) -> Number:
+    known = {**here.values, nt.F_x: here.tangential("F", a), nt.F: here.force(a)}
+    return residual(_radius(entry, nt.c, known, digits), here.at(nt.c))
+
+
+def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Number:
+    case = case_at(entry, known)
+    if entry.status == "closed":
+        return evaluate(case.expr, {s: x for s, x in known.items() if s != unknown}, digits)
+    largest = entry.profile.largest
+    beyond = () if largest is None else (largest.subs(nt.a, unknown),)
+    return root(Case(case.chain, case.expr), unknown, known, digits, beyond)

@@ -1,0 +1,1 @@
+"""Bodies of the generated functions, by kind of contact."""

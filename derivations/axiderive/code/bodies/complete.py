@@ -1,0 +1,232 @@
+"""Bodies of the functions of a complete contact: a rigid punch sunk by the excess d - g(a), and its face."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...entry import Entry
+from ...notation import a, d, r, r_zero
+from ...physics.medium import HOMOGENEOUS
+from ...stable.signs import cancels, facts_of
+from ...stable.slopes import slope_form
+from ..private import Private, PrivateFunctions
+from ..text import python
+from .compact import beside
+
+ZETA = sp.Symbol("zeta", positive=True)
+"""1 - (r_0/a)**2 with r_0 the radius where the pressure vanishes first."""
+COMPLETE_FROM = "complete = {least} * (1.0 - 1e-15) <= {field}"
+
+
+@dataclass
+class Complete:
+    """The private functions behind the entries of one profile in complete contact."""
+
+    entries: Mapping[str, Entry]
+    functions: PrivateFunctions
+
+    def __post_init__(self) -> None:
+        self.profile = self.entries["F"].profile
+        self.partial = self.entries["F"].partial is not None
+        self.concave = "dmin" in self.entries
+
+    def add_all(self) -> None:
+        if self.concave:
+            self._thresholds()
+        if self.partial:
+            self._capped()
+            return
+        self._closed("F")
+        self._closed("dF")
+        self._closed("k")
+        self._pressure()
+        self._displacement()
+
+    def _add(self, suffix: str, value: str, lines: list[str], symbols: set[str]) -> Private:
+        quantity = self.entries[suffix].quantity
+        fields = tuple(str(argument) for argument in quantity.arguments)
+        return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], symbols - set(fields))
+
+    def _closed(self, suffix: str) -> Private:
+        entry = self.entries[suffix]
+        form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
+        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
+        if suffix in ("F", "dF"):
+            value, needs = self._from_threshold(lines, value, needs, "dmin" if suffix == "F" else "Fmin")
+        return self._add(suffix, value, lines, needs)
+
+    def _from_threshold(self, lines: list[str], value: str, needs: set[str], least: str) -> tuple[str, set[str]]:
+        """NaN where the contact is not complete."""
+        if not self.concave:
+            return value, needs
+        threshold = self.functions.functions[self.entries[least].quantity.function]
+        field = "d" if least == "dmin" else "F"
+        lines.append(COMPLETE_FROM.format(field=field, least=threshold.call()))
+        lines.append(f"result = {value}")
+        return "np.where(complete, result, np.nan)", needs | set(threshold.needs)
+
+    def _thresholds(self) -> None:
+        ring = self.entries["rz"]
+        if ring.status == "root":
+            lines = ["return a * ring_of_zero_pressure(n)"]
+            self.functions.add("zero_radius", (), lines, {"a", "n"})
+        else:
+            value = python(ring.cases[0].expr) if ring.cases[0].expr != 0 else "0.0"
+            self.functions.add(
+                "zero_radius", (), [f"return {value}"], {str(s) for s in ring.cases[0].expr.free_symbols}
+            )
+        for suffix in ("dmin", "Fmin"):
+            expr = self.entries[suffix].cases[0].expr
+            if ring.status == "root":
+                # in what is left of a**2 outside the ring: next to the edge the difference of the squares is lost
+                expr = sp.factor(sp.expand(expr.subs(r_zero, a * sp.sqrt(1 - ZETA))))
+            form = self.functions.form(self.entries[suffix], expr, facts_of(()))
+            lines, needs = [], self.functions.needs(form, ())
+            if expr.has(ZETA):
+                lines.append(f"{ZETA} = outside_zero_pressure(n)")
+                needs = needs - {str(ZETA)} | {"n"}
+            lines += self.functions.steps(form)
+            top, bottom = sp.fraction(form.value)
+            if bottom.has(ZETA):
+                lines.append(f"drop = {python(bottom)}")
+                self._add(suffix, f"{python(top)} / drop", lines, needs)
+            else:
+                self._add(suffix, python(form.value), lines, needs)
+
+    def _pressure(self) -> None:
+        """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
+        expr = self.entries["p"].cases[0].expr
+        form = self.functions.form(self.entries["p"], expr, facts_of((r, a)))
+        lines, needs = self.functions.steps(form), self.functions.needs(form, ("r", "d"))
+        value = self.functions.value_lines(form.value, lines)
+        excess = excess_over_threshold(self.entries) if self.concave else None
+        if excess is not None:
+            least = self.functions.functions["minimum_depth"]
+            scale = HOMOGENEOUS.pressure_scale
+            lines = ["root = np.sqrt((a - r) * (a + r))"]
+            lines.append(f"face = {python(excess)}")
+            value = f"{python(scale)} * (d - {least.call()} + face) / root"
+            needs = {str(s) for s in (scale * excess).free_symbols} | {*least.needs, "a"}
+        value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
+        value, needs = self._from_threshold(lines, value, needs | {"a"}, "dmin")
+        self._add("p", value, lines, needs - {"r"})
+
+    def _displacement(self) -> None:
+        expr = self.entries["w"].cases[0].expr
+        form = self.functions.form(self.entries["w"], expr, facts_of((a, r)))
+        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
+        if form.cancels:
+            sunk, n = sunk_power(self.entries)
+            lines = ["angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))"]
+            scale = python(HOMOGENEOUS.displacement_scale)
+            value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
+            needs = {str(s) for s in sunk.free_symbols} | {"a"}
+        profile = self.functions.functions["profile"]
+        lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
+        value = "np.where(r > a, outside, inside)"
+        value, needs = self._from_threshold(lines, value, needs | set(profile.needs) | {"a"}, "dmin")
+        self._add("w", value, lines, needs - {"r"})
+
+    def _capped(self) -> None:
+        """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
+        entries, profile = self.entries, self.functions.functions["profile"]
+        rho, edge = entries["F"].cases[0].chain
+        compact = {suffix: part for suffix in ("F", "p", "k") if (part := entries[suffix].partial) is not None}
+        stiffness = entries["k"].cases[-1].expr
+        whole = entries["F"].cases[-1].expr
+        depth = sp.expand(d - (whole - compact["F"].cases[0].expr) / stiffness)
+        slope_form_ = slope_form(depth, facts_of((a,)))
+        slope = self.functions.add(
+            "slope", ("t",), [f"return {python(slope_form_.value)}"], self.functions.needs(slope_form_, ("t",)),
+            "Rate g'(t) of the indentation depth of the uncut profile.",
+        )  # fmt: skip
+        self.square = tuple(str(factor) for factor in sp.Mul.make_args(sp.expand(rho**2)))
+        start = [f"excess = {self._beyond('a')} / {self.square[0]}", f"rho = np.minimum({python(rho)}, a)"]
+        base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
+        inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
+        punch = "np.maximum(excess, 0.0)"
+        pressed = sp.cancel(inner["F"] / depth.subs(a, sp.Symbol("rho", positive=True)))
+        values = {
+            "F": f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}",
+            "k": f"{python(inner['k'])}",
+        }
+        for suffix, value in values.items():
+            needs = base | {"E_star"}
+            lines = start if suffix == "F" else start[1:]
+            if suffix == "k":
+                quantity = entries["k"].quantity
+                self.functions.add(quantity.function, ("d",), [*lines, f"return {value}"], needs - {"d"})
+            else:
+                self._add(suffix, value, lines, needs)
+        self._capped_fields(start, base, punch, depth, inner["p"], slope, profile)
+        cases = entries["dF"].cases
+        limit = cases[0].chain[1]
+        texts = [python(self.functions.form(entries["dF"], case.expr, facts_of(())).value) for case in cases]
+        lines = [f"edge = {python(limit)}", f"below = {texts[0]}", f"above = {texts[1]}"]
+        self._add(
+            "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}
+        )
+
+    def _beyond(self, radius: str) -> str:
+        """rho**2 - radius**2, where rho**2 is a product of two inputs."""
+        return f"difference_of_products({', '.join(self.square)}, {radius}, {radius})"
+
+    def _capped_fields(
+        self,
+        start: list[str],
+        base: set[str],
+        punch: str,
+        depth: sp.Expr,
+        inner: sp.Expr,
+        slope: Private,
+        profile: Private,
+    ) -> None:
+        rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
+        face = inner.subs(sp.sqrt(rho**2 - r**2), root)
+        pressure = python(HOMOGENEOUS.pressure_scale)
+        lines = [
+            start[0],
+            f"square = np.where(excess > 0.0, (a - r) * (a + r), {self._beyond('r')})",
+            "root = np.sqrt(np.maximum(square, 0.0))",
+            f"face = {python(face)}",
+            f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
+        ]
+        self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
+        scale = python(HOMOGENEOUS.displacement_scale)
+        lines = [
+            *start,
+            f"face = {_sunk(depth)} * {beside('rho', sp.degree(depth, a))}",
+            "angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))",
+            f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
+        ]
+        value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
+        self._add("w", value, lines, base | set(slope.needs) | set(profile.needs))
+
+
+def _sunk(depth: sp.Expr) -> str:
+    """The depth up to that of the edge: a power of the radius below it would take up its roundings as often."""
+    return f"np.minimum(d, {python(depth)})"
+
+
+def _is_square(face: sp.Expr) -> bool:
+    """Whether r occurs only in a squared factor."""
+    return all(not factor.has(r) or (factor.is_Pow and factor.exp == 2) for factor in sp.Mul.make_args(sp.numer(face)))
+
+
+def excess_over_threshold(entries: Mapping[str, Entry]) -> sp.Expr | None:
+    """M(r) >= 0 in p = E*/pi (d - d_min + M)/root, None where it has subtractions of its own."""
+    root = sp.sqrt(a**2 - r**2)
+    bracket = sp.expand(sp.expand(entries["p"].cases[0].expr * root / HOMOGENEOUS.pressure_scale))
+    face = sp.factor(sp.expand(bracket - d + entries["dmin"].cases[0].expr))
+    plain = face.is_polynomial(r) and not cancels(sp.numer(face), facts_of((r, a)))
+    return face if plain or _is_square(face) else None
+
+
+def sunk_power(entries: Mapping[str, Entry]) -> tuple[sp.Expr, sp.Expr]:
+    """C and n in w = 2/pi (d angle + C/a**n times the integral of t**n/sqrt(r**2 - t**2))."""
+    n = entries["F"].profile.pieces[0].expr.as_independent(r, as_Add=False)[1].as_base_exp()[1]
+    excess = sp.expand(entries["F"].cases[0].expr / HOMOGENEOUS.stiffness()) - d
+    return sp.factor(excess * (n + 1)), n

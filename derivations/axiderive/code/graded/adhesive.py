@@ -1,0 +1,186 @@
+"""Modules `axicontact.graded.adhesive.<profile>`: the graded normal contact less the retracted punch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...entry import Entry
+from ...letters import name_of
+from ...notation import n
+from ..physics import text
+from ..physics.adhesive import SUMMARY
+from ..physics.branches import own_units, radii, returned, unknowns
+from ..physics.text import Function
+from ..text import python
+from .families import family
+from .module import Writer
+
+ORDER = [
+    "require_order(",
+    "    np.asarray(n) > (1.0 - np.asarray(k)) / 2.0,",
+    '    "n > (1 - k)/2",',
+    '    "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; "',
+    '    "use n > (1 - k)/2, or force(a) and depth(a) for the states of equilibrium",',
+    "    n=n,",
+    "    k=k,",
+    ")",
+]
+INVERSES = ("ad", "aF")
+ORDERS = {"depth": ("d", "", "(1.0 - k) / 2.0"), "force": ("F", " + 1.0 + k", "(3.0 + k) / 2.0")}
+"""Field, what the exponent of the load gains on that of the profile, and the exponent of the pull."""
+
+
+def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> str:
+    """The module of one profile; `plain` are its entries without adhesion."""
+    return _Adhesive(entries, plain).source()
+
+
+class _Adhesive:
+    def __init__(self, entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> None:
+        self.entries, self.profile = entries, plain["d"].profile
+        self.writer = Writer(self.profile, entries, "adhesive", plain)
+        self.family = family(self.profile)
+        self.power = self.family.power
+        self.geometry = [*self.writer.geometry, "k"]
+        self.material = [*self.writer.geometry, "H", "k"]
+        self.symbols = [
+            *self.profile.parameters,
+            *(s for s in entries["F"].parameters if s not in self.profile.parameters),
+        ]
+        self.keywords = [name_of(symbol) for symbol in self.symbols]
+
+    def source(self) -> str:
+        for suffix in SUMMARY:
+            self.public(suffix)
+        self.pull_off()
+        self.rules()
+        if self.power is not None:
+            self.power_law(self.power.lengths[0])
+        else:
+            self.general()
+        return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half-space")
+
+    def public(self, suffix: str) -> None:
+        entry, writer = self.entries[suffix], self.writer
+        keywords = [name for name in self.keywords if suffix != "Dl" or name in ("H", "k", "dgamma")]
+        symbols = [symbol for symbol in self.symbols if name_of(symbol) in keywords]
+        fields = [str(argument) for argument in entry.quantity.arguments]
+        notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
+        if suffix in INVERSES:
+            body = [*writer.checks(symbols), *self.order()]
+            signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
+            body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', [], keywords, **signed)}")
+            notes = f"Valid for {self.profile.validity}. NaN below pull-off."
+            if self.power is None:
+                notes += " Where several radii are stable, the largest, which is reached on unloading."
+        else:
+            body = writer.checks(symbols, reach=self.profile.truncated and suffix != "Dl")
+            function = "graded_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+            body.append(f"return {writer.evaluated(function, fields, keywords)}")
+        writer.add(entry, SUMMARY[suffix], notes, body, keywords)
+
+    def order(self) -> list[str]:
+        return ORDER if self.power is not None and self.power.lengths[0] == n else []
+
+    def rules(self) -> None:
+        """The rule of Hess for each quantity."""
+        moved = "graded_retraction(a, H, k, dgamma)"
+        needs = [*self.material, "dgamma"]
+        losses = {
+            "_depth": (["a"], self.geometry, moved),
+            "_force": (["a"], self.material, f"punch_stiffness(a, H, k) * {moved}"),
+            "_pressure": (["r", "a"], self.material, "tension(r, a, H, k, dgamma)"),
+            "_displacement": (["r", "a"], self.geometry, f"{moved} * punch_displacement(r, a, k)"),
+        }
+        for name, (fields, own, loss) in losses.items():
+            value = f"normal.{name}({', '.join([*fields, *own])}) - {loss}"
+            self.writer.rule(name, fields, needs, [f"return {value}"])
+
+    def power_law(self, exponent: sp.Expr) -> None:
+        """One universal curve for both controls and all exponents."""
+        own = python(exponent)
+        own = f"{own}.0" if own.isdigit() else own
+        writer, needs = self.writer, [*self.material, "dgamma"]
+        lines = [
+            f"rate = normal._rate({', '.join(['np.ones_like(H * k)', *self.geometry])})",
+            f"own = unloading_radius(rate, {own}, H, k, dgamma, control)",
+            "return np.where(dgamma > 0.0, own, 0.0)",
+        ]
+        writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
+        for quantity, (field, gain, order) in ORDERS.items():
+            passed = self.material if quantity == "force" else self.geometry
+            load = f"normal._{quantity}({', '.join(['a', *passed])})"
+            exponent_of_load = f"({own}{gain})" if gain else own
+            # at pull-off the retraction is 2 a g'(a)/xi = 2 n g(a)/xi
+            lost = f"2.0 * {own} / stationary(control, k)"
+            if gain:
+                lost = f"2.0 * ({own}{gain}) / stationary(control, k)"
+            doc = "With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."
+            writer.rule(f"_pull_off_{quantity}", ["a"], [*needs, "control"], [f"return {load} * (1.0 - {lost})"], doc)
+            both = ", ".join(needs)
+            plain = f"normal._radius_from_{quantity}({', '.join([f'np.maximum({field}, 0.0)', *passed])})"
+            lines = [
+                f'a_c = _pull_off_radius({both}, control="{quantity}")',
+                f'least = _pull_off_{quantity}(a_c, {both}, control="{quantity}")',
+                f"plain = {plain}",
+                f"return power_law_radius({field}, a_c, least, {exponent_of_load.strip('()')}, {order}, plain)",
+            ]
+            writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
+
+    def general(self) -> None:
+        """Between refined changes of sign of the growth."""
+        writer, needs = self.writer, [*self.material, "dgamma"]
+        geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
+        grid, high = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
+        lines = [f"return graded_branches(normal._rate, {geometry}, {grid}, {high}, H, k, dgamma, control)"]
+        writer.rule("_branches", [], [*needs, "control"], lines)
+        writer.private[-1] = writer.private[-1].replace("-> Array", "-> Branches")
+        units = own_units(self.profile, self.geometry, "H")
+        lines = [
+            *units,
+            f"found = _branches({both}, control)",
+            'load = _force if control == "force" else _depth',
+            *returned(f"lowest(found, lambda a: load(a, {both}))", units),
+        ]
+        writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
+        for quantity, (field, *_) in ORDERS.items():
+            units = own_units(self.profile, self.geometry, "H", field)
+            unknown = unknowns(self.profile, "k", steep=self.family.has("flank", "rim"))
+            given = f"{field}, found, lambda a: _{quantity}(a, {both}), slope, pulled, {unknown}"
+            lines = [
+                *units,
+                f'found = _branches({both}, control="{quantity}")',
+                f'slope = growth_of(normal._rate, {geometry}, H, k, dgamma, control="{quantity}")',
+                f'pulled = pull_of(H, k, dgamma, control="{quantity}")',
+                *returned(f"stable_radius({given})", units),
+            ]
+            writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
+
+    def pull_off(self) -> None:
+        writer = self.writer
+        named = ", ".join(f"{name}={name}" for name in self.keywords if not (writer.summed and name == "A"))
+        fixed = "A=A, " if writer.summed else ""
+        body = [*writer.checks(self.symbols), "require_control(control)", *self.order()]
+        body.append(f"radius = elementwise(partial(_pull_off_radius, {fixed}control=control), {named})")
+        for name in ("force", "depth"):
+            function = f"partial(_{name}, A=A)" if writer.summed else f"_{name}"
+            if self.power is not None:
+                function = f"partial(_pull_off_{name}, control=control)"
+            body.append(f"{name} = elementwise({function}, radius, {named})")
+        body.append("return PullOff(radius, force, depth)")
+        document = [*self.document(), "", "Examples", "--------", *writer.example.pull_off(self.keywords)]
+        self.writer.public.append(
+            Function(
+                "pull_off", [], self.keywords, "State at which the contact breaks on unloading.",
+                document, body, returns="PullOff", leading='control: str = "force"',
+            )
+        )  # fmt: skip
+
+    def document(self) -> list[str]:
+        lines = ["At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and", ""]
+        lines += ["    a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))", ""]
+        lines += text.wrapped("where xi = 3 + k under control of the force and 1 - k under control of the depth.")
+        several = "" if self.power is not None else text.SEVERAL
+        return text.pull_off(lines, self.keywords, self.symbols, self.entries, several)

@@ -1,0 +1,106 @@
+"""How generated code is laid out: order of letters, lines, imports.
+
+The order of the letters in code, the functions of the runtime, and which letters are fields.
+
+Calls, definitions and imports laid out over lines as the formatter of the project lays them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ..abel import masters
+from ..stable import opaque
+
+# material and load first, then lengths from the contact to the profile, intermediates and functions last
+ORDER = (
+    "E_star", "F", "P", "d", "n", "A", "h", "a", "r", "x", "L", "t", "u", "b", "R", "R1", "R2", "s", "wavelength",
+    "theta", "r_zero",
+)  # fmt: skip
+FUNCTIONS = {
+    sp.Abs: "np.abs",
+    sp.tan: "np.tan", sp.sin: "np.sin", sp.cos: "np.cos", sp.asinh: "np.arcsinh", sp.sinh: "np.sinh",
+    sp.cosh: "np.cosh", sp.tanh: "np.tanh", sp.exp: "np.exp", sp.log: "np.log", sp.atan: "np.arctan",
+    sp.acos: "np.arccos", sp.asin: "np.arcsin", sp.acosh: "np.arccosh", sp.atanh: "np.arctanh",
+    opaque.Log1p: "np.log1p", opaque.Expm1: "np.expm1", opaque.Arctan2: "np.arctan2",
+    opaque.RootGap: "root_gap", opaque.ArctanGap: "arctan_gap", opaque.TanhGap: "tanh_gap",
+    opaque.GammaRatio: "gamma_ratio",
+    masters.Dawson: "dawson", opaque.ArcStrips: "arc_strips", opaque.PowerPressure: "power_pressure",
+    opaque.PowerDisplacement: "power_displacement", opaque.PowerPunches: "power_punches",
+    opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
+    opaque.DepthOverHeight: "depth_over_height",
+}  # fmt: skip
+HELPERS_OF = {
+    "_functions": (
+        "beside", "beside_cone", "depth_over_height", "difference_of_products", "lower_power", "nth_root", "sine_root",
+        "without_root",
+    ),
+    "_special": ("arctan_gap", "dawson", "gamma_ratio", "root_gap", "struve_h0", "struve_h1", "tanh_gap"),
+}  # fmt: skip
+HELPERS = tuple(sorted(name for names in HELPERS_OF.values() for name in names))
+OFFERED = tuple(f"..{module}: {', '.join(names)}" for module, names in HELPERS_OF.items())
+"""What a module may import of them."""
+VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
+"""Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
+
+
+LINE = 120
+
+
+def call(head: str, parts: Sequence[str], tail: str = ")", indent: int = 4) -> list[str]:
+    """`head(parts)tail` on one line, else its parts on a line of their own, else one part to a line.
+
+    The lines come without the indentation of the block they stand in.
+    """
+    joined = ", ".join(parts)
+    if indent + len(head) + 1 + len(joined) + len(tail) <= LINE:
+        return [f"{head}({joined}{tail}"]
+    if indent + 4 + len(joined) <= LINE:
+        return [f"{head}(", f"    {joined}", tail]
+    return [f"{head}(", *(f"    {part}," for part in parts), tail]
+
+
+def from_import(source: str, names: Sequence[str]) -> list[str]:
+    """An import, its names in the order constants, classes, functions."""
+    ordered = sorted(set(names), key=_kind)
+    line = f"from {source} import {', '.join(ordered)}"
+    return [line] if len(line) <= LINE else [f"from {source} import (", *(f"    {name}," for name in ordered), ")"]
+
+
+def _kind(name: str) -> tuple[int, str]:
+    if name.isupper() and len(name) > 1:
+        return 0, name
+    return (1 if name[:1].isupper() else 2), name
+
+
+def fit(line: str, indent: int = 4) -> list[str]:
+    """A line, or its last bracket opened where it is too long for one."""
+    if indent + len(line) <= LINE or ")" not in line:
+        return [line]
+    close = line.rindex(")")
+    place = _opening(line, close)
+    return call(line[:place], split(line[place + 1 : close]), line[close:], indent)
+
+
+def split(text: str) -> list[str]:
+    """The parts between the commas outside all brackets."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part.strip() for part in parts]
+
+
+def _opening(line: str, close: int) -> int:
+    depth = 0
+    for place in range(close, -1, -1):
+        depth += (line[place] == ")") - (line[place] == "(")
+        if depth == 0:
+            return place
+    message = f"unbalanced brackets in {line!r}"
+    raise ValueError(message)

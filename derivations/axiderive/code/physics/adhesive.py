@@ -1,0 +1,230 @@
+"""Modules of adhesive contact, and the one curve of all power laws.
+
+Modules `axicontact.adhesive.<profile>`: the normal contact less the retracted punch.
+
+Pull-off and stable branch of a power law: one universal curve for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...entry import Entry
+from ...letters import name_of
+from ...notation import E_star, a, a_c, dgamma, n, r
+from ...physics.adhesive import pull_off_rule
+from ...profiles.profile import Profile
+from ...stable.forms import evaluation_form
+from ...stable.signs import facts_of
+from ..layout import OFFERED
+from ..public import literal
+from ..text import python
+from . import text
+from .branches import branch_functions
+from .examples import Example
+from .text import Function, NormalModule, evaluate, private
+
+ENTRY = {"force": "ac", "depth": "am"}
+
+
+def power_law_functions(module: NormalModule, entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
+    """The private functions of pull-off and of the stable radii."""
+    needs = [*module.geometry, "E_star", "dgamma"]
+    radius = private("_pull_off_radius", [], [*needs, "control"], _radius(entries, power))
+    own = [_pair(module, needs, "depth", "d", power, "0.5"), _pair(module, needs, "force", "F", power + 1, "1.5")]
+    return [radius, *(function for pair in own for function in pair)]
+
+
+def _radius(entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
+    forms = {control: evaluation_form(entries[own].cases[0].expr, facts_of(())) for control, own in ENTRY.items()}
+    shared = [step for step in forms["force"].steps if step in forms["depth"].steps]
+    lines = [f"{name} = {python(expr)}" for name, expr in shared]
+    for head, form in zip(('if control == "force":', "else:"), forms.values(), strict=True):
+        own = [f"    {name} = {python(expr)}" for name, expr in form.steps if (name, expr) not in shared]
+        lines += [head, *own, f"    radius = {python(form.value)}"]
+    value = "np.where(dgamma > 0.0, radius, 0.0)"
+    return [*lines, f"return np.where(n > 0.5, {value}, np.nan)" if power == n else f"return {value}"]
+
+
+def _pair(module: NormalModule, needs: list[str], quantity: str, field: str, order: sp.Expr, q: str) -> list[str]:
+    """The load at pull-off and the inverse of a load A a**order - B a**q."""
+    passed = ", ".join(needs)
+    lost = number(2 * order) if order.is_Integer else f"2 * {f'({python(order)})' if order.is_Add else order}"
+    load = private(
+        f"_pull_off_{quantity}",
+        ["a"],
+        [*needs, "control"],
+        [f"return {module.call(f'_{quantity}', 'a')} * (1.0 - {lost} / XI[control])"],
+        "With the retraction 2 a g'(a)/xi of pull-off, free of cancellation.",
+    )
+    plain = module.call(f"_radius_from_{quantity}", f"np.maximum({field}, 0.0)")
+    inverse = private(
+        f"_radius_from_{quantity}",
+        [field],
+        needs,
+        [
+            f'a_c = _pull_off_radius({passed}, control="{quantity}")',
+            f'least = _pull_off_{quantity}(a_c, {passed}, control="{quantity}")',
+            f"plain = {plain}",
+            f"return power_law_radius({field}, a_c, least, {number(order)}, {q}, plain)",
+        ],
+    )
+    return [load, inverse]
+
+
+def number(expr: sp.Expr) -> str:
+    """An exponent, as a float where it is an integer."""
+    return repr(float(expr)) if expr.is_Integer else python(expr)
+
+
+IMPORTS = (
+    ".._adhesion: PullOff, XI, hess_retraction, lift, power_law_radius, pull, require_control, tension",
+    ".._branches: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond,"
+    " radii_of_waves, radii_to",
+    ".._domain: numbers, require, require_coefficients, require_order, require_reach",
+    ".._elementwise: Array, Result, elementwise",
+    *OFFERED,
+    ".._stable: growth, stable_radius",
+    ".._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
+)
+SUMMARY = {
+    "Dl": "Retraction of the indenter from the state without adhesion, at constant contact radius.",
+    "d": "Indentation depth at contact radius a; negative where adhesion pulls the surface up.",
+    "F": "Normal force at contact radius a, negative in tension.",
+    "p": "Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.",
+    "w": "Displacement of the surface into the half-space, inside and outside the contact.",
+    "ad": "Contact radius at indentation depth d, on the branch that is stable under a given depth.",
+    "aF": "Contact radius under the normal force F, on the branch that is stable under a given force.",
+}
+
+
+def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
+    """The module of one profile with a compact contact; without its interface, what that rests on."""
+    return _Adhesive(module, entries).source(interface=interface)
+
+
+def exponent(profile: Profile) -> sp.Expr | None:
+    """n of a profile that is one power of r, else None."""
+    if len(profile.pieces) != 1 or profile.pieces[0].expr.is_Add:
+        return None
+    power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1]
+    base, own = power.as_base_exp()
+    return own if base == r else None
+
+
+class _Adhesive:
+    def __init__(self, module: NormalModule, entries: Mapping[str, Entry]) -> None:
+        self.module, self.entries, self.profile = module, entries, module.profile
+        self.symbols = [*module.profile.parameters, E_star, dgamma]
+        self.keywords = [name_of(symbol) for symbol in self.symbols]
+        self.power = exponent(self.profile)
+        self.example = Example(self.profile, entries, "adhesive")
+
+    def source(self, *, interface: bool) -> str:
+        inverse = (
+            branch_functions(self.module)
+            if self.power is None
+            else power_law_functions(self.module, self.entries, self.power)
+        )
+        public = [*map(self.public, SUMMARY), self.pull_off()] if interface else []
+        title = f"{self.profile.title} with adhesion"
+        body = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules() + inverse)
+        return body.replace(text.NORMAL, self.profile.name)
+
+    def public(self, suffix: str) -> Function:
+        entry = self.entries[suffix]
+        fields = [str(argument) for argument in entry.quantity.arguments]
+        symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
+        keywords = [name_of(symbol) for symbol in symbols]
+        body = self.module.check(symbols)
+        summed = self.module.summed and suffix != "Dl"
+        name = "hess_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+        notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
+        if suffix in ("ad", "aF"):
+            body += self.order()
+            signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
+            body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
+            notes = self.notes_of_inverse()
+        else:
+            if self.profile.truncated and suffix != "Dl":
+                body.append(f"require_reach(a, {self.profile.breaks[0]})")
+            body.append(f"return {evaluate(name, fields, keywords, summed)}")
+        return Function(
+            entry.quantity.function,
+            fields,
+            keywords,
+            SUMMARY[suffix],
+            text.document(entry, fields, keywords, notes),
+            body,
+            example=self.example.lines(suffix),
+        )
+
+    def order(self) -> list[str]:
+        """The check of the exponent, without which there is no stable contact."""
+        rule = pull_off_rule(self.profile)
+        if rule is None:
+            return []
+        return [
+            "require_order(",
+            f"    np.asarray({rule.right}) > {float(rule.left)!r},",
+            f'    "{rule.right} > {sp.sstr(rule.left)}",',
+            *literal(rule.reason),
+            f"    {rule.right}={rule.right},",
+            ")",
+        ]
+
+    def notes_of_inverse(self) -> str:
+        notes = f"Valid for {self.profile.validity}. NaN below pull-off."
+        if self.power == n:
+            notes += f" {text.capital(self.entries['ad'].note)}."
+        if self.power is None:
+            notes += " Where several radii are stable, the largest, which is reached on unloading."
+        return notes
+
+    def rules(self) -> list[str]:
+        """The rule of Hess for each quantity."""
+        call, needs = self.module.call, self.keywords
+        normal = {
+            "_depth": (["a"], "hess_retraction(a, E_star, dgamma)"),
+            "_force": (["a"], "pull(a, E_star, dgamma)"),
+            "_pressure": (["r", "a"], "tension(r, a, E_star, dgamma)"),
+            "_displacement": (["r", "a"], "lift(r, a, E_star, dgamma)"),
+        }
+        return [
+            private(name, fields, needs, [f"return {call(name, *fields)} - {loss}"])
+            for name, (fields, loss) in normal.items()
+        ]
+
+    def pull_off(self) -> Function:
+        named = ", ".join(f"{name}={name}" for name in self.keywords if not (self.module.summed and name == "A"))
+        fixed = "A=A, " if self.module.summed else ""
+        body = [*self.module.check(self.symbols), "require_control(control)"]
+        body += self.order()
+        body.append(f"radius = elementwise(partial(_pull_off_radius, {fixed}control=control), {named})")
+        for name in ("force", "depth"):
+            function = f"partial(_{name}, A=A)" if self.module.summed else f"_{name}"
+            if self.power is not None:
+                function = f"partial(_pull_off_{name}, control=control)"
+            body.append(f"{name} = elementwise({function}, radius, {named})")
+        body.append("return PullOff(radius, force, depth)")
+        return Function(
+            "pull_off", [], self.keywords, "State at which the contact breaks on unloading.",
+            self.pull_off_document(), body, "PullOff", 'control: str = "force"', self.example.pull_off(self.keywords),
+        )  # fmt: skip
+
+    def pull_off_document(self) -> list[str]:
+        lines = ["Under control of the force:", "", *self.pull_off_formulas(("ac", "Fc", "dc"))]
+        lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(("am", "Fm", "dm"))]
+        note = f" {text.capital(self.entries['ac'].note)}." if self.power == n else ""
+        note += "" if self.power is not None else text.SEVERAL
+        return text.pull_off(lines, self.keywords, self.entries["ac"].parameters, self.entries, note)
+
+    def pull_off_formulas(self, names: tuple[str, str, str]) -> list[str]:
+        radius = self.entries[names[0]]
+        if radius.status == "closed":
+            return [f"    {line}" for suffix in names for line in text.formula(self.entries[suffix])]
+        level = sp.sstr(radius.definition.rhs.subs(a, a_c))
+        lines = (f"g'(a_c) = {level}", "F = F(a_c)", "d = d(a_c)", "with the depth g(a) without adhesion")
+        return [f"    {line}" for line in lines]

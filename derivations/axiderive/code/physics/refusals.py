@@ -1,0 +1,81 @@
+"""Packages, and modules of contacts for which a physics holds no functions: said, never silent."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...physics import detachment
+from ...physics.medium import HOMOGENEOUS, Medium
+from ...profiles.profile import Profile
+from . import text
+
+TANGENTIAL = (
+    "{title} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F,"
+    " with F from axicontact.normal.{name}.force"
+)
+REFUSAL = '''"""{title}: no {group} functions.
+
+{wrapped}
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__: list[str] = []
+
+_REASON = (
+{literal}
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("__"):
+        raise AttributeError(name)
+    message = f"{{name}} is not defined: {{_REASON}}"
+    raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__
+'''
+PACKAGE = '''"""{title}."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+__all__ = [
+{names}
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in __all__:
+        return import_module(f".{{name}}", __name__)
+    message = f"module {{__name__!r}} has no member {{name!r}}"
+    raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__
+'''
+
+
+def package_source(title: str, names: Sequence[str]) -> str:
+    return PACKAGE.format(title=title, names="\n".join(f'    "{name}",' for name in names))
+
+
+def reason(profile: Profile, group: str, medium: Medium, tangential: str) -> str:
+    """Why the module of a profile holds no functions, with its title."""
+    if group == "adhesive":
+        return detachment.refusal(profile, medium).replace(profile.name, profile.title, 1)
+    return tangential.format(title=profile.title, name=profile.name)
+
+
+def module_source(profile: Profile, group: str) -> str:
+    """A module whose functions do not exist, and which says why."""
+    lines = text.wrapped(reason(profile, group, HOMOGENEOUS, TANGENTIAL))
+    literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
+    return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)

@@ -1,0 +1,179 @@
+"""The command `axicontact build`: build the catalogue, write or compare it, make the PDF, and say what happened."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import re
+import sys
+import time
+from pathlib import Path
+
+from ..book.readme import with_tables
+from ..build import pdf
+from ..build.catalogue import Catalogue
+from ..build.catalogue import build as build_catalogue
+from ..build.comparison import Difference, book_of, differences, only_profiles, shortened, standing
+from ..build.emission import study_records
+from ..build.progress import Progress, failure_lines, summary, taken_over
+from ..build.work import Settings, project_root
+from ..exits import FAILED, INCOMPLETE, CommandError
+from ..physics import systems
+from ..store.cache import Cache, digest
+from ..store.index import nearest
+from ..store.writing import GENERATED_SUFFIXES, RECEIPTS, ensure_writable, publish, stale_files, write_atomic
+
+MOST_REMARKS = 5
+
+
+def build(arguments: argparse.Namespace) -> int:
+    known = systems.profile_ids()
+    for name in arguments.only:
+        if name not in known:
+            raise nearest(name, "profile", known)
+    names = arguments.only or known
+    root = arguments.out or project_root() / "catalogue"
+    cache = Cache(project_root() / ".cache", arguments.fresh)
+    settings = Settings(arguments.digits, arguments.points, arguments.seed)
+    started = time.perf_counter()
+    if not arguments.check:
+        ensure_writable(root)
+    partial = bool(arguments.only) and (root / "axicontact" / "index.json").exists()
+    book = book_of(root, names) if partial else None
+    keys = [problem.key for problem in systems.problems(names)]
+    measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
+    with Progress(len(keys), quiet=arguments.quiet).running() as progress:
+        catalogue = build_catalogue(
+            names,
+            cache=cache,
+            settings=settings,
+            standing=measured,
+            book=book,
+            jobs=arguments.jobs,
+            report=progress.finished,
+        )
+    failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
+    files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
+    progress.say(summary(catalogue))
+    progress.say(taken_over(catalogue))
+    if not any(path.startswith("evidence/") for path in catalogue.files):
+        print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
+        return FAILED
+    readme = {} if partial or root != project_root() / "catalogue" else _readme(catalogue)
+    if arguments.check:
+        stale = [] if partial else stale_files(files, root)
+        results = {path: content for path, content in files.items() if path != RECEIPTS}
+        found = differences(results, root, stale) + differences(readme, project_root())
+        if any((root / path).is_file() for path in files):
+            code = _compare(found, root, len(files), progress, arguments)
+        else:
+            code = _nothing_there(root, len(files), arguments)
+    else:
+        written, removed = publish(files, root, prune=not partial)
+        for path, content in readme.items():
+            write_atomic(project_root() / path, content)
+        code = _handbook(root, cache, arguments, progress)
+        _report_written(catalogue, root, (len(written), len(removed)), time.perf_counter() - started, progress)
+    if failures:
+        print("\n".join(failures), file=sys.stderr)
+        return FAILED
+    return code
+
+
+def _readme(catalogue: Catalogue) -> dict[str, bytes]:
+    """The README with the tables of this catalogue, where a checkout has one."""
+    path = project_root() / "README.md"
+    if not path.is_file():
+        return {}
+    index = json.loads(catalogue.files["axicontact/index.json"])
+    measured = study_records().get("error")
+    return {path.name: with_tables(path.read_text(encoding="utf-8"), index["matrix"], measured).encode()}
+
+
+def _compare(found: list[Difference], root: Path, count: int, progress: Progress, arguments: argparse.Namespace) -> int:
+    if not found:
+        progress.say(f"{root} is what a build writes ({count} files)")
+        return 0
+    lines = [line for one in found for line in one.lines]
+    short = lines if arguments.verbose else shortened(found)
+    print("\n".join(short if short == lines else [*short, f"all {len(lines)} lines of difference: with -v"]))
+    differ = "1 file differs" if len(found) == 1 else f"{len(found)} files differ"
+    print(
+        f"axicontact: {root} is not what a build writes, {differ}; "
+        f"run {_without_check(arguments)} and commit the result",
+        file=sys.stderr,
+    )
+    return FAILED
+
+
+def _nothing_there(root: Path, count: int, arguments: argparse.Namespace) -> int:
+    print(
+        f"axicontact: no catalogue in {root}: all {count} files that a build writes are missing; "
+        f"run {_without_check(arguments)} to write them",
+        file=sys.stderr,
+    )
+    return FAILED
+
+
+def _without_check(arguments: argparse.Namespace) -> str:
+    """The command that writes what was compared."""
+    only = f" --only {','.join(arguments.only)}" if arguments.only else ""
+    return f"axicontact build{only}" + (f" --out {arguments.out}" if arguments.out else "")
+
+
+def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress: Progress) -> int:
+    """Make handbook.pdf unless it is there already, made from the same sources."""
+    if arguments.no_pdf:
+        return 0
+    folder = root / "handbook"
+    sources = {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and path.suffix in GENERATED_SUFFIXES
+    }
+    target = folder / "handbook.pdf"
+    key = digest(["pdf", {path: hashlib.sha256(content).hexdigest() for path, content in sources.items()}])
+    made = cache.get(key)
+    if made is not None and target.is_file() and hashlib.sha256(target.read_bytes()).hexdigest() == made:
+        return 0
+    try:
+        pdf.ensure_latex(install=not arguments.no_install, say=progress.say)
+        content, warnings = pdf.compile_pdf(sources)
+    except pdf.NoLatexError as error:
+        progress.say(str(error))
+        return INCOMPLETE if arguments.strict else 0
+    except pdf.LatexError as error:
+        message = f"the handbook does not compile, everything else is written\n{error}"
+        raise CommandError(message) from error
+    write_atomic(target, content)
+    cache.put(key, hashlib.sha256(content).hexdigest())
+    for warning in warnings if arguments.verbose else warnings[:MOST_REMARKS]:
+        progress.say(f"handbook: {warning}")
+    if len(warnings) > MOST_REMARKS and not arguments.verbose:
+        progress.say(f"handbook: {len(warnings) - MOST_REMARKS} more remarks of LaTeX, shown with -v")
+    return 0
+
+
+def _report_written(
+    catalogue: Catalogue, root: Path, counts: tuple[int, int], seconds: float, progress: Progress
+) -> None:
+    files = catalogue.files
+    sources = [files[p.module] for p in systems.problems() if p.module in files]
+    modules, functions = len(sources), sum(len(re.findall(rb"^def [a-z]", source, re.M)) for source in sources)
+    evidence = sum(1 for path in files if path.startswith("evidence/"))
+    book = "handbook.pdf" if (root / "handbook" / "handbook.pdf").exists() else "LaTeX only, no PDF"
+    shown = root.relative_to(Path.cwd()) if root.is_relative_to(Path.cwd()) else root
+    rows = [
+        f"{shown}/axicontact  {modules} modules, {functions} functions (NumPy only)",
+        f"{shown}/handbook    {book}",
+        f"{shown}/evidence    {evidence} files",
+    ]
+    changed, removed = counts
+    progress.say("\nwrote  " + "\n       ".join(rows))
+    progress.say(f"       {changed} files changed, {removed} removed, {seconds:.1f} s in all")
+    example = "rounded_punch.F"
+    if "evidence/rounded_punch.json" not in files:
+        first = next(outcome for outcome in catalogue.outcomes if f"evidence/{outcome.key}.json" in files)
+        example = f"{first.key}.{next(iter(first.entries))}"
+    progress.say(f"next   axicontact show {example.rpartition('.')[0]}    |    axicontact show {example} --as python")

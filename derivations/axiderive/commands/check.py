@@ -1,0 +1,90 @@
+"""The command `axicontact check`: stored formulas verified and their functions measured again, nothing derived."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Collection, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..build.verification import details, verify
+from ..build.work import Settings, read_entries
+from ..entry import Entry
+from ..physics import systems
+from ..physics.systems import Problem
+from ..stable import records
+from ..stable.drift import drift
+from ..stable.measure import closure
+from ..store.index import Index, NoCatalogueError, load, table
+
+HEAD = ["key", "status", "evidence"]
+
+
+def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: bool) -> bool:
+    """Verify these keys (profiles, problems or single formulas; all if empty); whether all of them passed."""
+    index = load()
+    wanted = _wanted(keys, index)
+    stored = folder if folder.is_dir() else index.folder.parent / "evidence"
+    started, checked, failures = time.perf_counter(), 0, []
+    rows: list[list[str]] = []
+    for key, selected in wanted.items():
+        problem = systems.problem(key)
+        record = _stored(stored, key)
+        entries = read_entries(problem, record["entries"])
+        evidence = verify(problem, entries, settings)
+        checked += len(selected)
+        suffixes = [suffix for suffix in entries if f"{key}.{suffix}" in selected]
+        failures += _drift(problem, entries, suffixes, record["evidence"], stored.parent)
+        failures += [failure for failure in evidence["failures"] if failure["key"] in selected]
+        for suffix, found in evidence["entries"].items():
+            if f"{key}.{suffix}" in selected:
+                rows.append([f"{key}.{suffix}", entries[suffix].status, found["summary"]])
+                if verbose:
+                    rows += [["", "", line] for line in details(found)]
+    print(table([HEAD, *rows]))
+    for failure in failures:
+        print(f"FAILED {failure['key']}: {failure['message']}", file=sys.stderr)
+    print(f"{checked} formulas, {len(failures)} failures, {time.perf_counter() - started:.1f} s, seed {settings.seed}")
+    return not failures
+
+
+def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
+    """The keys to check, by problem; the name of a profile stands for all of its problems."""
+    whole = {row["name"]: list(row["problems"]) for row in index.profiles}
+    wanted: dict[str, set[str]] = {}
+    for key in keys or whole:
+        for own in whole.get(key, [key]):
+            for entry in index.select(own):
+                wanted.setdefault(entry["problem"], set()).add(entry["key"])
+    return wanted
+
+
+def _drift(
+    problem: Problem, entries: dict[str, Entry], suffixes: Collection[str], evidence: dict[str, Any], package: Path
+) -> list[dict[str, str]]:
+    """What the functions of the package below a folder err today and the stored record does not say."""
+    if problem.system.name not in records.SYSTEMS:
+        return []
+    sources = {path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*.py")}
+    if problem.module not in sources:
+        return [{"key": problem.key, "message": f"there is no {package / problem.module}; run axicontact build"}]
+    found = records.record(problem.key, closure(sources, problem.module), entries, suffixes)
+    return [
+        {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
+        for suffix, line in drift(evidence.get("evaluation", {}), found)
+    ]
+
+
+def _stored(folder: Path, name: str) -> dict[str, Any]:
+    path = folder / f"{name}.json"
+    try:
+        record: dict[str, Any] = json.loads(path.read_bytes())
+    except FileNotFoundError as error:
+        message = f"{path} does not exist; run axicontact build in a checkout of the project"
+        raise NoCatalogueError(message) from error
+    except ValueError as error:
+        message = f"{path} is damaged ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error
+    return record

@@ -1,0 +1,253 @@
+"""The commands `axicontact derive` and `axicontact emit`, and what they print.
+
+The commands `axicontact derive` and `axicontact emit`.
+
+What `axicontact derive` prints: f, g, F, p and w with their status, and what was checked.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import textwrap
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from .. import notation as nt
+from ..build.pool import limited
+from ..exits import ENVIRONMENT, USAGE, CommandError
+from ..expression.answer import DIGITS, Answer, answered
+from ..expression.names import ExpressionError
+from ..expression.profile import OwnProfile, own_profile
+from ..scene import interface, text
+from ..scene.compose import Result, Typesetter, composed, manifest
+from ..scene.page import Typesetting
+from ..scene.reading import Request, Scene, read
+from ..store.writing import write_atomic
+
+if TYPE_CHECKING:
+    from ..scene.compose import Result
+
+
+def derive(arguments: argparse.Namespace) -> int:
+    """Print the formulas of an expression; write its module and test where a folder is named."""
+    lines, result = limited(_derived, arguments.expression, arguments.k, arguments.out is not None)
+    print("\n".join(lines))
+    if arguments.out is not None and result is not None:
+        _write(result, arguments.out)
+    return 0
+
+
+def _derived(expression: str, k: str, write: bool) -> tuple[list[str], Result | None]:
+    """In the worker: the printed lines and the files."""
+    return shown(expression, k, write=write)
+
+
+def emit(arguments: argparse.Namespace) -> int:
+    """Write what a scene asks for."""
+    started = time.perf_counter()
+    path: Path = arguments.scene
+    source = text.load(path)
+    scene = read(source)
+    folder = arguments.out or path.parent / scene.folder
+    if arguments.out is None:
+        _inside(folder, path.parent)
+    if arguments.dry_run:
+        print("\n".join(_plan(scene, folder)))
+        return 0
+    with Typesetting() as typesetting:
+        request = _request(scene, source.text)
+        if "pdf" in scene.formats:
+            result = limited(_composed, request, hear=typesetting.start)
+        else:
+            result = limited(composed, request)
+        for line in result.lines:
+            print(line)
+        page = typesetting.page()
+    _write(result, folder, {"page.pdf": page} if page else {})
+    print(f"{time.perf_counter() - started:.1f} s in all")
+    return 0
+
+
+def _composed(request: Request, typeset: Typesetter) -> Result:
+    """In the worker: the files, the page of which is handed out before the rest is written."""
+    return composed(request, typeset=typeset)
+
+
+def _request(scene: Scene, source: str) -> Request:
+    return Request(
+        scene.title, scene.module, scene.profile, scene.own, scene.physics, scene.quantities, scene.values,
+        scene.formats, scene.at, source,
+    )  # fmt: skip
+
+
+def _plan(scene: Scene, folder: Path) -> list[str]:
+    """What would be written, with the defaults filled in."""
+    assert scene.profile is not None
+    names = [*interface.parameters(scene.profile), *interface.MATERIAL[scene.physics]]
+    frozen = ", ".join(f"{n} = {scene.values[n]!r}" for n in names if n in scene.values) or "none"
+    free = ", ".join(n for n in names if n not in scene.values) or "none"
+    return [
+        f"profile     {scene.profile.name}  {scene.profile.subtitle if scene.own else ''}".rstrip(),
+        f"physics     {scene.physics}",
+        f"functions   {', '.join(scene.quantities)}",
+        f"frozen      {frozen}",
+        f"free        {free}",
+        *([f"example at  {scene.at[0]} = {scene.at[1]!r}"] if scene.at else []),
+        f"formats     {', '.join(scene.formats)}",
+        f"would write {folder}/{scene.module}",
+    ]
+
+
+def _inside(folder: Path, root: Path) -> None:
+    """A scene writes below its own place only, also through links."""
+    if not folder.resolve().is_relative_to(root.resolve()):
+        message = f"{folder} leads out of {root}; choose another folder with --out"
+        raise CommandError(message, USAGE)
+
+
+def _spare(folder: Path, files: Mapping[str, bytes]) -> None:
+    """What is in the folder already stays, unless it is as the manifest of an earlier run says.
+
+    Raises
+    ------
+    CommandError
+        If a file of another origin, or one that was changed since, would be overwritten.
+    """
+    above = next((path for path in (folder, *folder.parents) if path.exists()), folder)
+    if not above.is_dir():
+        message = f"{above} is a file and no folder; choose another folder with --out"
+        raise CommandError(message, USAGE)
+    written = _written(folder / "MANIFEST.json")
+    foreign = []
+    for name, content in files.items():
+        path = folder / name
+        if not path.exists() or (name == "MANIFEST.json" and written):
+            continue
+        old = path.read_bytes() if path.is_file() else b""
+        if not path.is_file() or (old != content and written.get(name) != hashlib.sha256(old).hexdigest()):
+            foreign.append(name)
+    if foreign:
+        message = (
+            f"{', '.join(foreign)} in {folder} would be overwritten, and is not as an earlier run left it; "
+            "move it away, or choose another folder with --out"
+        )
+        raise CommandError(message, USAGE)
+
+
+def _written(path: Path) -> Mapping[str, str]:
+    """Hashes by name of an earlier run, none if there was none."""
+    try:
+        found = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _write(result: Result, folder: Path, further: Mapping[str, bytes] = MappingProxyType({})) -> None:
+    files = {**result.files, **further}
+    files["MANIFEST.json"] = manifest(files)
+    _spare(folder, files)
+    try:
+        for name, content in files.items():
+            write_atomic(folder / name, content)
+    except OSError as error:
+        message = f"cannot write to {folder}: {error.strerror or error}; choose another folder with --out"
+        raise CommandError(message, ENVIRONMENT) from error
+    print(f"wrote     {os.path.relpath(folder)}: {', '.join(sorted(n for n in files if '/' not in n))}")
+
+
+WIDTH = 110
+SHOWN = ("d", "F", "p", "w")
+
+
+def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], Result | None]:
+    """The lines, and the files of a module with all functions if they are wanted."""
+    own = own_profile(text)
+    exponent = exponent_of(k)
+    with nt.extended(own.notation):
+        answer = answered(own, k=exponent)
+        lines = _head(own) + [line for suffix in SHOWN for line in _entry(answer, suffix)] + _tail(answer)
+    if not write and all(answer.entries[suffix].status == "closed" for suffix in SHOWN):
+        return lines, None  # else the rules of the module give the values, and their error is measured
+    from ..scene import interface
+    from ..scene.compose import composed
+    from ..scene.linker.sources import graded_refusal
+    from ..scene.reading import Request
+
+    physics, values = ("normal", {}) if exponent == 0 else ("graded", {"k": float(exponent)})
+    if exponent != 0 and (reason := graded_refusal(answer.profile)):
+        return [*lines, *([f"written   nothing: {reason}"] if write else [])], None
+    names = list(interface.functions(physics))
+    if answer.bounded:
+        names = [name for name in names if name not in interface.INVERSES]
+        reason = "how far the contact is compact depends on the values; freeze them in a scene"
+        lines += [f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}"] if write else []
+    request = Request(
+        "Contact of a profile of one's own",
+        f"{own.profile.name}.py",
+        None,
+        own,
+        physics,
+        names,
+        values,
+        formats=("python", "json"),
+    )
+    result = composed(request, answer)
+    return [*lines, *(line for line in result.lines if line not in lines)], result if write else None
+
+
+def exponent_of(text: str) -> sp.Rational:
+    """The exponent of grading, a fraction between -1 and 1."""
+    match = re.fullmatch(r"\s*([-+]?(?:\d{1,6}\.?\d{0,6}|\.\d{1,6}))\s*(?:/\s*(\d{1,6}))?\s*", text)
+    below = int(match[2] or 1) if match else 0
+    value = Fraction(match[1]) / below if match and below else Fraction(1)
+    if not -1 < value < 1:
+        message = f"k = {text[:40]!r} is outside -1 < k < 1; give the exponent of grading as a fraction, as 1/3"
+        raise ExpressionError(message)
+    return sp.Rational(value.numerator, value.denominator)
+
+
+def _head(own: OwnProfile) -> list[str]:
+    lines = [f"f(r) = {own.expression.text}"]
+    lines += [f"          {record.name} [{record.unit}], {record.domain}" for record in own.notation]
+    if not own.homogeneous:
+        lines.append("          numbers in f carry units: all lengths in the same unit")
+    return lines
+
+
+def _entry(answer: Answer, suffix: str) -> list[str]:
+    entry = answer.entries[suffix]
+    if answer.k != 0:
+        entry = replace(entry, cases=tuple(replace(c, expr=c.expr.subs(nt.k, answer.k)) for c in entry.cases))
+    lines = ["", f"{entry.quantity.label}: {answer.status(suffix)}"]
+    for pairs, expr in entry.regions():
+        where = " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in pairs)
+        text = f"{entry.quantity.symbol} = {sp.sstr(expr)}" + (f"   for {where}" if where else "")
+        lines += textwrap.wrap(
+            text, WIDTH, initial_indent="  ", subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
+        )
+    return lines
+
+
+def _tail(answer: Answer) -> list[str]:
+    examined = "" if answer.k == 0 or answer.validity.exact else " (on the homogeneous half-space, k = 0)"
+    lines = ["", f"contact   {answer.validity.sentence}{examined}"]
+    if answer.comparisons:
+        count = len(answer.comparisons)
+        lines.append(
+            f"checked   {count} values against the defining integrals, {DIGITS} digits, worst {answer.worst:.1e}"
+        )
+    if answer.told:
+        lines.append(f"form      {answer.told}")
+    return lines

@@ -1,0 +1,69 @@
+"""The command `axicontact verify`: the stored formulas proved again by the second prover, without the first."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..store.index import Index, NoCatalogueError, load, table
+from ..verifier import reasons, rests_on
+
+ONLY_FIRST = "by the first prover only"
+
+
+def verify(keys: Sequence[str], folder: Path) -> bool:
+    """Prove these keys (profiles, problems or single formulas; all if empty).
+
+    Returns
+    -------
+    bool
+        Whether all was shown that the evidence says is.
+    """
+    index = load()
+    stored = folder if folder.is_dir() else index.folder.parent / "evidence"
+    started, rows, failures, counts = time.perf_counter(), list[list[str]](), list[str](), [0, 0]
+    for key, selected in _wanted(keys, index).items():
+        record, below = _read(stored, key), rests_on(key)
+        missing = reasons(record, _read(stored, below) if below else None)
+        for suffix, proof in record["evidence"]["entries"].items():
+            if suffix not in selected or not proof["certified"]:
+                continue
+            cases, reason = len(record["entries"][suffix]["cases"]), missing[suffix]
+            counts = [counts[0] + (0 if reason else cases), counts[1] + cases]
+            rows.append([f"{key}.{suffix}", f"{ONLY_FIRST}: {reason}" if reason else "shown by both"])
+            if reason and proof["twice"]["shown"]:
+                failures.append(f"{key}.{suffix}: {reason}")
+    print(table([["key", "certified"], *rows]))
+    for failure in failures:
+        print(f"FAILED {failure}", file=sys.stderr)
+    print(f"{counts[0]} of {counts[1]} certified cases checked twice, {time.perf_counter() - started:.1f} s")
+    return not failures
+
+
+def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
+    """Quantities by problem; the name of a profile stands for all of its problems."""
+    whole = {row["name"]: list(row["problems"]) for row in index.profiles}
+    wanted: dict[str, set[str]] = {}
+    for key in keys or whole:
+        for own in whole.get(key, [key]):
+            for entry in index.select(own):
+                suffix = entry["key"].removeprefix(f"{entry['problem']}.")
+                wanted.setdefault(entry["problem"], set()).add(suffix)
+    return wanted
+
+
+def _read(folder: Path, key: str) -> Mapping[str, Any]:
+    path = folder / f"{key}.json"
+    try:
+        record: dict[str, Any] = json.loads(path.read_bytes())
+    except (OSError, ValueError) as error:
+        message = f"{path} cannot be read ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error
+    if "profile" not in record or any("twice" not in entry for entry in record["evidence"]["entries"].values()):
+        message = f"{path} holds nothing for a second prover; run axicontact build"
+        raise NoCatalogueError(message)
+    return record

@@ -1,0 +1,236 @@
+"""The definitions on the homogeneous and the graded half-space, in numbers.
+
+Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, tangential.
+
+Adhesion is not derived here by the formulas of the engine but as the normal
+contact with the free depth g(a) - Dl, with Dl from the balance of energies
+(11.63); partial slip as the difference of two normal contacts.
+
+The compliance of one homogeneous body in numbers, from its equations of equilibrium alone.
+
+Under a load of wave number 1 the state at a depth is exp(A z) times that at the surface; displacements that vanish at
+a large depth and the loads leave one state.  The image of that depth in the surface is exp(-2 depth).
+
+The graded half-space from its equations of equilibrium: h_N without the theory behind its formula.
+
+A pressure p J0(x) on the surface of a half-space with E = z**k moves it by
+c p J0(x).  The displacements U(z) J1(x), W(z) J0(x) obey two equations of second
+order whose solutions at z = 0 are power series times 1 or z**(1 - k); those
+without shear at the surface that vanish at a large depth give c.  The point
+force (11.33) is the integral of such pressures over all wave numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mpmath as mp
+
+from .. import notation as nt
+from ..profiles.profile import Profile
+from . import integrals
+from .graded import Graded
+from .shape import Number, Values, number, shape
+
+
+@dataclass(frozen=True)
+class HalfSpace:
+    """One profile at one point on a half-space with c_N(x) = modulus * |x|**k."""
+
+    profile: Profile
+    values: Values
+    digits: int
+    graded: bool
+
+    @property
+    def k(self) -> Number:
+        return number(self.values[nt.k]) if self.graded else mp.mpf(0)
+
+    @property
+    def modulus(self) -> Number:
+        return number(self.values[nt.H if self.graded else nt.E_star])
+
+    def at(self, symbol: object) -> Number:
+        return number(self.values[symbol])
+
+    def face(self, a: Number, digits: int | None = None) -> Graded:
+        """The profile up to the radius a."""
+        return Graded(shape(self.profile, {**self.values, nt.a: a}), self.k, digits or self.digits)
+
+    def depth(self, a: Number) -> Number:
+        """g(a)."""
+        face = self.face(a)
+        return face.depth(a) if self.graded else integrals.depth(face.shape, a, self.digits)
+
+    def force(self, a: Number, free_depth: Number | None = None) -> Number:
+        face = self.face(a)
+        if self.graded:
+            return self.modulus * face.force(a, free_depth)
+        return self.modulus * integrals.force(face.shape, a, self.digits, free_depth)
+
+    def pressure(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
+        face = self.face(a)
+        if self.graded:
+            return self.modulus * face.pressure(a, r, free_depth)
+        return self.modulus * integrals.pressure(face.shape, a, r, self.digits, free_depth)
+
+    def displacement(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
+        face = self.face(a)
+        if self.graded:
+            return face.displacement(a, r, free_depth)
+        return integrals.displacement(face.shape, a, r, self.digits, free_depth)
+
+    def rates(self, a: Number) -> tuple[Number, Number]:
+        """dg/da and dF/da of the compact contact, the definitions differentiated under their signs."""
+        face, digits = self.face(a, self.digits + 20), self.digits + 20
+        if self.graded:
+            return face.depth_rate(a), self.modulus * face.force_rate(a)
+        return integrals.depth_rate(face.shape, a, digits), self.modulus * integrals.force_rate(face.shape, a, digits)
+
+    def retraction(self, a: Number) -> Number:
+        """Dl from 2 pi a dgamma = c_N(a) Dl**2, (11.63)."""
+        return mp.sqrt(2 * mp.pi * a * self.at(nt.dgamma) / (self.modulus * a**self.k))
+
+    def normal(self, suffix: str, a: Number, free_depth: Number | None = None) -> Number:
+        """d, F, pm, p, w or k; `free_depth` is that of a complete contact."""
+        match suffix:
+            case "d":
+                return self.depth(a) if free_depth is None else free_depth
+            case "F":
+                return self.force(a, free_depth)
+            case "pm":
+                return self.force(a, free_depth) / (mp.pi * a**2)
+            case "p":
+                return self.pressure(self.at(nt.r), a, free_depth)
+            case "w":
+                return self.displacement(self.at(nt.r), a, free_depth)
+            case "k" if free_depth is None:
+                depth_rate, force_rate = self.rates(a)
+                return force_rate / depth_rate
+            case "k" if free_depth is not None:  # the force is linear in the free depth
+                return self.force(a, free_depth + 1) - self.force(a, free_depth)
+        message = f"no integral defines {suffix!r}; use d, F, pm, p, w or k"
+        raise ValueError(message)
+
+    def adhesive(self, suffix: str, a: Number) -> Number:
+        """The contact without adhesion whose depth is left short by Dl."""
+        retraction = self.retraction(a)
+        return retraction if suffix == "Dl" else self.normal(suffix, a, self.depth(a) - retraction)
+
+    def separation(self, control: str, a: Number) -> Number:
+        """The work of separation at which the defined F(a) resp. d(a) is stationary at this radius.
+
+        X(a) = X_0(a) - sqrt(dgamma) Y(a): the stationary point asks for sqrt(dgamma) = X_0'/Y'.
+        """
+        depth_rate, force_rate = self.rates(a)
+        unit = mp.sqrt(2 * mp.pi / self.modulus)
+
+        def lost(x: Number) -> Number:
+            short = unit * x ** ((1 - self.k) / 2)
+            stiffness = 2 * self.modulus * x ** (1 + self.k) / (1 + self.k)
+            return short if control == "depth" else stiffness * short
+
+        # the punch alone: a power of a, whose derivative is an exact ratio of its value
+        power = (1 - self.k) / 2 if control == "depth" else (3 + self.k) / 2
+        own_rate = depth_rate if control == "depth" else force_rate
+        return (own_rate * a / (power * lost(a))) ** 2
+
+    def tangential(self, suffix: str, a: Number) -> Number:
+        """mu times the difference of two normal contacts; u0 with the ratio of the moduli, (11.78)-(11.80)."""
+        mu = self.at(nt.mu)
+        ratio = mu * self.modulus / self.at(nt.H_x if self.graded else nt.G_star)
+        if suffix == "us":  # a flat tip slips at once: its normal contact needs no depth
+            return ratio * self.depth(a)
+        c = self.at(nt.c)
+        if suffix == "F":
+            return mu * (self.force(a) - self.force(c))
+        if suffix == "u":
+            return ratio * (self.depth(a) - self.depth(c))
+        r = self.at(nt.r)
+        stuck = self.pressure(r, c) if r < c else mp.mpf(0)
+        return mu * (self.pressure(r, a) - stuck)
+
+
+DEPTH = 1.5
+"""Depth at which the displacements are set to zero, per digit wanted."""
+
+
+def body_compliance(modulus: str, E: Number, nu: Number, digits: int) -> Number:
+    """What a body with Young's modulus E and Poisson's ratio nu adds to 1/E* or 1/G*.
+
+    A pressure moves the surface by twice its share of 1/E*.  Shears along and across a wave, of all directions alike,
+    move it by twice its share of 1/G* at the mean.
+    """
+    depth = DEPTH * digits
+    with mp.workdps(digits + int(depth) + 20):
+        shear = E / (2 * (1 + nu))
+        first = 2 * shear * nu / (1 - 2 * nu)
+        if modulus == "E_star":
+            return _plane(shear, first, depth, 1) / 2
+        # U'' = U across the wave
+        across = mp.tanh(depth) / shear
+        return (_plane(shear, first, depth, 0) + across) / 4
+
+
+def _plane(shear: Number, first: Number, depth: float, load: int) -> Number:
+    """U under a shear 1 (load 0) or W under a pressure 1 (load 1), by u_x = U sin x, u_z = W cos x."""
+    wide = first + 2 * shear
+    # U' = W + T/mu, W' = (S - lambda U)/wide, T' = wide U + lambda W', S' = -T
+    rates = mp.matrix(
+        [
+            [0, 1, 1 / shear, 0],
+            [-first / wide, 0, 0, 1 / wide],
+            [wide - first**2 / wide, 0, 0, first / wide],
+            [0, 0, -1, 0],
+        ]
+    )
+    below = mp.expm(rates * depth, method="taylor")
+    loads = mp.matrix([-1 if load == 0 else 0, 0 if load == 0 else -1])
+    surface = mp.lu_solve(below[:2, :2], -below[:2, 2:] * loads)
+    return surface[load]
+
+
+Pair = tuple[Number, Number]
+"""Depth at which the displacement is set to zero, per digit wanted: its image in the surface is exp(-2 depth)."""
+
+
+def surface_compliance(k: Number, nu: Number, digits: int) -> Number:
+    """c for E = z**k, -1 < k < 1, k != 0 and nu < 1/2, to about `digits` digits."""
+    depth = mp.mpf(DEPTH) * digits
+    with mp.workdps(digits + int(depth) + 20):
+        k, nu = mp.mpf(k), mp.mpf(nu)
+        shear, first = 1 / (2 * (1 + nu)), nu / ((1 + nu) * (1 - 2 * nu))
+        wide = first + 2 * shear
+        zero = mp.mpf(0)
+        own = [_series(k, shear, first, zero, start, depth) for start in ((1, 0), (0, 1))]
+        # the pressure 1 on the surface; z**(1 - k) in U would be a shear
+        forced = _series(k, shear, first, 1 - k, (0, -1 / (wide * (1 - k))), depth)
+        matrix = mp.matrix([[own[0][0], own[1][0]], [own[0][1], own[1][1]]])
+        return mp.lu_solve(matrix, -mp.matrix(forced))[1]
+
+
+def _series(k: Number, shear: Number, first: Number, power: Number, start: tuple[Number, Number], z: Number) -> Pair:
+    """U and W at depth z of the solution z**power (start + ...)."""
+    wide, both = first + 2 * shear, first + shear
+    before, last = (mp.mpf(0), mp.mpf(0)), (mp.mpf(start[0]), mp.mpf(start[1]))
+    total, scale, n = list(last), mp.mpf(1), 0
+    while True:
+        n += 1
+        grade = (n + power) * (n + power - 1 + k)
+        weight = both * (n - 1 + power)
+        u = ((weight + k * shear) * last[1] + wide * before[0]) / (shear * grade)
+        w = (-(weight + k * first) * last[0] + shear * before[1]) / (wide * grade)
+        before, last = last, (u, w)
+        scale *= z
+        total = [total[0] + u * scale, total[1] + w * scale]
+        if n > z and (abs(u) + abs(w)) * scale < mp.eps * (abs(total[0]) + abs(total[1])):
+            return total[0] * z**power, total[1] * z**power
+
+
+def h_N(k: Number, nu: Number, digits: int) -> Number:
+    """h_N of (11.33): the point force is the integral of J0(s r) over s, and c scales with s**(k - 1)."""
+    compliance = surface_compliance(k, nu, digits)
+    with mp.workdps(digits + 20):
+        k, nu = mp.mpf(k), mp.mpf(nu)
+        fourier = 2**k * mp.gamma((1 + k) / 2) / mp.gamma((1 - k) / 2)
+        return 2 * (1 - nu**2) * mp.cos(mp.pi * k / 2) / (compliance * fourier)

@@ -1,0 +1,203 @@
+"""Adhesive contact by the rule of Hess: the contact without adhesion plus a retraction of its flat punch.
+
+Every quantity is that of the normal contact minus the punch of radius a moved
+by Delta l(a) = sqrt(2 pi a dgamma / c_N(a)), (11.31), (11.64); c_N(a) =
+modulus * a**k.  Pull-off is where the force or the depth is stationary:
+both conditions read a**((1 + k)/2) g'(a) = xi/2 sqrt(2 pi dgamma/modulus), with
+xi = 3 + k under force control and 1 - k under depth control.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ..entry import Case, Entry, Quantity, Status
+from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
+from ..profiles.profile import Profile, Rule
+from . import normal
+from .medium import HOMOGENEOUS, Medium
+from .normal import stable_inverse
+
+GROUP = "adh"
+
+QUANTITIES = {
+    q.suffix: q
+    for q in (
+        Quantity("Dl", "retraction", "Retraction", retraction, (a,)),
+        Quantity("d", "depth", "Indentation depth", d, (a,)),
+        Quantity("F", "force", "Normal force", F, (a,)),
+        Quantity("p", "pressure", "Pressure", p, (r, a)),
+        Quantity("w", "displacement", "Displacement outside", w, (r, a)),
+        Quantity("ad", "radius_from_depth", "Contact radius from depth, stable branch", a, (d,)),
+        Quantity("aF", "radius_from_force", "Contact radius from force, stable branch", a, (F,)),
+        Quantity("ac", "pull_off", "Pull-off under force control: radius", a_c, ()),
+        Quantity("Fc", "pull_off", "Pull-off under force control: force", F, ()),
+        Quantity("dc", "pull_off", "Pull-off under force control: depth", d, ()),
+        Quantity("am", "pull_off", "Pull-off under depth control: radius", a_c, ()),
+        Quantity("Fm", "pull_off", "Pull-off under depth control: force", F, ()),
+        Quantity("dm", "pull_off", "Pull-off under depth control: depth", d, ()),
+    )
+}
+
+
+def hess_rule(medium: Medium) -> sp.Expr:
+    """(11.31), and (11.66) in its corrected form, without the factor a under the root."""
+    return sp.sqrt(2 * sp.pi * dgamma * a ** (1 - medium.k) / medium.modulus)
+
+
+CONTROLS = {"force": ("ac", "Fc", "dc"), "depth": ("am", "Fm", "dm")}
+
+
+def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
+    """The number xi of the condition of stationarity, under force and under depth control."""
+    return {"force": 3 + medium.k, "depth": 1 - medium.k}
+
+
+def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> Rule | None:
+    """What the exponent of a power law must be for a stable contact to exist; None where none is a parameter.
+
+    At n = (1 - k)/2 the depth is one power of the radius, and below it both loads grow on unloading.
+    """
+    if n not in profile.parameters:
+        return None
+    reason = (
+        "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; "
+        f"use n > {_least_exponent(medium)}, or force(a) and depth(a) for the states of equilibrium"
+    )
+    return Rule((1 - medium.k) / 2, n, True, reason)
+
+
+def _least_exponent(medium: Medium) -> str:
+    return sp.sstr(sp.together((1 - medium.k) / 2))
+
+
+def refusal(profile: Profile) -> str:
+    """Why a profile has no adhesive entries; empty if it has."""
+    if profile.contact == "compact":
+        return ""
+    return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
+
+
+def derive(
+    profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
+) -> dict[str, Entry]:
+    """All adhesive entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
+
+    Raises
+    ------
+    ValueError
+        If the contact is complete: its edge is fixed, and only the pull-off depth is a question.
+    """
+    if message := refusal(profile):
+        raise ValueError(message)
+    plain = plain or normal.derive(profile, medium)
+    punch = {
+        "d": sp.S.One,
+        "F": medium.stiffness(),
+        "p": medium.punch_pressure(),
+        "w": medium.punch_displacement().expr(),
+    }
+    shift = hess_rule(medium)
+    build = _Builder(profile, medium, plain)
+    balance = sp.Eq(2 * sp.pi * a * dgamma, medium.modulus * a**medium.k * retraction**2)
+    entries = {"Dl": build.entry("Dl", "closed", (Case((a,), shift),), balance)}
+    for suffix, unit in punch.items():
+        own = plain[suffix]
+        cases = tuple(Case(case.chain, _minus(case.expr, unit * shift)) for case in own.cases)
+        entries[suffix] = build.entry(suffix, own.status, cases, own.definition - unit * retraction)
+    return entries | build.branches(entries) | build.pull_off()
+
+
+def _minus(expr: sp.Expr, loss: sp.Expr) -> sp.Expr:
+    return expr - sp.powsimp(sp.expand_power_base(loss), combine="exp")
+
+
+class _Builder:
+    """Entries of one profile on one medium."""
+
+    def __init__(self, profile: Profile, medium: Medium, plain: Mapping[str, Entry]) -> None:
+        self.profile, self.medium, self.plain = profile, medium, plain
+
+    def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
+        exponent = (self.medium.k,) if self.medium.k != 0 else ()
+        geometry = () if suffix == "Dl" else self.profile.parameters
+        return Entry(
+            key=self.medium.key(self.profile.name, self.medium.group, GROUP, suffix),
+            profile=self.profile,
+            quantity=QUANTITIES[suffix],
+            status=status,
+            cases=cases,
+            definition=definition,
+            parameters=(*geometry, self.medium.modulus, *exponent, dgamma),
+            references=("(11.31)",) if self.medium.k == 0 else ("(11.64)", "(11.66)"),
+            note=self._note(suffix),
+        )
+
+    def _note(self, suffix: str) -> str:
+        needs_pull_off = suffix in ("ad", "aF") or any(suffix in names for names in CONTROLS.values())
+        if not needs_pull_off or pull_off_rule(self.profile, self.medium) is None:
+            return ""
+        return f"exists only for n > {_least_exponent(self.medium)}"
+
+    def branches(self, entries: dict[str, Entry]) -> dict[str, Entry]:
+        """Inverses on the branch that is stable under control of the given quantity, a >= its pull-off radius."""
+        out = {}
+        for suffix, source, value in (("ad", "d", d), ("aF", "F", F)):
+            forward, equation = entries[source].cases, sp.Eq(value, entries[source].definition)
+            closed = stable_inverse(forward[0].expr, value) if len(forward) == 1 else None
+            if closed is not None:
+                out[suffix] = self.entry(suffix, "closed", (Case((), closed),), equation)
+            else:
+                cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in forward)
+                out[suffix] = self.entry(suffix, "root", cases, equation)
+        return out
+
+    def pull_off(self) -> dict[str, Entry]:
+        """Radius, force and depth; at pull-off the retraction is 2 a g'(a)/xi, which leaves no root in F and d."""
+        out = {}
+        slopes = tuple(Case(case.chain, sp.diff(case.expr, a)) for case in self.plain["d"].cases)
+        for control, (radius_name, force_name, depth_name) in CONTROLS.items():
+            xi = pull_off_number(self.medium)[control]
+            level = xi * sp.sqrt(sp.pi * dgamma / (2 * self.medium.modulus)) * a ** (-(1 + self.medium.k) / 2)
+            condition = sp.Eq(sp.Derivative(sp.Function("g")(a), a), level)
+            radius = _monomial_root(slopes[0].expr, level) if len(slopes) == 1 else None
+            if radius is None:
+                roots = tuple(Case(_moved(case.chain), sp.Eq(case.expr, level).subs(a, a_c)) for case in slopes)
+                out[radius_name] = self.entry(radius_name, "root", roots, condition)
+            else:
+                out[radius_name] = self.entry(radius_name, "closed", (Case((), radius),), condition)
+            for name, source, unit in ((force_name, "F", self.medium.stiffness()), (depth_name, "d", sp.S.One)):
+                cases = tuple(
+                    self._at_pull_off(case, slope.expr, unit / xi, radius)
+                    for case, slope in zip(self.plain[source].cases, slopes, strict=True)
+                )
+                out[name] = self.entry(name, self.plain[source].status, cases, condition)
+        return out
+
+    def _at_pull_off(self, case: Case, slope: sp.Expr, unit: sp.Expr, radius: sp.Expr | None) -> Case:
+        expr = case.expr - sp.powsimp(2 * a * slope * unit)
+        if radius is None:
+            return Case(_moved(case.chain), expr.subs(a, a_c))
+        expr = sp.powsimp(sp.factor_terms(sp.powsimp(expr)))
+        if not (expr.has(n) or self.medium.k != 0 or expr.has(sp.gamma)):
+            return Case(
+                (), sp.powsimp(sp.powdenest(sp.expand_power_base(expr.subs(a, radius), force=True), force=True))
+            )
+        return Case(_moved(case.chain), sp.factor_terms(sp.factor(expr)).subs(a, a_c))
+
+
+def _moved(chain: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    return tuple(length.subs(a, a_c) for length in chain)
+
+
+def _monomial_root(slope: sp.Expr, level: sp.Expr) -> sp.Expr | None:
+    """The root of slope = level when both are powers of a."""
+    factor, power = sp.powsimp(slope / level).as_independent(a, as_Add=False)
+    base, exponent = power.as_base_exp()
+    if base != a or exponent.has(a):
+        return None
+    return sp.powdenest(factor ** (-1 / exponent), force=True)

@@ -1,0 +1,202 @@
+"""Plane contact without adhesion: superposition of flat strips.
+
+A strip of half-width t under the line load P has p = P/(pi sqrt(t^2 - x^2))
+and, outside, dw/dx = -2 P/(pi E* sqrt(x^2 - t^2)); a contact grows by strips of
+load P'(t) dt.  A half plane has no absolute depth: d is the depth of the middle
+relative to the surface at a distance L.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from ..abel import plane_moments
+from ..abel.atoms import PowerAtom
+from ..abel.form import Chain, Form, Order, insert
+from ..abel.plane_moments import Inside, Kernel, Outside, complementary
+from ..abel.reduce import NotReducibleError, Reduced, parse
+from ..entry import Case, Entry, Primitive, Quantity, Status
+from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
+from ..profiles.profile import Piece, Profile
+from . import complete, tilted
+from .normal import closed_inverse
+from .plane_quantities import PLANE, PLANE_COMPLETE
+
+# factors of P/E* in the pressure over E*, and in slope and depth
+PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi
+
+
+def definitions(contact: str) -> dict[str, sp.Expr]:
+    """The defining integrals; P(t) is the load of an earlier contact of half-width t."""
+    load = E_star * sp.Integral(x * sp.Derivative(sp.Function(f.name)(x), x) / sp.sqrt(a**2 - x**2), (x, 0, a))
+    growth = sp.Derivative(sp.Function(P.name)(t), t)
+    out = {
+        "p": PRESSURE * sp.Integral(growth / sp.sqrt(t**2 - x**2), (t, x, a)),
+        "s": -SURFACE / E_star * sp.Integral(growth / sp.sqrt(x**2 - t**2), (t, 0, a)),
+        "d": SURFACE / E_star * sp.Integral(growth * sp.acosh(L / t), (t, 0, a)),
+    }
+    if contact == "compact":
+        return {"P": load, **out, "aP": sp.Eq(load, P)}
+    edge = P - sp.Function(P.name)(a)
+    return {
+        "p": edge * PRESSURE / sp.sqrt(a**2 - x**2) + out["p"],
+        "s": -SURFACE / E_star * edge / sp.sqrt(x**2 - a**2) + out["s"],
+        "d": SURFACE / E_star * edge * sp.acosh(L / a) + out["d"],
+        "xz": sp.Eq(sp.Derivative(sp.sqrt(a**2 - x**2) * sp.Function("p")(x), x), 0),
+        "Pmin": sp.Eq(sp.Function("p")(x_zero), 0),
+    }
+
+
+def derive(profile: Profile) -> dict[str, Entry]:
+    """All entries of a plane profile, keyed by suffix.
+
+    Raises
+    ------
+    NotReducibleError
+        If the profile is not a sum of powers of the distance from the middle.
+    ValueError
+        If the profile does not start at zero or has a jump.
+    """
+    if e in profile.parameters:
+        return tilted.derive(profile)
+    if profile.contact == "complete":
+        return _Complete(profile).entries()
+    return _Compact(profile).entries()
+
+
+@dataclass(frozen=True)
+class Superposition:
+    """Load and fields of a face over E*, as sums over its atoms; the antiderivatives are those of the load itself."""
+
+    atoms: tuple[PowerAtom, ...]
+
+    @classmethod
+    def of(cls, pieces: tuple[Piece, ...]) -> Superposition:
+        reduced: Reduced = parse(tuple(_in_r(piece) for piece in pieces))
+        powers = tuple(atom for atom in reduced.atoms if isinstance(atom, PowerAtom))
+        if len(powers) < len(reduced.atoms):
+            message = "a plane profile must be a sum of powers of x; no plane moments are known for other shapes"
+            raise NotReducibleError(message)
+        return cls(powers)
+
+    def load(self, chain: Chain) -> Form:
+        return complementary(Form.total(plane_moments.load(atom, Order(chain)) for atom in self.atoms))
+
+    def field(self, chain: Chain, kernel: Kernel) -> Form:
+        return complementary(Form.total(plane_moments.field(atom, Order(chain), kernel) for atom in self.atoms))
+
+    def depth(self, chain: Chain) -> Form:
+        return complementary(Form.total(plane_moments.depth(atom, Order(chain)) for atom in self.atoms))
+
+    def primitives(self, chain: Chain) -> tuple[Primitive, ...]:
+        parts = (part for atom in self.atoms for part in plane_moments.primitives(atom, Order(chain)))
+        return tuple(replace(part, integrand=E_star * part.integrand, expr=E_star * part.expr) for part in parts)
+
+
+def _in_r(piece: Piece) -> Piece:
+    return Piece(piece.upper, sp.expand_power_base(piece.expr).subs(x, r))
+
+
+def _entry(profile: Profile, quantity: Quantity, cases: tuple[Case, ...], **more: object) -> Entry:
+    formulas = [case.expr for case in cases]
+    material = (E_star,) if any(expr.has(E_star) for expr in formulas) else ()
+    defaults: dict[str, object] = {"status": "closed", "definition": definitions(profile.contact).get(quantity.suffix)}
+    return Entry(
+        key=f"plane.{profile.name}.{quantity.suffix}",
+        profile=profile,
+        quantity=quantity,
+        cases=cases,
+        parameters=profile.parameters + material,
+        **(defaults | more),  # type: ignore[arg-type]
+    )
+
+
+@dataclass
+class _Compact:
+    """The derivation of one profile whose contact grows."""
+
+    profile: Profile
+
+    def __post_init__(self) -> None:
+        self.strips = Superposition.of(self.profile.pieces)
+        above = self.profile.breaks[0] if self.profile.truncated else None
+        self.chains = tuple(insert(self.profile.breaks, a, above=above))
+
+    def entries(self) -> dict[str, Entry]:
+        load = tuple(Case(chain, (self.strips.load(chain) * E_star).expr()) for chain in self.chains)
+        primitives = {chain: self.strips.primitives(chain) for chain in self.chains}
+        half_width = closed_inverse(load, P)
+        equation = tuple(Case(case.chain, sp.Eq(case.expr, P)) for case in load)
+        status: Status = "closed" if half_width else "root"
+        return {
+            "P": self._entry("P", load, primitives=primitives),
+            "p": self._entry("p", self._pressure()),
+            "s": self._entry("s", self._slope()),
+            "d": self._entry("d", self._depth()),
+            "aP": self._entry("aP", half_width or equation, status=status),
+        }
+
+    def _entry(self, suffix: str, cases: tuple[Case, ...], **more: object) -> Entry:
+        return _entry(self.profile, PLANE[suffix], cases, **more)
+
+    def _pressure(self) -> tuple[Case, ...]:
+        chains = [chain for regime in self.chains for chain in insert(regime, x, below=a)]
+        fields = ((chain, self.strips.field(chain, Inside(Order(chain)))) for chain in chains)
+        return tuple(Case(chain, (field * (PRESSURE * E_star)).expr()) for chain, field in fields)
+
+    def _slope(self) -> tuple[Case, ...]:
+        chains = [chain for regime in self.chains for chain in insert(regime, x, above=a)]
+        fields = ((chain, self.strips.field(chain, Outside(x))) for chain in chains)
+        return tuple(Case(chain, (field * -SURFACE).expr()) for chain, field in fields)
+
+    def _depth(self) -> tuple[Case, ...]:
+        chains = [chain for regime in self.chains for chain in insert(regime, L, above=a)]
+        return tuple(Case(chain, (self.strips.depth(chain) * SURFACE).expr()) for chain in chains)
+
+
+@dataclass
+class _Complete:
+    """A face between sharp edges: the strip over the whole width takes the rest of the load."""
+
+    profile: Profile
+
+    def __post_init__(self) -> None:
+        self.strips = Superposition.of(self.profile.pieces)
+
+    def entries(self) -> dict[str, Entry]:
+        formulas = self._formulas()
+        entries = {suffix: _entry(self.profile, PLANE_COMPLETE[suffix], (case,)) for suffix, case in formulas.items()}
+        return entries | self._threshold() if self.strips.atoms else entries
+
+    def _formulas(self) -> dict[str, Case]:
+        inside, outside, far = (x, a), (a, x), (a, L)
+        edge = Form.of(sp.S.One, P / E_star) + self.strips.load((a,)) * -1
+        pressure = edge.times(1 / sp.sqrt(a**2 - x**2)) + self.strips.field(inside, Inside(Order(inside)))
+        slope = edge.times(1 / sp.sqrt(x**2 - a**2)) + self.strips.field(outside, Outside(x))
+        depth = edge.times(sp.acosh(L / a)) + self.strips.depth(far)
+        return {
+            "p": Case(inside, (pressure * (PRESSURE * E_star)).expr()),
+            "s": Case(outside, (slope * -SURFACE).expr()),
+            "d": Case(far, (depth * SURFACE).expr()),
+        }
+
+    def _threshold(self) -> dict[str, Entry]:
+        """Where and at which load the pressure first vanishes on unloading.
+
+        For one power of the distance p is int t^(n-1)/sqrt(t^2 - x^2) dt up to a factor, as under the round
+        punch of the same face: the place is the same, and the least load is to the load of the unbounded face
+        as the least depth of the round punch is to its depth.
+        """
+        round_punch = replace(self.profile, pieces=tuple(_in_r(piece) for piece in self.profile.pieces))
+        counterpart = complete.derive(round_punch)
+        ring, least_depth = counterpart["rz"], counterpart["dmin"].cases[0].expr
+        (atom,) = self.strips.atoms
+        load, depth = E_star * self.strips.load((a,)).expr(), atom.depth(Order((a,))).expr()
+        least = sp.factor(least_depth * sp.powsimp(load / depth, combine="exp")).subs(r_zero, x_zero)
+        place = tuple(Case(case.chain, case.expr.subs(r_zero, x_zero)) for case in ring.cases)
+        return {
+            "xz": _entry(self.profile, PLANE_COMPLETE["xz"], place, status=ring.status),
+            "Pmin": _entry(self.profile, PLANE_COMPLETE["Pmin"], (Case((a,), least),)),
+        }

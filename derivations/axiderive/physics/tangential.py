@@ -1,0 +1,138 @@
+"""Tangential contact in the Cattaneo-Mindlin approximation, (11.67)-(11.80).
+
+Partial slip is the difference of two normal contacts, of radii a and c, times
+mu; the rule is stated once and every profile and medium follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ..abel.form import insert
+from ..entry import Case, Entry, Quantity, Status
+from ..notation import F, F_x, G_star, H_x, a, c, mu, r, tau, u_0
+from ..profiles.profile import Profile
+from . import normal
+from .medium import HOMOGENEOUS, Medium
+
+GROUP = "tan"
+
+QUANTITIES = {
+    q.suffix: q
+    for q in (
+        Quantity("F", "tangential_force", "Tangential force", F_x, (a, c)),
+        Quantity("tau", "traction", "Tangential traction", tau, (r, a, c)),
+        Quantity("u", "tangential_displacement", "Tangential displacement", u_0, (a, c)),
+        Quantity("c", "stick_radius", "Stick radius", c, (F_x, a)),
+        Quantity("us", "full_slip_displacement", "Displacement at the onset of full slip", u_0, (a,)),
+    )
+}
+
+REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("(11.78)",), "us": ("(11.80)",)}
+
+
+def refusal(profile: Profile) -> str:
+    """Why a profile has no tangential entries; empty if it has."""
+    if profile.contact == "compact":
+        return ""
+    return f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
+
+
+def derive(
+    profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
+) -> dict[str, Entry]:
+    """All tangential entries of a profile with a compact contact, keyed by suffix.
+
+    They rest on the normal contact `plain` where it is known already.
+
+    Raises
+    ------
+    ValueError
+        If the contact is complete: the stick zone then covers it until it slips as a whole.
+    """
+    if message := refusal(profile):
+        raise ValueError(message)
+    plain = plain or normal.derive(profile, medium)
+    ratio = mu * medium.modulus / (G_star if medium.k == 0 else H_x)
+    force, depth, pressure = plain["F"], plain["d"], plain["p"]
+    partial = _pairs(force)
+    slip = tuple(Case(chain, mu * (outer - inner)) for chain, outer, inner in partial)
+    sliding = tuple(Case(chain, ratio * (outer - inner)) for chain, outer, inner in _pairs(depth))
+    floor = profile.breaks[0] if profile.truncated else sp.S.Zero
+    onset = tuple(Case(case.chain, ratio * case.expr) for case in depth.cases)
+    equations = tuple(Case(case.chain, sp.Eq(case.expr, F_x)) for case in slip)
+    inverse = _closed_stick_radius(plain["aF"], force)
+    difference = mu * (sp.Function("F")(a) - sp.Function("F")(c))
+    out: dict[str, tuple[Status, tuple[Case, ...], sp.Expr]] = {
+        "F": (force.status, slip, difference),
+        "tau": (pressure.status, _traction(pressure), mu * (sp.Function("p")(r, a) - sp.Function("p")(r, c))),
+        "u": (depth.status, sliding, ratio * (sp.Function("g")(a) - sp.Function("g")(c))),
+        "c": ("closed" if inverse else "root", inverse or equations, sp.Eq(difference, F_x)),
+        "us": (depth.status, onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
+    }
+    modulus = {"F": (medium.modulus,), "tau": (medium.modulus,), "c": (medium.modulus,)}
+    both = (medium.modulus, G_star if medium.k == 0 else H_x)
+    exponent = (medium.k,) if medium.k != 0 else ()
+    return {
+        suffix: Entry(
+            key=medium.key(profile.name, medium.group, GROUP, suffix),
+            profile=profile,
+            quantity=QUANTITIES[suffix],
+            status=status,
+            cases=cases,
+            definition=definition,
+            parameters=(*profile.parameters, *modulus.get(suffix, both), *exponent, mu),
+            references=REFERENCES[suffix],
+        )
+        for suffix, (status, cases, definition) in out.items()
+    }
+
+
+def _pairs(entry: Entry) -> list[tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr]]:
+    """(chain, value at a, value at c) for every place of c below a."""
+    truncated = entry.profile.truncated
+    out = []
+    for case in entry.cases:
+        above = entry.profile.breaks[0] if truncated else None
+        for chain in insert(case.chain, c, above=above, below=a):
+            own = next(other for other in entry.cases if _same_order(other.chain, chain))
+            out.append((chain, case.expr, own.expr.subs(a, c)))
+    return out
+
+
+def _same_order(chain: tuple[sp.Expr, ...], both: tuple[sp.Expr, ...]) -> bool:
+    """Whether c stands among the other lengths of `both` as a stands in `chain`."""
+    without = tuple(length for length in both if length != a)
+    return chain == tuple(a if length == c else length for length in without)
+
+
+def _traction(pressure: Entry) -> tuple[Case, ...]:
+    """(11.79): mu p(r; a) in the slip annulus, less mu p(r; c) in the stick zone."""
+    out = []
+    truncated = pressure.profile.truncated
+    for case in pressure.cases:
+        above = pressure.profile.breaks[0] if truncated else None
+        for chain in insert(case.chain, c, above=above, below=a):
+            if chain.index(c) < chain.index(r):
+                out.append(Case(chain, mu * case.expr))
+                continue
+            own = next(other for other in pressure.cases if _same_order(other.chain, chain))
+            out.append(Case(chain, mu * (case.expr - own.expr.subs(a, c))))
+    return tuple(out)
+
+
+def _closed_stick_radius(radius: Entry, force: Entry) -> tuple[Case, ...] | None:
+    """c = a(F(a) - F_x/mu) where the radius is a closed function of the force and has a single regime."""
+    if radius.status != "closed" or len(radius.cases) != 1:
+        return None
+    (own,), (whole,) = radius.cases, force.cases
+    floor = radius.profile.breaks[:1] if radius.profile.truncated else ()
+    power = own.expr.as_independent(F, as_Add=False)[1]
+    base, exponent = power.as_base_exp()
+    if not (base / F).has(F) and not exponent.has(F):
+        expr = a * (1 - F_x / (mu * whole.expr)) ** exponent
+    else:
+        expr = own.expr.subs(F, whole.expr - F_x / mu)
+    return (Case((*floor, c, a), expr),)

@@ -1,0 +1,1 @@
+"""SymPy expressions and words as LaTeX."""

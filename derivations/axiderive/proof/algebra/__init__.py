@@ -1,0 +1,1 @@
+"""The algebra of the certificates: towers of functions, their identities and signs."""

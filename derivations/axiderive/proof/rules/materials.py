@@ -1,0 +1,149 @@
+"""The elastic constants against the half-space whose response they stand for.
+
+The moduli of two bodies are proved by the equations of equilibrium of the homogeneous half-space; h_N is compared
+with the point force on the graded one.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from ... import notation as nt
+from ...entry import Entry
+from ...notation import nu_1, nu_2, young_1, young_2
+from ...oracle.evaluate import evaluate
+from ...oracle.evidence import Evidence, judge, residual
+from ...oracle.half_space import body_compliance, h_N
+from ...oracle.shape import Number, Values, number
+from ...profiles.materials import PROFILE as PROFILE
+from ..algebra.domain import Domain, NotProvedError
+from ..statement import Rule, require_regions, require_zero
+
+LOST = 2
+DEPTH = sp.Symbol("z", positive=True)
+RAISED = sp.symbols("raised_1 raised_2", positive=True)
+"""1 + nu of both bodies."""
+
+
+def compliances() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """What a homogeneous half-space yields to loads of wave number 1 on its surface, from the equations of equilibrium.
+
+    Displacements U sin x along x and W cos x into the half-space under the pressure cos x and under the shear sin x,
+    and V across under the shear of a wave that runs across: W, U, V on the surface, with U, W and V linear functions
+    of the depth times exp(-depth).
+    """
+    shear, first = sp.symbols("shear first")
+    unknown = sp.symbols("u_0 u_1 w_0 w_1 v_0")
+    U, W, V = unknown[0] + unknown[1] * DEPTH, unknown[2] + unknown[3] * DEPTH, unknown[4]
+
+    def rate(factor: sp.Expr) -> sp.Expr:
+        """Of the factor of exp(-depth)."""
+        return sp.diff(factor, DEPTH) - factor
+
+    wide = first + 2 * shear
+    along, into, both = wide * U + first * rate(W), wide * rate(W) + first * U, shear * (rate(U) - W)
+    balance = [rate(both) - along, both + rate(into), shear * (rate(rate(V)) - V)]
+    equations = [c for row in balance for c in sp.Poly(sp.expand(row), DEPTH).coeffs() if c != 0]
+    surface = [side.subs(DEPTH, 0) for side in (into, both, shear * rate(V))]
+    elastic = {shear: young_1 / (2 * (1 + nu_1)), first: young_1 * nu_1 / ((1 + nu_1) * (1 - 2 * nu_1))}
+    found = []
+    for load, answer in enumerate((W, U, V)):
+        loaded = [side + (1 if place == load else 0) for place, side in enumerate(surface)]
+        (solution,) = sp.linsolve(equations + loaded, unknown)
+        yielded = answer.subs(DEPTH, 0).subs(dict(zip(unknown, solution, strict=True)))
+        found.append(sp.factor(yielded.subs(elastic)))
+    return found[0], found[1], found[2]
+
+
+def two_bodies() -> dict[str, sp.Expr]:
+    """1/E* and 1/G*: a body yields to a wave of pressure, and to the mean of all shears, by twice its share."""
+    pressed, sheared, across = compliances()
+    other = {young_1: young_2, nu_1: nu_2}
+    bodies = {"E_star": pressed / 2, "G_star": (sheared + across) / 4}
+    return {suffix: body + body.subs(other) for suffix, body in bodies.items()}
+
+
+class Materials:
+    """The entries, and the half-space under the loads they are defined for."""
+
+    def __init__(self, entries: Mapping[str, Entry]) -> None:
+        self.entries = entries
+
+    def reciprocal(self, suffix: str) -> list[str]:
+        """1/modulus is the sum over the bodies, an identity of rational functions."""
+        entry = self.entries[suffix]
+        require_regions(entry, ((),))
+        # -1 < nu < 1/2
+        shifted = {nu: raised - 1 for nu, raised in zip((nu_1, nu_2), RAISED, strict=True)}
+        gap = (entry.cases[0].expr * two_bodies()[suffix] - 1).subs(shifted)
+        domain = Domain(*((raised, sp.Rational(3, 2)) for raised in RAISED))
+        return [require_zero(gap, domain, f"1/{suffix} is the compliance of two half-spaces")]
+
+    def graded(self) -> list[str]:
+        entry, factor = self.entries["H"], self.entries["h_N"].cases[0].expr
+        return [self._equal(entry.cases[0].expr, entry.definition.rhs.subs(nt.h_N, factor), "H by its definition")]
+
+    def factor(self) -> list[str]:
+        message = "h_N is compared with a solution of the equations of equilibrium, which is no exact statement"
+        raise NotProvedError(message)
+
+    @staticmethod
+    def _equal(left: sp.Expr, right: sp.Expr, statement: str) -> str:
+        if sp.cancel(left / right) != 1:
+            message = f"{statement}: not shown"
+            raise NotProvedError(message)
+        return statement
+
+
+RULES: dict[str, Rule] = {
+    "E_star": ((), lambda proof: proof.reciprocal("E_star")),
+    "G_star": ((), lambda proof: proof.reciprocal("G_star")),
+    "H": (("h_N",), Materials.graded),
+    "h_N": ((), Materials.factor),
+}
+
+
+def check(entries: Mapping[str, Entry], suffix: str, *, digits: int = 40, points: int = 6, seed: int = 0) -> Evidence:
+    """An entry at random exact points."""
+    entry, rows = entries[suffix], list[tuple[Values, Number]]()
+    draw = random.Random(seed)
+    with mp.workdps(digits + 15):
+        for _ in range(points):
+            values = _point(entry, draw)
+            got = evaluate(entry.cases[0].expr, values, digits)
+            rows.append((values, residual(got, _wanted(entry, values, digits))))
+    loaded = "point force on the graded half-space" if _graded(entry) else "waves of load on two half-spaces"
+    compared = f"{loaded}, equations of equilibrium"
+    return judge(entry.key, compared, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
+
+
+def _graded(entry: Entry) -> bool:
+    return nt.k in entry.parameters
+
+
+def _point(entry: Entry, draw: random.Random) -> Values:
+    """Poisson ratios between -1 and 1/2, exponents between -1 and 1 but for 0, moduli and lengths about 1."""
+    values: dict[Any, Any] = {}
+    for symbol in entry.parameters:
+        if symbol in (nt.nu, nt.nu_1, nt.nu_2):
+            values[symbol] = sp.Rational(draw.randint(-999, 499), 1000)
+        elif symbol == nt.k:
+            values[symbol] = sp.Rational(draw.choice((-1, 1)) * draw.randint(1, 999), 1000)
+        else:
+            values[symbol] = sp.Rational(draw.randint(1, 9999), 1000)
+    return values | {symbol: expr.subs(values) for symbol, expr in entry.profile.abbreviations if _graded(entry)}
+
+
+def _wanted(entry: Entry, values: Values, digits: int) -> Number:
+    if not _graded(entry):
+        bodies = [(number(values[E]), number(values[nu])) for E, nu in ((young_1, nu_1), (young_2, nu_2))]
+        return 1 / mp.fsum(body_compliance(entry.suffix, E, nu, digits + 5) for E, nu in bodies)
+    factor = h_N(number(values[nt.k]), number(values[nt.nu]), digits + 5)
+    if entry.suffix == "h_N":
+        return factor
+    return evaluate(entry.definition.rhs, {**values, nt.h_N: factor}, digits)

@@ -1,0 +1,105 @@
+"""Rules for the greatest pressure: the ring where dp/dr changes its sign, that there is one alone, and p on it."""
+
+from __future__ import annotations
+
+import itertools
+
+import sympy as sp
+
+from ...entry import Case
+from ...notation import a, r, r_peak
+from ..algebra.domain import NotProvedError
+from ..algebra.functions import canonical, normal, require_analytic, sign
+from ..algebra.identity import at
+from ..statement import require_regions, require_zero
+from .compact import Compact
+
+
+def radius(proof: Compact) -> list[str]:
+    """The ring, given as a formula or by an equation."""
+    entry = proof.entries["rp"]
+    regimes = tuple(case.chain for case in proof.entry("d").cases)
+    require_regions(entry, regimes)
+    (case,) = entry.cases
+    return _balance(proof, case) if entry.status == "root" else _formula(proof, case.expr)
+
+
+def _formula(proof: Compact, place: sp.Expr) -> list[str]:
+    """By Descartes' rule of signs: the coefficients of the powers of r in sqrt(a^2 - r^2)/r dp/dr change sign once."""
+    (pressure,) = proof.entry("p").cases
+    inside, edge = proof.domain(pressure.chain), proof.domain((a,))
+    slope = normal(canonical(sp.sqrt(a**2 - r**2) / r * sp.diff(pressure.expr, r), inside), inside)
+    signs = [sign(c, edge) for c in reversed(sp.Poly(slope, r).coeffs())]
+    changes = sum(x != y for x, y in itertools.pairwise(signs))
+    if 0 in signs or signs[0] < 0 or changes != 1 or sign(slope.subs(r, a), edge) >= 0:
+        message = "one change of the sign of dp/dr, from positive to negative, is not shown"
+        raise NotProvedError(message)
+    if not place.is_positive:
+        message = f"{place} > 0 is not shown"
+        raise NotProvedError(message)
+    return [
+        "sqrt(a^2 - r^2)/r dp/dr is a polynomial of r whose coefficients change sign once, and negative at r = a",
+        require_zero(slope.subs(r, place), edge, f"dp/dr = 0 at r = {place}"),
+    ]
+
+
+def _balance(proof: Compact, case: Case) -> list[str]:
+    """In t = sqrt(r^2 + u^2) p has the slope E* r/pi [I - g'(a)/(a S)], I = int_r^a (g'(t)/t)'/sqrt(t^2 - r^2) dt.
+
+    S I is the integral of (a^2 - r^2) (g'(t)/t)'/t over v = u/S from 0 to 1, which falls with r where
+    (g'(t)/t)'/t falls with t, from beyond all bounds at the break to 0 at the edge.
+    """
+    (b,) = proof.profile.breaks
+    outside, regime = proof.domain((b, r, a)), proof.domain(case.chain)
+    left, right = (side.subs(r_peak, r) for side in case.expr.args)
+    rate = sp.diff(proof.depth_of(case.chain), a)
+    growth, punch = sp.diff(rate / a, a), 1 / sp.sqrt(a**2 - r**2)
+    edge = rate / a * punch
+    # what has the wanted growth is the wanted integral only where it does not jump on the way
+    require_analytic(left, outside)
+    factor = _factor(right, edge, sp.acos(b / a), proof, (b, r, a))
+    steps = [
+        require_zero(right - factor * edge, outside, "the right side is a multiple of g'(a)/(a S), S^2 = a^2 - r^2"),
+        require_zero(
+            sp.diff(left, a) - factor * growth * punch, outside, "d/da of the left one = that of (g'(a)/a)'/S"
+        ),
+        require_zero(
+            at(normal(canonical(left, outside), outside), a, r), outside.at(a, r), "the left side -> 0 as a -> r"
+        ),
+        "hence dp/dr is a positive multiple of left - right for r > b; for r < b it is positive as g' is",
+        require_zero(at(normal(canonical(rate, regime), regime), a, b), regime.at(a, b), "g'(a) -> 0 as a -> b"),
+    ]
+    start = at(normal(canonical(growth * sp.sqrt(a**2 - b**2), regime), regime), a, b)
+    rises = sign(growth, regime) > 0 and sign(start, regime.at(a, b)) > 0
+    if not rises or sign(sp.diff(growth / a, a), regime) >= 0:
+        message = "(g'(a)/a)' > 0, over a falling with a and beyond all bounds as a -> b, is not shown"
+        raise NotProvedError(message)
+    return [*steps, "(g'(a)/a)'/a > 0 falls with a: S (left - right) falls with r, from infinity at b to below 0 at a"]
+
+
+def _factor(right: sp.Expr, edge: sp.Expr, angle: sp.Expr, proof: Compact, chain: tuple[sp.Expr, ...]) -> sp.Expr:
+    """What the equation was multiplied with: by the factors of the angle on either side."""
+    domain, linear = proof.domain(chain), sp.Dummy("angle")
+    parts = [sp.diff(canonical(side, domain).subs(canonical(angle, domain), linear), linear) for side in (right, edge)]
+    factor = normal(parts[0] / parts[1], domain)
+    if factor.has(a) or sign(factor, domain) <= 0:
+        message = f"{factor} is no positive factor that does not depend on a"
+        raise NotProvedError(message)
+    return factor
+
+
+def pressure(proof: Compact) -> list[str]:
+    """p on that ring."""
+    (ring,), (own,) = proof.entries["rp"].cases, proof.entry("pp").cases
+    require_regions(proof.entries["pp"], (ring.chain,))
+    if proof.entries["rp"].status != "root":
+        (whole,) = proof.entry("p").cases
+        if not own.expr.is_positive or sign(whole.expr, proof.domain(whole.chain)) <= 0:
+            message = f"{own.expr} > 0 is not shown"
+            raise NotProvedError(message)
+        # roots of irrational numbers are not in the tower, their squares are
+        squares = sp.expand(own.expr**2) - sp.expand((whole.expr**2).subs(r, ring.expr))
+        return [require_zero(squares, proof.domain(ring.chain), "p_max^2 = p(r_max)^2, both positive")]
+    (b,) = proof.profile.breaks
+    outer = next(case for case in proof.entry("p").cases if case.chain == (b, r, a))
+    return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]

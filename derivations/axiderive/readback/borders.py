@@ -1,0 +1,164 @@
+"""Printed ranges against the regions of an entry, on both sides of every border between two lengths."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Case, Entry
+from ..oracle.shape import coefficient, number, numeric_symbols
+from ..rows.points import points_of
+from ..rows.ranges import positive_parts
+from .printed import holds, name_in_print
+
+Numbers = dict[sp.Symbol, float]
+GAP = 1e-3
+"""How far a point lies from the border beside it."""
+WIDEST = 64.0
+"""Factor within which a length is moved to reach a border."""
+HALVINGS = 40
+PLACES = (nt.r, nt.x, nt.L)
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point, which case of its entry contains it, None outside of all, and which positive parts are not zero."""
+
+    values: Numbers
+    case: int | None
+    parts: tuple[bool, ...] = ()
+
+
+def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) -> Iterator[str]:
+    """Complaints about printed ranges that do not tell the cases of an entry apart as the cases are defined.
+
+    Every case belongs to one range, and no range holds outside of the cases.
+    """
+    if conditions == [""]:
+        return
+    known: dict[tuple[int | None, tuple[bool, ...]], tuple[bool, ...]] = {(None, ()): (False,) * len(conditions)}
+    for place in places:
+        env = {name: mp.mpf(value) for name, value in _names(place.values)}
+        found = tuple(holds(condition, env) for condition in conditions)
+        wanted = known.setdefault((place.case, place.parts), found)
+        if found != wanted or sum(found) > 1 or (place.case is not None and not any(found)):
+            where = "outside" if place.case is None else f"in case {place.case + 1}"
+            yield f"{entry.key}: {conditions} hold as {found} {where}, at {place.values}"
+
+
+def places_of(entry: Entry, kind: str, entries: Mapping[str, Entry], seed: int = 17) -> list[Place]:
+    """Points inside of every case, and beside every border that moving one length can reach."""
+    members = _members(entry)
+    meeting = [*itertools.combinations(members, 2)]
+    meeting += [(part, sp.S.Zero) for case in entry.cases for part in positive_parts(case.expr).values()]
+    found = []
+    for case, exact in points_of(entry, kind, entries, 1, seed):
+        values = {s: float(number(exact[s])) for s in numeric_symbols(exact)}
+        values |= {coefficient(i): 1.0 for i in range(1, 1 + int(exact.get(nt.N, 0)))}
+        found.append(_placed(entry, values, entry.cases.index(case)))
+        for moved in _moved(entry, meeting, values):
+            if _stands(entry, moved):
+                found.append(_placed(entry, moved, _case_at(entry.cases, moved)))
+    return found
+
+
+def _placed(entry: Entry, values: Numbers, case: int | None) -> Place:
+    parts = () if case is None else positive_parts(entry.cases[case].expr).values()
+    return Place(values, case, tuple(_value(part, values) > 0 for part in parts))
+
+
+def _members(entry: Entry) -> tuple[sp.Expr, ...]:
+    return tuple(dict.fromkeys(x for case in entry.cases for x in case.chain))
+
+
+def _moved(entry: Entry, meeting: list[tuple[sp.Expr, ...]], values: Numbers) -> Iterator[Numbers]:
+    """The point with one length moved to either side of where two lengths meet."""
+    short = dict(entry.profile.abbreviations)
+    members = {x for pair in meeting for x in pair}
+    free = {s for x in members for s in x.free_symbols} | {
+        s for x in members if x in short for s in short[x].free_symbols
+    }
+    for symbol in sorted(free - set(short), key=str):
+        if symbol not in values:
+            continue
+        for pair in meeting:
+            factor = _crossing(entry, pair, symbol, values)
+            if factor:
+                yield from (_with(entry, symbol, values, factor * side) for side in (1 - GAP, 1 + GAP))
+
+
+def _with(entry: Entry, symbol: sp.Symbol, values: Numbers, factor: float) -> Numbers:
+    """The point with a symbol times a factor, and with what is short for expressions of it."""
+    moved = {**values, symbol: values[symbol] * factor}
+    for name, expr in entry.profile.abbreviations:
+        if symbol in expr.free_symbols and name in moved:
+            moved[name] = _value(expr, moved)
+    return moved
+
+
+def _crossing(entry: Entry, pair: tuple[sp.Expr, ...], symbol: sp.Symbol, values: Numbers) -> float | None:
+    """The factor of a symbol at which two members are equal, by bisection; None where they keep their order."""
+
+    def gap(factor: float) -> float:
+        moved = _with(entry, symbol, values, factor)
+        return _value(pair[0], moved) - _value(pair[1], moved)
+
+    low, high = 1.0, 1.0
+    for step in (WIDEST, 1 / WIDEST):
+        if gap(1.0) * gap(step) < 0:
+            high = step
+            break
+    else:
+        return None
+    for _ in range(HALVINGS):
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if gap(middle) * gap(1.0) > 0 else (low, middle)
+    return high
+
+
+@lru_cache(maxsize=1024)
+def _compiled(expr: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Any]:
+    symbols = tuple(sorted(expr.free_symbols, key=str))
+    return symbols, sp.lambdify(symbols, expr, "math")
+
+
+def _value(expr: sp.Expr, values: Numbers) -> float:
+    symbols, function = _compiled(sp.sympify(expr))
+    try:
+        return float(function(*(values[s] for s in symbols)))
+    except (ValueError, OverflowError):
+        return float("nan")
+
+
+def _case_at(cases: Sequence[Case], values: Numbers) -> int | None:
+    return next((i for i, case in enumerate(cases) if _ascends(case.chain, values)), None)
+
+
+def _ascends(chain: Sequence[sp.Expr], values: Numbers) -> bool:
+    known = [_value(x, values) for x in chain if x.free_symbols <= set(values)]
+    return all(lo < hi for lo, hi in itertools.pairwise(known))
+
+
+def _stands(entry: Entry, values: Numbers) -> bool:
+    """Whether the point keeps what holds for every contact of the profile, inside and outside of its regions."""
+    profile = entry.profile
+    rules = all(_value(rule.left, values) <= _value(rule.right, values) for rule in profile.rules)
+    domains = abs(values.get(nt.k, 0.0)) < 1 and values.get(nt.theta, 0.0) < float(sp.pi) / 2
+    shared = set.intersection(*(_pairs(case.chain) for case in entry.cases))
+    return rules and domains and all(_ascends(pair, values) for pair in (profile.chain, *shared))
+
+
+def _pairs(chain: Sequence[sp.Expr]) -> set[tuple[sp.Expr, sp.Expr]]:
+    """What a case says of the lengths of its contact, leaving out the place where a field is asked for."""
+    return set(itertools.combinations([x for x in chain if not x.has(*PLACES)], 2))
+
+
+def _names(values: Numbers) -> Iterator[tuple[str, float]]:
+    return ((name_in_print(s), value) for s, value in values.items() if nt.known(s.name))

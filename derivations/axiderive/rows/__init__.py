@@ -1,0 +1,1 @@
+"""Entries as printed rows: label, range, formula, key."""

@@ -1,0 +1,217 @@
+"""What the normal contact approaches: at the edge, far away, at the axis, for a small contact, at its onset."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from .. import notation as nt
+from ..abel.masters import IncompleteBeta
+from ..entry import Case, Entry
+from ..notation import E_star, P, a, b, r, x
+from ..physics.normal import derive
+from ..print.formula import Printer
+from ..profiles import load
+from ..profiles.loads import Load
+from ..profiles.profile import Profile
+from .approach import NEAR, Approach, approach_row
+from .row import LEFT
+
+Entries = Mapping[str, Entry]
+Rows = list[dict[str, Any]]
+PRINTABLE = 40
+"""Operations of a derivative that may fit into a row."""
+
+
+def approach_rows(profile: Profile, entries: Entries) -> Rows:
+    """The rows of a profile, as far as their formulas agree with the entries next to the end of the way."""
+    if isinstance(profile, Load):
+        return _load_rows(profile, entries)
+    if nt.e in profile.parameters:
+        return []
+    place = x if "s" in entries else r
+    if place == x:
+        rows = [*_edge(profile, entries, x), *approach_row("Far field", r"x\to\infty", [_far_slope(entries)])]
+    else:
+        rows = [*_edge(profile, entries, r), *approach_row("Far field", r"r\to\infty", [_far(entries)])]
+    rows += _axis(entries, place)
+    if profile.contact == "compact":
+        rows += _small(profile, entries) + _onset(profile, entries)
+    return rows
+
+
+def _far(entries: Entries) -> Approach:
+    """The displacement of the whole force in a point."""
+    cases = tuple(Case(c.chain, c.expr / (sp.pi * E_star * r)) for c in entries["F"].cases)
+    return Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), cases, rf"\frac{{{LEFT['F']}}}{{\pi E^{{*}}r}}")
+
+
+def _far_slope(entries: Entries) -> Approach:
+    """The slope beside the whole load in a line."""
+    loads = entries["P"].cases if "P" in entries else (Case((), P),)
+    cases = tuple(Case(c.chain, -2 * c.expr / (sp.pi * E_star * x)) for c in loads)
+    left = r"\frac{\mathrm{d}w}{\mathrm{d}x}"
+    return Approach(entries["s"], left, ((x, a / NEAR),), cases, r"-\frac{2 P}{\pi E^{*}x}")
+
+
+def _edge(profile: Profile, entries: Entries, place: sp.Symbol) -> Rows:
+    if profile.contact == "compact":
+        return approach_row("Edge", rf"{place}\to a", [_root_edge(entries, place)])
+    part = _sharp_edge(entries, place)
+    beyond = part.cases[0].chain[part.cases[0].chain.index(a) + 1 :]
+    small = rf"{place}\to a" + "".join(rf",\; a<{Printer()(length)}" for length in beyond)
+    return approach_row("Edge", small, [part]) or approach_row("Edge", small, [part], half=False)
+
+
+def _root_edge(entries: Entries, place: sp.Symbol) -> Approach:
+    """The last punches E* g'(a) da/pi, or strips P'(a) da/pi, stand alone next to the edge."""
+    grown, scale, named = (entries["P"], 1, "P'(a)") if place == x else (entries["d"], E_star, r"E^{*}g'(a)")
+    cases = tuple(
+        Case(c.chain, scale * _factored(sp.diff(c.expr, a)) / (sp.pi * a) * _face(place)) for c in grown.cases
+    )
+    text = rf"\frac{{{named}}}{{\pi}}\sqrt{{\frac{{2 (a-{place})}}{{a}}}}"
+    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases, text)
+
+
+def _factored(expr: sp.Expr) -> sp.Expr:
+    """In factors where it is short enough to be printed; longer ones have taken from a tenth of a second to minutes."""
+    return sp.factor(expr) if sp.count_ops(expr) <= PRINTABLE else expr
+
+
+def _sharp_edge(entries: Entries, place: sp.Symbol) -> Approach:
+    """The term of the pressure that is infinite at the edge of the face."""
+    reached = [c for c in entries["p"].cases if c.chain.index(a) == c.chain.index(place) + 1]
+    root, scale = sp.sqrt(a**2 - place**2), (E_star if place == r else 1) / sp.pi
+    cases = tuple(
+        Case(c.chain, scale * sp.expand(sp.expand(c.expr * root).subs(place, a) / scale) / _face(place))
+        for c in reached
+    )
+    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases)
+
+
+def _face(place: sp.Symbol) -> sp.Expr:
+    """sqrt(a**2 - r**2) next to the edge."""
+    return sp.sqrt(2 * a * (a - place))
+
+
+def _pressure(place: sp.Symbol) -> str:
+    return f"p({place})"
+
+
+def _axis(entries: Entries, place: sp.Symbol) -> Rows:
+    """The pressure in the middle by region, or its logarithm: arcosh(a/r) is ln(2 a/r) there."""
+    if entries["p"].cases[0].expr.has(sp.Sum):  # a sum over powers of which the first has a logarithm
+        return []
+    name, found = ("Axis" if place == r else "Middle"), dict[sp.Expr, list[Case]]()
+    for case in entries["p"].cases:
+        if case.chain[0] == place:
+            value = _in_the_middle(case.expr, place)
+            found.setdefault(value, []).append(Case(case.chain, value))
+    rows: Rows = []
+    for value, cases in found.items():
+        if value.has(sp.Integral) and entries["p"].profile.breaks:
+            continue  # its integral ends on a branch point, next to which no quadrature reaches the digits of a check
+        named = MIDDLE if value.has(sp.Integral) else ""
+        part = Approach(entries["p"], _pressure(place), ((place, a * NEAR),), tuple(cases), named)
+        small = rf"{place}\to 0" + _told_apart(cases, len(found) > 1) + (r",\; n>1" if value.has(nt.n) else "")
+        rows += approach_row(name, small, [part]) or approach_row(name, small, [part], half=False)
+    return rows
+
+
+MIDDLE = r"\frac{E^{*}}{\pi}\int_{0}^{a} \frac{g'(t)}{t}\,\mathrm{d}t"
+"""The pressure on the axis where no function in print has its value."""
+
+
+def _told_apart(cases: list[Case], several: bool) -> str:
+    """The range of a formula among several: the lengths beside the place."""
+    if not several:
+        return ""
+    chains = [tuple(Printer().small(x) for x in case.chain[1:]) for case in cases]
+    shared = [x for x in chains[0] if all(x in chain for chain in chains)]
+    return r",\; " + "<".join(shared)
+
+
+def _in_the_middle(expr: sp.Expr, place: sp.Symbol) -> sp.Expr:
+    """The value, or what is left of it beside a logarithm."""
+    if expr.has(sp.Integral):
+        return expr.subs(place, 0)
+    if expr.has(IncompleteBeta):  # B(1 - (r/a)**2; p, q) goes with (r/a)**(2 q)/(-q), q < 0
+        fallen = expr.replace(IncompleteBeta, lambda z, p, q: 2 * (place / a) ** (2 * q) / sp.expand(-2 * q))
+        expr = sp.powsimp(sp.factor_terms(sp.expand(sp.expand_power_base(fallen))))
+    logarithm = expr.replace(sp.acosh, lambda u: sp.log(2 * u) if u.has(place) else sp.acosh(u))
+    kept = {e: sp.Dummy(positive=True) for e in logarithm.atoms(sp.log) if e.has(place)}
+    value = logarithm.xreplace(kept).subs(place, 0).xreplace({new: old for old, new in kept.items()})
+    return sp.factor_terms(_at_zero(value))
+
+
+def _at_zero(expr: sp.Expr) -> sp.Expr:
+    """The expression without functions that vanish with their argument, arcsin(sqrt(a^2 - b^2)/a) as arccos(b/a)."""
+    arc = sp.asin(sp.sqrt((a**2 - b**2) / a**2))
+    plain = expr.replace(lambda e: isinstance(e, sp.Function) and e.args == (sp.S.Zero,), lambda e: sp.S.Zero)
+    return plain.subs(arc, sp.acos(b / a))
+
+
+def _small(profile: Profile, entries: Entries) -> Rows:
+    """A smooth tip is a paraboloid of the radius 1/f''(0) to a small contact."""
+    tip = profile.pieces[0].expr
+    if "d" not in entries or "F" not in entries or tip.has(nt.n, nt.coefficients) or tip.is_polynomial(r):
+        return []
+    if sp.diff(tip, r).subs(r, 0) != 0:
+        return []
+    curvature = sp.factor_terms(sp.diff(tip, r, 2).subs(r, 0))
+    simpler = derive(load("paraboloid"))
+    least = sp.Min(*(s for s in profile.parameters if nt.describe(s).dimension == nt.LENGTH))
+    parts = [
+        Approach(
+            entries[suffix],
+            "g(a)" if suffix == "d" else LEFT[suffix],
+            ((a, least * NEAR),),
+            tuple(Case((), c.expr.subs(nt.R, 1 / curvature)) for c in simpler[suffix].cases),
+        )
+        for suffix in ("d", "F")
+    ]
+    found = approach_row("Small contact", r"a\to 0", parts)
+    both = found and len(found[0]["checks"]) == len(parts)
+    return found if both else approach_row("Small contact", r"a\to 0", parts, half=False)
+
+
+ORDERS = 6
+
+
+def _onset(profile: Profile, entries: Entries) -> Rows:
+    """A flat face takes up its first load: the leading power of t = sqrt(a^2 - b^2)/b."""
+    if not profile.truncated:
+        return []
+    parts = []
+    for suffix, left in (("d", "g(a)"), ("F", LEFT["F"]), ("P", "P")):
+        if suffix in entries and not any(nt.L in c.chain for c in entries[suffix].cases):
+            value = _leading(entries[suffix].cases[0].expr)
+            if value is not None and value != entries[suffix].cases[0].expr:
+                parts.append(Approach(entries[suffix], left, ((a, b * (1 + NEAR)),), (Case((b, a), value),)))
+    return approach_row("Onset", r"a\to b", parts, half=len(parts) == 1)
+
+
+def _leading(expr: sp.Expr) -> sp.Expr | None:
+    """The first term of the Taylor series in t, with a = b sqrt(1 + t^2) and arccos(b/a) = arctan t."""
+    t, root = sp.Symbol("t", positive=True), sp.sqrt(a**2 - b**2)
+    series = expr.subs(sp.acos(b / a), sp.atan(t)).subs(root, b * t).subs(a, b * sp.sqrt(1 + t**2))
+    for order in range(ORDERS):
+        coefficient = series.subs(t, 0)
+        if coefficient != 0:
+            return sp.cancel(coefficient / sp.factorial(order) / b**order) * root**order
+        series = sp.diff(series, t)
+    return None
+
+
+def _load_rows(profile: Load, entries: Entries) -> Rows:
+    """A prescribed pressure: its force in a point far away, the displacement in the middle."""
+    force = sp.pi * nt.p_0 * a**2 / (profile.exponent + 1)
+    (inside,) = (c.expr for c in entries["w"].cases if c.chain[0] == r)
+    far = Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
+    rows = approach_row("Far field", r"r\to\infty", [far])
+    if inside.has(r):
+        middle = Approach(entries["w"], LEFT["w"], ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
+        rows += approach_row("Middle", r"r\to 0", [middle])
+    return rows

@@ -1,0 +1,207 @@
+"""The blocks of a spread: the rows of one system each, or the reason why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..entry import Entry
+from ..physics.systems import BY_NAME, SYSTEMS, Problem, System
+from ..print.words import prose
+from . import laws
+from .approaches import approach_rows
+from .in_print import printed as in_print
+from .laws import universal_rows
+from .limits import limit_rows, reduction_rows
+from .row import Row, lines, ordered
+from .special import HOSTS, sum_rows
+
+TITLES = {
+    "normal": ("Normal contact", ""),
+    "adhesive": (
+        "Adhesive contact",
+        r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$",
+    ),
+    "tangential": (
+        "Tangential contact",
+        r"Cattaneo--Mindlin approximation, coefficient of friction $\mu$, stick for $r<c$, constant $F_{\mathrm N}$",
+    ),
+    "viscoelastic": (
+        "Viscoelastic half-space",
+        r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
+    ),
+    "graded.normal": ("Power-law graded half-space", r"$c_{\mathrm N}(x)=H|x|^k$, $-1<k<1$"),
+    "graded.adhesive": (
+        "Adhesive contact, graded half-space",
+        r"$g$, $F_{\mathrm N}$, $p$, $w$ of the graded half-space",
+    ),
+    "graded.tangential": ("Tangential contact, graded half-space", r"$c_{\mathrm T}(x)=H_x|x|^k$"),
+    "plane": ("Plane contact", r"load $P$ per length; $d$ relative to the surface at the distance $L$"),
+    "loads": ("Displacement", ""),
+    "materials": ("Elastic constants", ""),
+}
+PULL_OFF = r"pull-off under force control, $a_{\mathrm c}$, and under depth control, $a_{\mathrm m}$"
+
+
+@dataclass(frozen=True)
+class Block:
+    """What a spread says about one system."""
+
+    title: str
+    note: str
+    lines: list[list[dict[str, Any]]]
+    listed: list[str]
+    """Ends of the keys whose rule stands in front of the book."""
+    further: list[list[dict[str, Any]]] = field(default_factory=list)
+    """Lines of rows without a key: approaches, limits, the universal curve."""
+    approached: list[dict[str, Any]] = field(default_factory=list)
+    """All of them, with those that a rule in front of the book says for every profile."""
+    words: str = ""
+    """In place of rows: why there are none."""
+
+
+def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
+    """Title and note of a block; a note speaks of what the block has rows for only."""
+    title, note = TITLES[system.name]
+    if system.name == "adhesive" and "am" in entries:
+        return title, f"{note}; {PULL_OFF}"
+    if system.name == "plane" and "d" not in entries:
+        return title, "load $P$ per length at $x=e$"
+    return title, note
+
+
+def printed(one: Row, profile_id: str) -> dict[str, Any]:
+    """A row as the template sees it."""
+    label, small = one.label
+    if small.startswith("of first") and one.regions[0].condition:  # the range stands where the words would
+        label = f"{label} {small}"
+    return {
+        "key": one.key,
+        "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
+        "suffix": ending(one.entry, profile_id),
+        "also": [ending(entry, profile_id) for entry in one.also],
+        "shown": one.ends,
+        "label": label,
+        "small": small,
+        "regions": [{"condition": r.condition, "tex": r.tex, "remark": r.remark} for r in one.regions],
+        "remark": one.remark,
+        "uses": one.uses and ending_of(one.uses, one.entry, profile_id),
+    }
+
+
+def ending(entry: Entry, profile_id: str) -> str:
+    """The key without the profile: d, adh.Fc, fgm.tan.u."""
+    return entry.key[len(profile_id) + 1 :]
+
+
+def ending_of(suffix: str, beside: Entry, profile_id: str) -> str:
+    """The end of the key of another row: of the same problem, or of the normal contact for the viscoelastic one."""
+    own = ending(beside, profile_id).rpartition(".")[0]
+    group = "" if own == BY_NAME["viscoelastic"].group else own
+    return f"{group}.{suffix}".lstrip(".")
+
+
+def blocks(
+    profile_id: str,
+    derived: Mapping[str, Mapping[str, Entry]],
+    refusals: Mapping[str, str],
+    evidence: Mapping[str, Any] | None = None,
+) -> dict[str, Block]:
+    """Blocks by name of the system, in the order of the systems; `refusals` says why a system has none."""
+    found = {}
+    for system in SYSTEMS:
+        prefix, _, name = profile_id.rpartition(".")
+        if system.pool.prefix != prefix or name not in system.pool.names:
+            continue
+        if system.name in refusals:
+            found[system.name] = _silent(system, prose(_reason(refusals[system.name])))
+            continue
+        problem = Problem(system, name)
+        if problem.key in derived:
+            rows = in_print(system, rows_of(system, derived[problem.key], derived, problem.name))
+            further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
+            found[system.name] = _block(system, profile_id, rows, further, heading(system, derived[problem.key]))
+        else:
+            found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
+    return found
+
+
+def _further(
+    problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Rows that follow from those of the problem: approaches, limits as checked, adhesive power-law curves."""
+    system, entries = problem.system.name, derived[problem.key]
+    if system == "normal":
+        return [
+            *sum_rows(problem.name),
+            *approach_rows(problem.profile, entries),
+            *_limits(
+                problem, [*limit_rows(problem.profile, entries, evidence), *reduction_rows(problem.profile, entries)]
+            ),
+        ]
+    if system in ("plane", "loads"):
+        return [
+            *approach_rows(problem.profile, entries),
+            *_limits(problem, reduction_rows(problem.profile, entries)),
+        ]
+    if not system.endswith("adhesive") or "Fc" not in entries:
+        return []
+    graded = system.startswith("graded")
+    plain = derived.get(Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name).key, {})
+    return universal_rows(problem.key, plain["d"], graded) if "d" in plain else []
+
+
+def _limits(problem: Problem, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The limits; those of a profile whose special cases stand in its entry are said there."""
+    return [one | {"ruled": True} for one in rows] if problem.profile_id in HOSTS.values() else rows
+
+
+def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Lines of one row, or of two of a kind that take half a line each."""
+    lines: list[list[dict[str, Any]]] = []
+    for one in rows:
+        last = lines[-1] if lines else []
+        if len(last) == 1 and one["half"] and last[0]["half"] and _kind(one) == _kind(last[0]):
+            last.append(one)
+        else:
+            lines.append([one])
+    return lines
+
+
+def _kind(one: Mapping[str, Any]) -> str:
+    return str(one.get("kind") or one["comment"].partition(" ")[0])
+
+
+def _reason(message: str) -> str:
+    """The message of the refusal without the name of the profile and without the call to use instead."""
+    text = message.partition(" is ")[2].partition(": use ")[0] or message
+    return text.replace("complete contact and knows", "complete contact knows")
+
+
+def _silent(system: System, words: str) -> Block:
+    title, _ = TITLES[system.name]
+    return Block(title, "", [], [], words=words)
+
+
+def rows_of(
+    system: System, entries: Mapping[str, Entry], derived: Mapping[str, Mapping[str, Entry]], name: str
+) -> list[Row]:
+    """The rows of a problem; those of the viscoelastic one are printed from the normal contact."""
+    if system.name != "viscoelastic":
+        return ordered(entries)
+    return laws.rows(entries, derived[Problem(BY_NAME["normal"], name).key])
+
+
+def _block(
+    system: System, profile_id: str, rows: list[Row], further: list[dict[str, Any]], head: tuple[str, str]
+) -> Block:
+    shown = [one for one in rows if not one.listed]
+    pairs = [(one,) for one in shown] if system.name == "viscoelastic" else lines(shown)
+    return Block(
+        *head,
+        [[printed(one, profile_id) for one in pair] for pair in pairs],
+        [ending(entry, profile_id) for one in rows if one.listed for entry in (one.entry, *one.also)],
+        halved([one for one in further if not one.get("ruled")]),
+        further,
+    )

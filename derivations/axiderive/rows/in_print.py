@@ -1,0 +1,96 @@
+"""The rows of a problem that stand in the book: what is more closed than the rule in front of it.
+
+The web edition shows every row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..physics.systems import System
+from .row import LETTER, WIDEST, Region, Row, fits_half
+from .special import SUMS
+
+JOINT = r",\quad\enspace "
+"""Between the formulas that share a row."""
+JOINT_WIDTH = 15.0
+MOST_LINES = 10
+"""Of a row in print; a longer one is left to the web edition and its definition."""
+PULL_OFF = (("ac", "Fc", "dc"), ("am", "Fm", "dm"))
+"""Radius, force and depth at pull-off, under force control and under depth control."""
+SAME_FOR_ALL = {
+    "normal": ("k",),
+    "graded.normal": ("k", "pm", "aF", "dF"),
+    "adhesive": ("Dl", "d", "F", "p", "w"),
+    "graded.adhesive": ("Dl", "d", "F", "p", "w"),
+    "tangential": ("F", "u", "us", "tau"),
+    "graded.tangential": ("F", "u", "us", "tau", "c"),
+}
+"""Quantities of a compact contact whose formula is that of the rule with g, F_N, p or w put in."""
+
+
+def printed(system: System, rows: Sequence[Row]) -> list[Row]:
+    """The rows in print; those the book says by a rule are marked as listed."""
+    if not rows or system.name in ("plane", "loads"):
+        return list(rows)
+    if rows[0].entry.profile.contact != "compact":
+        return [replace(one, listed=system.name == "graded.normal" and one.suffix in ("k", "dF")) for one in rows]
+    known = {one.suffix: one for one in rows}
+    found: list[Row] = []
+    for one in rows:
+        if one.suffix in known:
+            found += _row(system, one, known)
+    return found
+
+
+def _row(system: System, one: Row, known: dict[str, Row]) -> list[Row]:
+    if system.name == "normal" and one.suffix in ("ad", "aF") and one.kind == "root":
+        through = known["Fd" if one.suffix == "ad" else "dF"]
+        if through.kind == "composition":
+            del known[through.suffix]
+            return [joined((one, through), "From depth" if one.suffix == "ad" else "From force", "solved for $a$")]
+    if _is_ruled(system, one):
+        return [replace(one, listed=True)]
+    for suffixes in PULL_OFF:
+        if one.suffix == suffixes[0] and all(s in known and known[s].kind == "formula" for s in suffixes):
+            return _packed([known.pop(suffix) for suffix in suffixes])
+    return [one]
+
+
+def _packed(rows: list[Row]) -> list[Row]:
+    """Radius, force and depth at pull-off on one line, on two, or each on its own."""
+    title = "Pull-off", "force control" if rows[0].suffix == "ac" else "depth control"
+    for first in (len(rows), 1, 2):
+        groups = [tuple(group) for group in (rows[:first], rows[first:]) if group]
+        found = [joined(group, *title) for group in groups]
+        if all(one.regions[0].width + LETTER * len(one.ends) <= WIDEST for one in found):
+            return found
+    return rows
+
+
+def _is_ruled(system: System, one: Row) -> bool:
+    if one.entry.profile.name in SUMS and system.name in ("normal", "graded.normal"):
+        return one.suffix not in ("d", "F", "ad") or system.name != "normal"
+    if one.suffix == "pp":
+        return False
+    if one.suffix in SAME_FOR_ALL.get(system.name, ()) or one.kind in ("rule", "root", "composition"):
+        # what a law does to a closed formula is printed with it
+        return system.name != "viscoelastic" or r"F_{\mathrm N}(" in one.regions[0].tex
+    if sum(len(region.lines) for region in one.regions) > MOST_LINES:
+        return True
+    return one.suffix == "pm" and not (one.narrow and fits_half(one))
+
+
+def joined(parts: tuple[Row, ...], title: str, small: str) -> Row:
+    """Rows of one line each as one row, with the keys of all."""
+    text = JOINT.join(part.regions[0].tex for part in parts)
+    points = sum(part.regions[0].width for part in parts) + JOINT_WIDTH * (len(parts) - 1)
+    also = tuple(part.entry for part in parts[1:])
+    region = Region("", (text,), points=points)
+    return Row(parts[0].entry, "joined", (region,), also=also, parts=parts, title=(title, small))
+
+
+def texts_of(tex: str) -> list[str]:
+    """The formulas that share a row."""
+    return tex.split(JOINT)

@@ -1,0 +1,214 @@
+"""Rows that hold for many profiles at once: viscoelastic laws, and adhesion of power laws.
+
+Viscoelastic laws in print, and the rows of growing contacts that hold for all of them at once.
+
+Adhesion of a power law as one curve: force and depth over those of pull-off, for all parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import sympy as sp
+
+from ..entry import Entry
+from ..notation import E_star, a, d, time, v
+from ..physics import adhesive, viscoelastic
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..print.formula import Printer
+from ..print.shorthand import LINE, with_kappa
+from ..print.width import width
+from .row import HALF, LEFT, Region, Row
+
+EXPONENT = sp.Symbol("m", positive=True)
+"""The power of d that the elastic force goes with, as the laws carry it."""
+RELAXATION, COMPLIANCE, RAMP = (sp.Symbol(name, positive=True) for name in ("E(t)", "J(t)", "Phi_m(t)"))
+KEY = 16.0
+"""Points that a key of two letters would take."""
+NAMES = {RELAXATION: "E(t)", COMPLIANCE: "J(t)", RAMP: r"\Phi_{m}(t)"}
+
+
+@dataclass(frozen=True)
+class LawText:
+    """A viscoelastic law in print: relaxation function, creep function, and the factor of a ramp."""
+
+    suffix: str
+    name: str
+    relaxation: str
+    creep: str
+    ramp: str
+
+    @property
+    def paired(self) -> bool:
+        """Whether relaxation and creep stand side by side."""
+        return max(width(self.relaxation), width(self.creep)) <= HALF + KEY
+
+    def functions(self) -> dict[str, str]:
+        """The three functions by the name a row calls them by."""
+        return {"E()": self.relaxation, "J()": self.creep, "Phi_m()": self.ramp}
+
+
+TITLES = {"mx": "Maxwell fluid", "kv": "Kelvin--Voigt solid", "sls": "Standard solid", "pc": "Power-law creep"}
+
+
+@cache
+def laws() -> tuple[LawText, ...]:
+    """E(t), J(t) and Phi_m(t) of every law."""
+    return tuple(_law(law) for law in viscoelastic.LAWS)
+
+
+def _law(law: viscoelastic.Law) -> LawText:
+    printer = Printer(names={EXPONENT: "m"})
+    return LawText(
+        law.suffix,
+        TITLES[law.suffix],
+        f"E(t)={printer(law.relaxation)}",
+        f"J(t)={printer(law.creep)}",
+        # E_1 and the index of 1F1 behind it are read as one without more space
+        rf"\Phi_{{m}}(t)={printer(law.ramp)}".replace(r"\, {}_{1}", r"\,\, {}_{1}"),
+    )
+
+
+def rows(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> list[Row]:
+    """Step of the depth, step of the load and ramp of the depth: one row each for the four laws."""
+    found = [_step(_of("step", entries), plain)]
+    if own := _of("load", entries):
+        found.append(_load(own, plain))
+    if own := _of("ramp", entries):
+        found.append(_ramp(own, plain))
+    return found
+
+
+def _of(kind: str, entries: Mapping[str, Entry]) -> tuple[Entry, ...]:
+    return tuple(entry for suffix, entry in entries.items() if suffix.startswith(kind + "_"))
+
+
+def _row(own: tuple[Entry, ...], regions: tuple[Region, ...], remark: str = "", uses: str = "") -> Row:
+    return Row(own[0], "rule", regions, remark, uses, also=own[1:])
+
+
+def _elastic(plain: Mapping[str, Entry]) -> Entry:
+    return plain["Fd"] if "Fd" in plain else plain["F"]
+
+
+def _simple(entry: Entry) -> bool:
+    return entry.status == "closed" and len(entry.cases) == 1 and not entry.composed
+
+
+def _text(entry: Entry, *replaced: tuple[sp.Expr, sp.Expr]) -> str:
+    short = with_kappa(entry.cases[0].expr.subs(replaced))
+    return Printer(entry.cases[0].chain, NAMES | short.names)(short.expr)
+
+
+def _step(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
+    elastic = _elastic(plain)
+    if _simple(elastic):
+        text = _text(elastic, (E_star, RELAXATION))
+        return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text}",)),))
+    if "Fd" not in plain:
+        return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",)),))
+    return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(a)",)),), "with $a$ from", "ad")
+
+
+def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
+    radius = plain["aF"]
+    if _simple(radius):
+        text = _text(radius, (E_star, 1 / COMPLIANCE))
+        return _row(own, (Region("", (f"a={text}",)),))
+    return _row(own, (Region("", (rf"F_{{\mathrm N}}(a)=E^{{*}}J(t)\,{LEFT['F']}",)),), "solved for $a$")
+
+
+def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
+    elastic = _elastic(plain)
+    power = viscoelastic.elastic_exponent(elastic)
+    if _simple(elastic):
+        text = _text(elastic, (E_star, RAMP), (d, v * time))
+    else:
+        text = r"\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)"
+    return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text},\qquad m={Printer()(power)}",)),))
+
+
+RATIO = sp.Symbol("x", positive=True)
+"""a/a_c, the contact radius over that of pull-off under force control."""
+
+
+def universal_rows(key: str, depth: Entry, graded: bool) -> list[dict[str, Any]]:
+    """Rows of an adhesive problem whose depth is one power of the contact radius, one if they fit on a line.
+
+    At pull-off the retraction is 2 n/xi of the depth g, by the condition of
+    stationarity, and F_N = n/(n + 1 + k) of stiffness times g.
+    """
+    exponent = power_of_depth(depth)
+    if exponent is None:
+        return []
+    force, depth_ratio = curve(exponent, GRADED if graded else HOMOGENEOUS)
+    ratio = r",\qquad x=\frac{a}{a_{\mathrm c}}"
+    found = {
+        f"{key}.F": rf"\frac{{F_{{\mathrm{{adh}}}}}}{{F_{{\mathrm c}}}}={force}",
+        f"{key}.d": rf"\frac{{d_{{\mathrm{{adh}}}}}}{{d_{{\mathrm c}}}}={depth_ratio}",
+    }
+    joined = r",\qquad ".join(found.values()) + ratio
+    if width(joined) <= LINE:
+        return [_universal_row(" ".join(found), joined)]
+    return [_universal_row(key, text + ratio) for key, text in found.items()]
+
+
+def _universal_row(keys: str, tex: str) -> dict[str, Any]:
+    return {
+        "half": False,
+        "comment": f"universal {keys}",
+        "label": "Universal curve",
+        "small": "",
+        "tex": tex,
+        "remark": "",
+    }
+
+
+def power_of_depth(depth: Entry) -> sp.Expr | None:
+    """n of g = c a**n."""
+    if depth.status != "closed" or len(depth.cases) != 1:
+        return None
+    base, exponent = depth.cases[0].expr.as_independent(a, as_Add=False)[1].as_base_exp()
+    return exponent if base == a else None
+
+
+def curve(n: sp.Expr, medium: Medium) -> tuple[str, str]:
+    """F/F_c and d/d_c over x = a/a_c as LaTeX."""
+    xi, k, whole = adhesive.pull_off_number(medium)["force"], medium.k, n + 1 + medium.k
+    pulled = [_power((3 + k) / 2), _power((1 - k) / 2)]
+    force = _quotient(2, whole, pulled[0], xi, RATIO**whole, sp.expand(2 * whole - xi))
+    depth = _quotient(2, n, pulled[1], xi, RATIO**n, sp.expand(2 * n - xi))
+    return force, depth
+
+
+def _power(exponent: sp.Expr) -> sp.Expr:
+    """A power of x that keeps the sign of its exponent in print."""
+    if exponent.is_Integer or exponent == sp.S.Half:
+        return RATIO**exponent
+    above, below = sp.fraction(sp.together(exponent))
+    top = f"({Printer()(above)})" if above.is_Add else Printer()(above)
+    return sp.Symbol(f"x^{{{top}/{below}}}", positive=True)
+
+
+def _quotient(number: int, factor: sp.Expr, pulled: sp.Expr, xi: sp.Expr, elastic: sp.Expr, below: sp.Expr) -> str:
+    """(number factor pulled - xi elastic)/below, with plain numbers divided."""
+    if below.is_number:
+        return Printer(names=_names(pulled))(number * factor / below * pulled - xi / below * elastic)
+    names = _names(pulled)
+    shares = [sp.cancel(part / below) for part in (number * factor, xi)]
+    if all(share.is_number for share in shares):
+        return Printer(names=names)(shares[0] * pulled - shares[1] * elastic)
+    if factor.is_Add:  # 2 (k + 2) is read better than 2 k + 4
+        whole = sp.Symbol("whole", positive=True)
+        names[whole] = f"({Printer()(factor)})"
+        factor = whole
+    if below.xreplace({GRADED.k: sp.S.Zero}).is_negative:
+        number, xi, below = -number, -xi, -below
+    return rf"\frac{{{Printer(names=names)(number * factor * pulled - xi * elastic)}}}{{{Printer()(below)}}}"
+
+
+def _names(pulled: sp.Expr) -> dict[sp.Symbol, str]:
+    return {pulled: pulled.name} if isinstance(pulled, sp.Symbol) else {}

@@ -1,0 +1,417 @@
+"""A row of the handbook.
+
+Entries as rows of the handbook: label, range, formula in lines that fit, permanent key.
+
+Rows in printing order, two narrow ones on one line.
+
+What stands beside a formula: its label, its left side, and the system its entry belongs to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Literal
+
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry
+from ..notation import a_c, c, r_peak
+from ..physics.systems import BODIES, ROUND, SYSTEMS
+from ..print.formula import Printer
+from ..print.height import brackets_around, size_around
+from ..print.shorthand import LINE, Short, shortened, with_kappa
+from ..print.terms import tidied
+from ..print.width import width
+from .ranges import Pairs, chain_of, condition, regions
+from .rules import radius_name, rule
+
+LEFT = {
+    "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
+    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
+    "rz": "r_{0}", "rp": r"r_{\mathrm{max}}", "pp": r"p_{\mathrm{max}}",
+    "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
+}  # fmt: skip
+ADHESIVE = {
+    "Dl": r"\Delta\ell", "d": r"d_{\mathrm{adh}}(a)", "F": r"F_{\mathrm{adh}}(a)",
+    "p": r"p_{\mathrm{adh}}(r)", "w": r"w_{\mathrm{adh}}(r)", "ad": "a", "aF": "a",
+    **{f"{x}{m}": rf"{x}_{{\mathrm {m}}}" for x in "aFd" for m in "cm"},
+}  # fmt: skip
+TANGENTIAL = {"F": "F_x", "tau": r"\tau(r)", "u": "u", "c": "c", "us": r"u_{\mathrm s}"}
+PLANE = {
+    "P": "P", "p": "p(x)", "s": r"\frac{\mathrm{d}w}{\mathrm{d}x}", "d": "d", "aP": "a", "xz": "x_{0}",
+    "Pmin": r"P_{\mathrm{min}}", "phi": r"\varphi", "cw": r"\ell",
+}  # fmt: skip
+LEFTS = {"adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE}
+GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
+PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
+
+LABELS = {
+    "ac": "Pull-off radius: force control", "am": "Pull-off radius: depth control",
+    "Fc": "Pull-off force: force control", "Fm": "Pull-off force: depth control",
+    "dc": "Pull-off depth: force control", "dm": "Pull-off depth: depth control", "us": "Full slip: displacement",
+    "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
+    "rz": "Ring: of first zero pressure", "aP": "Half-width from load",
+    "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
+}  # fmt: skip
+"""Labels that say it shorter than those of the quantities."""
+
+
+def label_of(suffix: str, text: str) -> tuple[str, str]:
+    """Label of a quantity and the grey words under it."""
+    text = LABELS.get(suffix.partition("_")[0], text).removesuffix(", stable branch")
+    for word in (" from ", ": ", " relative to ", " of the "):
+        if word in text:
+            first, _, second = text.partition(word)
+            return _short(first), f"{word.strip(' :')} {second}".strip()
+    return _short(text), ""
+
+
+def _short(label: str) -> str:
+    if label in ("Displacement outside", "Surface displacement"):
+        return "Displacement"
+    return "Depth" if label == "Depth of the middle" else label
+
+
+def system_of(entry: Entry) -> str:
+    """Name of the system whose entry this is, read off its key."""
+    first, *groups, _ = entry.key.split(".")
+    if first in BODIES.names:
+        return first
+    return PREFIXES.get(first) or GROUPS.get(".".join(groups), "normal")
+
+
+def left_of(entry: Entry) -> str:
+    """The left side of the row."""
+    table = LEFTS.get(system_of(entry).rpartition(".")[2], LEFT)
+    return table.get(entry.suffix) or nt.describe(entry.quantity.symbol).latex
+
+
+LETTER = 3.3
+"""Points of a letter of the key."""
+Kind = Literal["formula", "root", "composition", "rule", "definition", "joined"]
+INDENT = r"\enspace\enspace "
+EXPLICIT = 250.0
+"""Points up to which an adhesive or tangential quantity is spelled out instead of given by its rule."""
+
+
+ROOM, LETTER = 388.0, 4.2
+"""Points from the label to the end of a line, and those of a letter of the key that ends the first line of a row."""
+
+
+@dataclass(frozen=True)
+class Region:
+    """One formula of a row: the range in which it holds, and its lines of LaTeX."""
+
+    condition: str
+    lines: tuple[str, ...]
+    remark: str = ""
+    """Words that lead from this formula to that of the next range."""
+    points: float = 0.0
+    """Its width where it is several formulas."""
+
+    @property
+    def tex(self) -> str:
+        if len(self.lines) == 1:
+            return self.lines[0]
+        return r"\begin{aligned}[t]&" + r"\\[1.5mm]&".join(self.lines) + r"\end{aligned}"
+
+    @property
+    def width(self) -> float:
+        return self.points or max(map(width, self.lines))
+
+
+@dataclass(frozen=True)
+class Row:
+    """What is printed for one entry."""
+
+    entry: Entry
+    kind: Kind
+    regions: tuple[Region, ...]
+    remark: str = ""
+    """Words behind the formula, as `solved for a`."""
+    uses: str = ""
+    """Suffix of the row the remark refers to."""
+    listed: bool = False
+    """Whether the spread names the key only, because the rule stands in front of the book for all profiles."""
+    also: tuple[Entry, ...] = ()
+    """Further entries that the same row gives, one for every viscoelastic law, or one for every part."""
+    parts: tuple[Row, ...] = ()
+    """The rows whose formulas stand side by side in this one."""
+    title: tuple[str, str] | None = None
+    """Label and words of a row of several parts."""
+
+    @property
+    def key(self) -> str:
+        return self.entry.key
+
+    @property
+    def suffix(self) -> str:
+        return self.entry.suffix
+
+    @property
+    def ends(self) -> str:
+        """The keys as they stand behind the formula, without the profile: adh.ac, Fc, dc."""
+        first, *ends = self.key.split(".")
+        own = ".".join(ends[1:] if first in PREFIXES else ends)
+        return ", ".join([own, *(entry.suffix.partition("_")[2] or entry.suffix for entry in self.also)])
+
+    @property
+    def label(self) -> tuple[str, str]:
+        """Label and the grey words under it: Contact radius, from force."""
+        return self.title or label_of(self.suffix, self.entry.quantity.label)
+
+    @property
+    def narrow(self) -> bool:
+        """Whether the row takes half a line only."""
+        return len(self.regions) == 1 and len(self.regions[0].lines) == 1 and not self.regions[0].condition
+
+
+@lru_cache(maxsize=4096)
+def row(entry: Entry) -> Row:
+    """The row of an entry."""
+    system = system_of(entry)
+    if system in ("normal", "graded.normal"):
+        plain = _normal_row(entry)
+        compact = entry.profile.contact == "compact"
+        return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
+    if system in BODIES.names:
+        return _constant(entry)
+    if system in ("plane", "loads", "viscoelastic"):
+        return _root_or_formula(entry)
+    if entry.profile.contact == "complete":
+        return _formula(entry)
+    return _superposed(entry, system)
+
+
+def _normal_row(entry: Entry) -> Row:
+    if entry.composed:
+        outer, inner = entry.composed
+        function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
+        return Row(entry, "composition", (Region("", (f"{LEFT[entry.suffix]}={function}",)),), "with $a$ from", inner)
+    return _root_or_formula(entry)
+
+
+def _constant(entry: Entry) -> Row:
+    """An elastic constant, where it is read better by the equation that defines it: 1/E* as a sum, H over h_N."""
+    known, own = entry.definition, entry.quantity.symbol
+    used = known.rhs.free_symbols - set(entry.parameters)
+    if known.lhs == 1 / own:
+        return Row(entry, "definition", (Region("", (Printer()(known),)),))
+    if known.lhs == own and len(used) == 1:
+        return Row(entry, "definition", (Region("", (Printer()(known),)),), "with the factor", used.pop().name)
+    return _formula(entry)
+
+
+SOLVED = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}", "aP": "P(a)=P"}
+
+
+def _root_or_formula(entry: Entry) -> Row:
+    if entry.status == "root" and entry.suffix in SOLVED:
+        return Row(entry, "root", (Region("", (SOLVED[entry.suffix],)),), "solved for $a$")
+    return _formula(entry)
+
+
+BETTER = {
+    "cone.w": (r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",),
+    "capped_paraboloid.ad": (
+        r"a=\frac{\sqrt{2} D}{\sqrt{2 D-q^{2} b^{2}+q \sqrt{4 D^{2}-4 D b^{2}+q^{2} b^{4}}}},"
+        r"\qquad D=d R_1,\quad q=\frac{R_1-R_2}{R_2}",
+    ),
+    "rounded_punch.rp": (
+        r"\bigl(2-k^{2}\bigr)\,\mathrm{F}(\varphi,k)-2 \,\mathrm{E}(\varphi,k)"
+        r"+\frac{\ell}{a r_{\mathrm{max}}} \, \Bigl(\frac{2 b^{2}}{q}+b \arccos \frac{b}{a}\Bigr)"
+        r"=\frac{r_{\mathrm{max}}}{a \ell} \, \Bigl(2 q-b \arccos \frac{b}{a}\Bigr),",
+        r"\qquad k=\frac{b}{r_{\mathrm{max}}},\quad \varphi=\arcsin \frac{\ell}{q},"
+        r"\quad q=\sqrt{a^{2}-b^{2}},\quad \ell=\sqrt{a^{2}-r_{\mathrm{max}}^{2}}",
+    ),
+}
+"""Shorter or more accurate forms of the last case of an entry than its own, by lines, read back like any other."""
+
+
+def _formula(entry: Entry) -> Row:
+    left = left_of(entry)
+    found = []
+    for pairs, expr in regions(entry):
+        found.append(_region(entry, pairs, expr, left))
+        left = left.partition("=")[0]
+    if entry.key in BETTER:
+        found[-1] = replace(found[-1], lines=BETTER[entry.key])
+    if len(found) > 1 and isinstance(expr, sp.Equality):
+        found[-2] = replace(found[-2], remark=f"and beyond, ${left}$ is the root of")
+    return Row(entry, "formula", tuple(found))
+
+
+MOST_LINES = 2
+WIDEST = LINE + 15
+
+
+def _fits(one: Row) -> bool:
+    """Whether every region of the row is at most two lines that fit."""
+    if any(case.expr.has(r_peak) for case in one.entry.cases):
+        return isinstance(one.entry.cases[0].expr, sp.Equality)
+    return one.entry.suffix != "pm" and all(
+        len(region.lines) <= MOST_LINES and region.width <= WIDEST and r"\int" not in region.tex
+        for region in one.regions
+    )
+
+
+def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
+    found = rule(system, entry.suffix)
+    if found is None:
+        message = f"{entry.key} follows from no rule; add one to rows.rules"
+        raise LookupError(message)
+    return Row(entry, "rule", (Region(found.where, (found.tex,)),), found.remark, listed=listed)
+
+
+ALWAYS_RULED = ("p", "w", "tau")
+
+
+def _superposed(entry: Entry, system: str) -> Row:
+    """An adhesive or tangential quantity: spelled out where that is short, else by its rule."""
+    graded = system.startswith("graded")
+    if entry.suffix == "Dl" and not graded:
+        return _formula(entry)
+    spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
+    if (
+        spelled
+        and not _is_long(entry.cases[0].expr)
+        and _is_power(entry.cases[0].expr, a_c)
+        and not (graded and entry.suffix not in PULLED_OFF)
+    ):
+        plain = _formula(entry)
+        if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
+            return replace(plain, regions=(replace(plain.regions[0], condition=""),))
+    return _ruled(entry, system, listed=graded)
+
+
+def _is_long(expr: sp.Expr) -> bool:
+    """Whether the state of the stick radius has several terms of its own; the rule says it in two."""
+    return any(len(total.args) > 2 for total in tidied(expr).atoms(sp.Add) if total.has(c))
+
+
+def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether the symbol enters as one power at most; what is longer is read better from the rule."""
+    return expr.as_independent(symbol, as_Add=False)[1].as_base_exp()[0] in (symbol, 1)
+
+
+PULLED_OFF = ("ac", "Fc", "dc", "am", "Fm", "dm")
+
+
+def names_of(entry: Entry) -> dict[sp.Symbol, str]:
+    """Names in print that differ from those of the notation."""
+    return {a_c: radius_name(entry.suffix)} if entry.suffix in PULLED_OFF else {}
+
+
+def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:
+    chain = chain_of(entry, expr)
+    own = names_of(entry)
+    expr = tidied(expr.replace(_is_inverse_power, lambda e: sp.Pow(1 / e.base, -e.exp)))
+    if isinstance(expr, sp.Equality):
+        printer = Printer(chain, with_kappa(expr).names | own)
+        return Region(condition(entry, pairs, chain, printer), (printer(expr),))
+    left += "="
+    short = shortened(expr, chain, width(left))
+    printer = Printer(chain, short.names | own)
+    lines = broken(left, short.expr, printer)
+    key = LETTER * len(entry.key.partition(f"{entry.profile.name}.")[2])
+    return Region(condition(entry, pairs, chain, printer), tuple(_with_definitions(lines, short, printer, key)))
+
+
+def _is_inverse_power(expr: sp.Expr) -> bool:
+    """(u/v)**(-2/(1 + k)), which is read as (v/u)**(2/(1 + k))."""
+    return bool(expr.is_Pow and expr.base.is_Mul and expr.exp.free_symbols and expr.exp.could_extract_minus_sign())
+
+
+def broken(left: str, expr: sp.Expr, printer: Printer) -> list[str]:
+    """The formula in lines that fit, broken between terms."""
+    whole = left + printer(expr)
+    parts = printer.scaled_sum(expr)
+    if width(whole) <= LINE or parts is None:
+        return [whole]
+    sign, scale, terms = parts
+    start = left + ("-" if sign < 0 else "") + (scale + r"\," if scale else "")
+    inside = "()".join(text for _, text in terms)
+    (left_one, right_one), size = brackets_around(inside), size_around(rf"\Bigl({inside}")  # square ones at least
+    opening, closing = (rf"\{size}l{left_one}", rf"\{size}r{right_one}") if scale or sign < 0 else ("", "")
+    lines, current = [], start + opening
+    for i, (sign_of, text) in enumerate(terms):
+        piece = ("-" if sign_of < 0 else "+" if i else "") + text
+        if i and width(current + piece) > LINE:
+            lines.append(current)
+            current = INDENT + "{}"
+        current += piece
+    return [*lines, current + closing]
+
+
+def _with_definitions(lines: list[str], short: Short, printer: Printer, key: float) -> list[str]:
+    """The definitions behind the formula, on its last line if they fit; on the first one stands the key too."""
+    if not short.definitions:
+        return lines
+    texts = [f"{short.names[s]}={printer(d)}" for s, d in short.definitions.items() if not _is_kappa(s)]
+    out = list(lines)
+    for i, text in enumerate(texts):
+        gap = r",\qquad " if i == 0 else r",\quad "
+        if width(out[-1] + gap + text) <= ROOM - key * (len(out) == 1):
+            out[-1] += gap + text
+        else:
+            out[-1] += ","
+            out.append(r"\qquad " + text)
+    return out
+
+
+def _is_kappa(symbol: sp.Expr) -> bool:
+    """kappa is explained once per profile, in the definition panel."""
+    return str(symbol).startswith("kappa")
+
+
+def kappa_row(entries: tuple[Entry, ...]) -> str:
+    """The definition of kappa if a profile uses it, else an empty string."""
+    for entry in entries:
+        for case in entry.cases:
+            short = with_kappa(case.expr)
+            if short.definitions:
+                ((symbol, definition),) = short.definitions.items()
+                return f"{short.names[symbol]}={Printer()(definition)}"
+    return ""
+
+
+HALF = 122.0
+"""Points for the formula of half a row, beside a key of two letters."""
+
+
+ORDER = (
+    "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "pp", "rp", "tau", "s", "w",
+    "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
+    "E_star", "G_star", "H", "h_N",
+)  # fmt: skip
+
+
+def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
+    """Rows in printing order: depth and force first, fields last, two narrow ones on one line."""
+    narrow = [one for one in rows if one.narrow and fits_half(one)]
+    if not {"d", "F"} <= {one.suffix for one in narrow}:
+        narrow = [one for one in narrow if one.suffix not in ("d", "F")]
+    wide = [one for one in rows if one not in narrow]
+    out = [tuple(narrow[i : i + 2]) for i in range(0, len(narrow), 2)] + [(one,) for one in wide]
+    return sorted(out, key=lambda line: min(_place(one, line in out[-len(wide) :]) for one in line))
+
+
+def _place(one: Row, wide: bool) -> float:
+    """The force follows the depth at once where they have lines of their own."""
+    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
+
+
+def fits_half(one: Row) -> bool:
+    """Whether a formula takes half a line with the words and the key behind it."""
+    parts = one.remark.split("$")
+    remark = sum(0.84 * width(part) if i % 2 else 3.7 * len(part) for i, part in enumerate(parts))
+    behind = 12 + remark + (12 if one.uses else 0) if one.remark else 0
+    return one.regions[0].width + behind + LETTER * max(0, len(one.ends) - 2) <= HALF
+
+
+def ordered(entries: Mapping[str, Entry]) -> list[Row]:
+    """The rows of a problem, the short ones first, fields last."""
+    return [row(entries[suffix]) for suffix in ORDER if suffix in entries]

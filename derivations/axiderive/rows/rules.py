@@ -1,0 +1,113 @@
+"""Rules of superposition in print: what holds for every profile, stated with the functions of its normal contact.
+
+g, F_N, p and w are the rows of the normal contact on the same medium, so that
+a rule is read back against every profile it is printed for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .. import notation as nt
+from ..notation import a, a_c, dgamma, r, retraction, u
+from ..physics import adhesive
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..print.formula import Printer
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule as LaTeX, with the words behind it and the range of a field."""
+
+    tex: str
+    remark: str = ""
+    where: str = ""
+
+
+ADH = r"_{\mathrm{adh}}"
+INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
+PULL_OFF = {"c": "force", "m": "depth"}
+"""Subscripts of pull-off under force and under depth control."""
+
+
+def rule(system: str, suffix: str) -> Rule | None:
+    """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
+    medium = GRADED if system.startswith("graded") else HOMOGENEOUS
+    kind = system.rpartition(".")[2]
+    found = {"adhesive": _adhesive, "tangential": _tangential, "normal": _normal}.get(kind)
+    return found(medium).get(suffix) if found else None
+
+
+def _adhesive(medium: Medium) -> dict[str, Rule]:
+    printer = Printer((r, a))
+    force = printer(medium.stiffness() * retraction)
+    pressure = printer(medium.punch_pressure() * retraction)
+    surface = printer(medium.punch_displacement().expr() * retraction)
+    found = {
+        "Dl": Rule(rf"\Delta\ell={printer(adhesive.hess_rule(medium))}"),
+        "d": Rule(rf"d{ADH}(a)=g(a)-\Delta\ell"),
+        "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
+        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where="r<a"),
+        "w": Rule(rf"w{ADH}(r)=w(r)-{surface}", where=OUTSIDE),
+        "ad": Rule(rf"d{ADH}(a)=d", r"for $a\ge a_{\mathrm m}$"),
+        "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
+    }
+    for control, xi in adhesive.pull_off_number(medium).items():
+        letter = next(letter for letter, name in PULL_OFF.items() if name == control)
+        level = sp.sqrt(sp.pi * dgamma / (2 * medium.modulus)) * a_c ** (-(1 + medium.k) / 2)
+        at = radius_name(f"a{letter}")
+        named = Printer(names={a_c: at})
+        # the number stays in front of the root
+        text = named(xi * level) if xi.free_symbols else (named(xi) if xi != 1 else "") + named(level)
+        found |= {
+            f"a{letter}": Rule(f"g'({at})={text}"),
+            f"F{letter}": Rule(rf"F_{{\mathrm {letter}}}=F{ADH}({at})"),
+            f"d{letter}": Rule(rf"d_{{\mathrm {letter}}}=d{ADH}({at})"),
+        }
+    return found
+
+
+def radius_name(suffix: str) -> str:
+    """The contact radius at pull-off in print, for any quantity of the same control: ac, Fc, dc or am, Fm, dm."""
+    return rf"a_{{\mathrm {suffix[-1]}}}"
+
+
+def sliding_ratio(medium: Medium) -> str:
+    """Tangential displacement over the depth of the normal contact that slides or grows."""
+    return Printer()(nt.mu * medium.modulus / (nt.G_star if medium.k == 0 else nt.H_x))
+
+
+def _tangential(medium: Medium) -> dict[str, Rule]:
+    ratio = sliding_ratio(medium)
+    return {
+        "F": Rule(r"F_x=\mu\,\bigl[F_{\mathrm N}(a)-F_{\mathrm N}(c)\bigr]"),
+        "tau": Rule(r"\tau(r)=\mu\,\bigl[p(r;a)-p(r;c)\bigr]", "with $p(r;c)=0$ for $r>c$"),
+        "u": Rule(rf"u={ratio}\,\bigl[g(a)-g(c)\bigr]"),
+        "c": Rule(r"F_{\mathrm N}(c)=F_{\mathrm N}(a)-\frac{F_x}{\mu}", "solved for $c$"),
+        "us": Rule(rf"u_{{\mathrm s}}={ratio}\,g(a)"),
+    }
+
+
+def _normal(medium: Medium) -> dict[str, Rule]:
+    """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
+    if medium.k == 0:
+        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
+    k, printer = medium.k, Printer((r, a))
+    scale = printer(medium.pressure_scale / (1 + k))
+    span = printer((a**2 - r**2) ** ((1 + k) / 2))
+    radius = printer(sp.sqrt(r**2 + u ** (2 / (1 + k))))
+    outside = printer(medium.displacement_scale)
+    return {
+        "pm": Rule(r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}"),
+        "p": Rule(
+            rf"p(r)={scale}\int_{{0}}^{{y}} \frac{{g'(t)}}{{t}}\,\mathrm{{d}}u,\qquad t={radius},\quad y={span}",
+            where=INSIDE,
+        ),
+        "w": Rule(
+            rf"w(r)={outside}\int_{{0}}^{{y}} \bigl[g(a)-g(r\sin\psi)\bigr]\tan^{{{printer(k)}}}\psi"
+            rf"\,\mathrm{{d}}\psi,\qquad y={printer(sp.asin(a / r))}",
+            where=OUTSIDE,
+        ),
+    }

@@ -1,0 +1,165 @@
+"""Profiles that are a special case or a sum of others, in print.
+
+Profiles that are a special case of another one: in print they stand in its entry, with their keys as anchors.
+
+Profiles that are a sum of simpler ones: what they add to at equal contact radius, in one row of the book.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import Entry
+from ..notation import R1, R2, E_star, R, a, b, h, n, r, theta, x
+from ..physics import normal, plane
+from ..physics.systems import problem
+from ..print.formula import Printer
+from ..print.words import prose
+from ..profiles import load
+from ..profiles.profile import Piece
+from .row import Region
+
+HOSTS = {
+    "quartic": "power_law", "sextic": "power_law", "sphere": "ellipsoid",
+    "concave_paraboloid": "concave_power", "concave_quartic": "concave_power",
+    "plane.quartic": "plane.power_law", "plane.sextic": "plane.power_law",
+    "plane.concave_parabola": "plane.concave_power", "plane.concave_quartic": "plane.concave_power",
+}  # fmt: skip
+"""The profile whose entry holds that of the special case."""
+MEMBERS: dict[str, dict[int, str]] = {
+    "power_law": {1: "cone", 2: "paraboloid", 3: "", 4: "quartic", 6: "sextic"},
+    "plane.power_law": {1: "plane.wedge", 2: "plane.parabola", 3: "", 4: "plane.quartic", 6: "plane.sextic"},
+    "concave_power": {2: "concave_paraboloid", 4: "concave_quartic"},
+    "plane.concave_power": {2: "plane.concave_parabola", 4: "plane.concave_quartic"},
+}
+"""Profile of each power n; none where the formulas follow from those of the host."""
+COLUMNS = {
+    "power_law": (("d", "F", "aF", "p"), ("w",)),
+    "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
+    "concave_power": (("F", "dmin", "Fmin", "rz", "w"), ("p",)),
+    "plane.concave_power": (("Pmin", "xz", "p"), ("s", "d")),
+}
+"""What each of the tables of a host gives."""
+UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}
+"""Units in which a profile is r^n or -r^n; that of length is a, where the formula has it."""
+NAMES = {
+    "d": "g(a)", "F": r"F_{\mathrm N}", "aF": "a", "p": "p(r)", "w": "w(r)", "P": "P", "aP": "a",
+    "s": r"\frac{\mathrm dw}{\mathrm dx}", "dmin": r"d_{\min}", "Fmin": r"F_{\min}", "rz": "r_0", "xz": "x_0",
+    "Pmin": r"P_{\min}",
+}  # fmt: skip
+"""Heads of the columns."""
+
+
+def hosted(host: str) -> list[str]:
+    """The special cases that stand in the entry of a profile."""
+    return [name for name, own in HOSTS.items() if own == host]
+
+
+def member(host: str, power: int) -> Mapping[str, Entry]:
+    """The entries of the power: those of its own profile, or derived for it where the catalogue has none."""
+    name = MEMBERS[host][power]
+    if name:
+        return problem(name).derive()
+    in_plane = host.startswith("plane.")
+    like = problem("plane.quartic" if in_plane else "quartic").profile
+    profile = replace(like, pieces=(Piece(None, nt.A * (x if in_plane else r) ** power),))
+    return plane.derive(profile) if in_plane else normal.derive(profile)
+
+
+def tables(host: str) -> list[dict[str, Any]]:
+    """The tables of a profile: heads, and for every power the profile of its own and the cells."""
+    if host not in MEMBERS:
+        return []
+    return [
+        {
+            "heads": [_head(suffix, host.startswith("plane.")) for suffix in suffixes],
+            "suffixes": suffixes,
+            "rows": [_row(host, power, name, suffixes) for power, name in MEMBERS[host].items()],
+        }
+        for suffixes in COLUMNS[host]
+    ]
+
+
+def _head(suffix: str, in_plane: bool) -> str:
+    named = {"d": "d", "p": "p(x)"}
+    return named.get(suffix, NAMES[suffix]) if in_plane else NAMES[suffix]
+
+
+def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[str, Any]:
+    entries = member(host, power)
+    profile = problem(name or host).profile
+    return {
+        "power": power,
+        "name": name,
+        "hosted": name in HOSTS,
+        "title": prose(profile.title) if name else "",
+        "cells": [Printer()(value(entries, suffix, power)) for suffix in suffixes],
+    }
+
+
+def value(entries: Mapping[str, Entry], suffix: str, power: int) -> sp.Expr:
+    """The formula of a quantity in the units of the table."""
+    entry = entries[suffix]
+    expr = entry.cases[-1].expr.subs({**UNIT, n: sp.Integer(power)})
+    return expr if suffix in ("aF", "aP") else expr.subs(a, 1)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A simpler profile, its sign, and its parameters in those of the sum."""
+
+    sign: int
+    name: str
+    parameters: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+
+SUMS = {
+    "rounded_cone": (
+        Part(1, "paraboloid", {R: b / sp.tan(theta)}), Part(-1, "rounded_punch", {R: b / sp.tan(theta), b: b})
+    ),
+    "capped_paraboloid": (
+        Part(1, "paraboloid", {R: R1}), Part(1, "truncated_paraboloid", {R: R1 * R2 / (R1 - R2), b: b})
+    ),
+    "rounded_curved_punch": (Part(1, "paraboloid", {R: R1}), Part(1, "rounded_punch", {R: R2, b: b})),
+}  # fmt: skip
+
+
+def sum_rows(name: str) -> list[dict[str, Any]]:
+    """The row of a profile that is a sum, none of any other."""
+    if name not in SUMS:
+        return []
+    parts = [(_sign(part, i), _linked(part), _values(part)) for i, part in enumerate(SUMS[name])]
+    lines = (
+        rf"\text{{{sign}{link}, page~\pageref{{sec:{part.name}}}, with }}{values}"
+        for (sign, link, values), part in zip(parts, SUMS[name], strict=True)
+    )
+    return [
+        {
+            "half": False,
+            "kind": "sum",
+            "comment": f"sum {name}.d {name}.F {name}.p {name}.w",
+            "label": "Sum",
+            "small": "at equal $a$",
+            "tex": Region("", tuple(lines)).tex,
+            "remark": "where $a>b$; $p$ and $w$ too",
+            "words": ", ".join(f"{sign}{link} with ${values}$" for sign, link, values in parts) + " where $a>b$",
+        }
+    ]
+
+
+def _sign(part: Part, index: int) -> str:
+    return "" if index == 0 else "plus " if part.sign > 0 else "minus "
+
+
+def _linked(part: Part) -> str:
+    return rf"\hyperref[sec:{part.name}]{{{load(part.name).title.lower()}}}"
+
+
+def _values(part: Part) -> str:
+    """The parameters that have another name or value there."""
+    return ",\\; ".join(f"{Printer()(s)}={Printer()(e)}" for s, e in part.parameters.items() if s != e)

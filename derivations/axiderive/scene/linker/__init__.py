@@ -1,0 +1,1 @@
+"""A scene's module, put together from the generated ones."""

@@ -1,0 +1,304 @@
+"""The text of a scene's module.
+
+The docstring of a scene's module.
+
+The text of a scene's module: constants, the wanted functions, and what they rest on.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import textwrap
+from collections.abc import Mapping, MutableMapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ... import __version__
+from ...code.physics.viscoelastic import MATERIAL
+from ...code.python import NODE_COUNTS
+from ...profiles.profile import Profile
+from .. import interface
+from ..reading import Request
+from ..values.contact import Contact, worked
+from .assembled import REQUIRE_ORDER, Assembled
+from .linking import OWN, SHARED, Key, Linker, Module, Wanted
+from .rewriting import documented
+from .specialising import specialised
+
+if TYPE_CHECKING:
+    from ...expression.answer import Answer
+
+
+def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
+    """Title, what the profile is, and the worked example."""
+    physics = request.physics
+    own = MATERIAL.get(interface.law_of(physics), "")
+    kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
+            "loads": "under a prescribed pressure",
+            "plane": "of a strip without adhesion, per length",
+            "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
+    if physics.startswith("graded"):
+        kind += " on a half-space whose modulus grows as a power of depth"
+    title = _plain(request.title)
+    what = f"{profile.title}: {_plain(profile.subtitle)}" if answer is None else _plain(
+        profile.subtitle)  # fmt: skip
+    lines = [
+        f"{title}.",
+        "",
+        *_wrapped(f"{what}. Contact {kind}, SI units, angles in radians. Written by axicontact {__version__}."),
+    ]
+    if answer is not None:
+        lines += _wrapped(f"Valid: {answer.validity.sentence}.")
+    if request.at is not None:
+        lines += _wrapped(worked(contact))
+    return "\n".join(lines) + "\n"
+
+
+def _plain(text: str) -> str:
+    """Text that is safe within a docstring."""
+    kept = "".join(c if c.isprintable() else " " for c in text).replace("\\", "/").replace('"', "'")
+    return kept.rstrip(".").strip() or "Scene"
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, 110)
+
+
+BARE = '''def _bare(name, value):
+    """The value as an array; a quantity would lose its unit there, and a masked array its mask."""
+    if isinstance(value, (list, tuple)):
+        value = [_bare(name, member) for member in value]
+    elif any(getattr(value, sign, None) is not None for sign in ("units", "unit", "magnitude", "filled")):
+        raise TypeError(f"{name} = {value!r} is no bare number; give {name}.to({_UNITS[name]!r}).magnitude or filled()")
+    return np.asarray(value, dtype=float)'''
+CORE = '''def _elementwise(function{option}):
+    """Numbers or arrays in, a float or an array out{nan}."""
+
+    @wraps(function)
+    def evaluate(*fields{parameters}):
+        fields = [*np.broadcast_arrays(*map(_bare, function.__code__.co_varnames, fields))]
+{axis}        with np.errstate(all="ignore"):
+            result = function(*(x.ravel() for x in fields){parameters}) + np.zeros(fields[0].size)
+        result = np.where(np.min(fields, axis=0) >= {least}, result.reshape(fields[0].shape), np.nan)
+{far}        return result if result.ndim else float(result)
+
+    return evaluate'''
+AXIS = """        infinite = vanishing & ({place} == np.inf)
+        fields[0] = np.where(infinite, 0.0, fields[0])  # there is a value on the axis, not at infinity
+"""
+FAR = """        result = np.where(infinite & ~np.isnan(result), 0.0, result)
+"""
+EVEN = """def _even(function):
+    \"\"\"The same on both sides of the middle.\"\"\"
+
+    @wraps(function)
+    def evaluate(x, *fields, **parameters):
+        return function(np.abs(_bare("x", x)), *fields, **parameters)
+
+    return evaluate"""
+ODD = """def _odd(function):
+    \"\"\"Of the other sign on the other side of the middle.\"\"\"
+
+    @wraps(function)
+    def evaluate(x, *fields, **parameters):
+        x = _bare("x", x)
+        return np.copysign(1.0, x) * function(np.abs(x), *fields, **parameters) + 0.0
+
+    return evaluate"""
+REQUIRE = """def _require(**parameters):
+    for name, value in parameters.items():
+        low, high = _DOMAINS[name]
+        if not low < _bare(name, value) < high:
+            raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")"""
+POSITIONS = ("r", "x")
+INTEGRAL = '''def _integral(integrand, stop, count):
+    """Integral of `integrand` from 0 to `stop`."""
+    rule = _NODES[count]
+    return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A frozen parameter: its value and what it is."""
+
+    name: str
+    value: float
+    comment: str
+
+
+def module_text(
+    head: str,
+    modules: MutableMapping[str, Module],
+    wanted: Sequence[Wanted],
+    constants: Sequence[Constant],
+    domains: Mapping[str, tuple[str, str]],
+    units: Mapping[str, str],
+    above: Sequence[Assembled] = (),
+    order: tuple[str, ...] = (),
+) -> str:
+    """The module.
+
+    Parameters
+    ----------
+    head : str
+        Docstring of the module.
+    modules : mapping
+        The library by name of module.
+    wanted : sequence of Wanted
+        The functions of the interface, in order.
+    constants : sequence of Constant
+        The frozen parameters; those that nothing needs are left out.
+    domains : mapping
+        Open interval of each parameter that is left free.
+    units : mapping
+        Units of all fields and parameters.
+    above : sequence of Assembled
+        The functions of the interface that are written for the scene.
+    order : sequence of str
+        Arguments of the check of the rules between parameters, empty if there is none.
+    """
+    frozen = frozenset(c.name for c in constants)
+    positive = frozenset(c.name for c in constants if c.value > 0.0)
+    roots = (*(one.key for one in above), *([(OWN, REQUIRE_ORDER)] if order else []))
+    modules = specialised(modules, [*(one.key for one in wanted), *roots], frozenset(SHARED))
+    linker = Linker(modules, wanted, frozen, positive, roots)
+    checks = _Checks(frozen, order)
+    public, merged = [], set()
+    for one in wanted:
+        options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
+        decorator = f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise"
+        if linker.merged(one):
+            merged.add(one.key)
+            text = linker.text(one.key, one.doc)
+        else:
+            text = _wrapper(linker, one, checks)
+        mirrored = f"@_{one.parity}\n" if one.parity else ""
+        public.append(f"{mirrored}{decorator}\n{text}")
+    public += [_assembled(linker, one, checks) for one in above]
+    hidden = {*merged, *linker.inlined, *(one.key for one in above)}
+    private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
+    values = [linker.text(key) for key in _constants(linker)]
+    body = "\n\n\n".join([*public, *private])
+    if "_integral(" in body:
+        body += f"\n\n\n{INTEGRAL}"
+    if "_NODES[" in body:
+        values.append(_nodes(modules["_nodes"], _counts(linker)))
+    free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
+    if free:
+        rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
+        values.append("_DOMAINS = {\n" + rows + "}")
+        body = f"{REQUIRE}\n\n\n{body}"
+    given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
+    if given:
+        values.append(f"_UNITS = {{{', '.join(f'{name!r}: {units[name]!r}' for name in given)}}}".replace("'", '"'))
+    used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
+    for parity, text in (("odd", ODD), ("even", EVEN)):
+        if any(one.parity == parity for one in wanted):
+            body = f"{text}\n\n\n{body}"
+    body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
+    body = f"{BARE}\n\n\n{body}" if given else body
+    shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
+    parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
+    return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
+
+
+def _vanishes(one: Wanted) -> bool:
+    """Whether it is a field of a position that is zero infinitely far away; the shape of the indenter is not."""
+    return one.fields[0] in POSITIONS and one.name != "profile"
+
+
+def _core(wanted: Sequence[Wanted]) -> str:
+    signed, far = any(one.signed for one in wanted), any(_vanishes(one) for one in wanted)
+    return CORE.format(
+        option=(", least=0.0" if signed else "") + (", vanishing=False" if far else ""),
+        nan="" if signed else "; NaN where a field is negative",
+        least="least" if signed else "0.0",
+        parameters=", **parameters" if any(one.keywords for one in wanted) else "",
+        axis=AXIS.format(place="np.abs(fields[0])" if signed else "fields[0]") if far else "",
+        far=FAR if far else "",
+    )
+
+
+@dataclass(frozen=True)
+class _Checks:
+    """What a public function asks of its keywords before it computes."""
+
+    frozen: frozenset[str]
+    order: tuple[str, ...]
+
+    def lines(self, keywords: Sequence[str]) -> list[str]:
+        if not keywords:
+            return []
+        found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
+        left = [name for name in self.order if name not in self.frozen]
+        return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
+
+
+def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
+    """A public function in front of a private one that takes more than the fields."""
+    passed = [p for p in linker.reached[one.key].parameters if p not in linker.dropped[one.key]]
+    signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
+    call = f"{linker.names[one.key]}({', '.join(passed)})"
+    head = f"def {one.name}({signature}):"
+    return "\n".join([head, *documented(one.doc), *checks.lines(one.keywords), f"    return {call}"])
+
+
+def _assembled(linker: Linker, own: Assembled, checks: _Checks) -> str:
+    """The linked function with its docstring and the check of what stays free."""
+    _, *body = linker.text(own.key).splitlines()
+    signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
+    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc)]
+    return "\n".join([*head, *checks.lines(own.keywords), *body])
+
+
+def _constants(linker: Linker) -> list[Key]:
+    """What is no function, each after those it is made of."""
+    found: dict[Key, None] = {}
+
+    def add(key: Key) -> None:
+        definition = linker.reached.get(key)
+        if definition is not None and not definition.function and key not in found:
+            for _, needed in definition.references():
+                if needed != key:
+                    add(needed)
+            found[key] = None
+
+    for key in linker.reached:
+        add(key)
+    return list(found)
+
+
+def _counts(linker: Linker) -> list[int]:
+    """The numbers of nodes that the linked text can ask for."""
+    found = {
+        node.value
+        for definition in linker.reached.values()
+        for node in ast.walk(definition.node)
+        if isinstance(node, ast.Constant) and isinstance(node.value, int)
+    }
+    return [count for count in NODE_COUNTS if count in found]
+
+
+def _nodes(module: Module, counts: Sequence[int]) -> str:
+    """Nodes and weights of the rules that are used, as the generated package has them."""
+    node = module.definitions["_LOWER_HALVES"].node
+    assert isinstance(node, ast.Assign)
+    table = ast.literal_eval(node.value)
+    lines = ["# Gauss-Legendre rules on (0, 1): the lower half of the nodes, with their weights", "_NODES = {"]
+    for count in counts:
+        pairs = ", ".join(f"({x!r}, {w!r})" for x, w in table[count])
+        lines += [
+            f"    {count}: [",
+            *textwrap.wrap(pairs + ",", 112, initial_indent=" " * 8, subsequent_indent=" " * 8),
+        ]
+        lines.append("    ],")
+    return "\n".join([*lines, "}"])
+
+
+def _imports(text: str) -> str:
+    functools = [name for name in ("cache", "partial", "reduce", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
+    lines = [f"from functools import {', '.join(functools)}"] if functools else []
+    lines = ["from collections import namedtuple", *lines] if "namedtuple(" in text else lines
+    lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
+    return "\n".join([*lines, *([""] if lines else []), "import numpy as np"])

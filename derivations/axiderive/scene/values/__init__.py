@@ -1,0 +1,1 @@
+"""Numbers a scene's module is checked with."""

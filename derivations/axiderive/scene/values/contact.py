@@ -1,0 +1,224 @@
+"""Numbers of one contact at the values of a scene: integrals of the definition, never the module's own rules."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import mpmath as mp
+import numpy as np
+import sympy as sp
+
+from ... import notation as nt
+from ...code import example
+from ...entry import Entry
+from ...exits import FAILED, CommandError
+from ...expression import ExpressionError
+from ...expression.definition import Definition, Numeric
+from ...expression.validity import examine
+from ...oracle.definitions import greatest
+from ...oracle.shape import shape
+from ...profiles.profile import Profile
+from .. import interface
+
+if TYPE_CHECKING:
+    from ..reading import Request
+
+DIGITS = 20
+UNITS = {"a": "m", "d": "m", "F": "N"}
+MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
+            "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
+"""Material values where a scene leaves them free."""
+
+
+def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
+    """Values of all parameters, and the radius up to which the contact is compact.
+
+    Free parameters of an expression are all drawn as 1, where q and 1/q are the
+    same: here they differ, unless the profile is not compact then.
+    """
+    own = _drawn(profile, request.values)
+    material = {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
+    if request.own is None:
+        return own | material, np.inf
+    free = [p.name for p in profile.parameters if p.name not in request.values]
+    moved = {
+        name: own[name] * (1.3 if name in map(str, profile.breaks) else 1.0 + 0.13 * (i + 1))
+        for i, name in enumerate(free)
+    }
+    try:
+        reach = _reach(profile, own | moved)
+    except ExpressionError:
+        moved, reach = {}, _reach(profile, own)
+    return own | moved | material, reach
+
+
+def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
+    """The free parameters as they are sketched, lengths to the scale of the frozen ones, so that all rules hold."""
+    sketched, names = {p: float(v) for p, v in profile.sketch.values}, interface.parameters(profile)
+    drawn = {name: sketched.get(p, 1.0) for name, p in names.items()}
+    lengths = [name for name, p in names.items() if nt.known(p.name) and nt.describe(p).dimension == nt.LENGTH]
+    scales = [abs(values[name] / drawn[name]) for name in lengths if name in values] or [1.0]
+    first = None
+    for scale in (*scales, *(min(scales) * 10.0**-i for i in range(1, 7))):
+        known = {n: values.get(n, drawn[n] * (scale if n in lengths else 1.0)) for n in names}
+        first = first or known
+        exact = {p: sp.Float(known[n]) for n, p in names.items()}
+        if all(rule.relation().xreplace(exact) == sp.true for rule in profile.rules):
+            return known
+    assert first is not None
+    return first
+
+
+def short(place: float) -> float:
+    """A place in few digits; where it lies exactly does not matter."""
+    return float(f"{place:.4g}")
+
+
+def _reach(profile: Profile, values: Mapping[str, float]) -> float:
+    found = examine(profile, {p: values[p.name] for p in profile.parameters}).compact_to
+    return np.inf if found is None else found
+
+
+def worked(contact: Contact) -> str:
+    """The worked example in words, by the definition."""
+    with mp.workdps(DIGITS):
+        a = contact.worked
+        name, value = contact.request.at or ("a", a)
+        states = {"a": mp.mpf(a), "d": contact.depth(a), "F": contact.force(a)}
+    shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {UNITS[k]}" for k, v in states.items() if k != name)
+    return f"Example: at {name} = {value:g} {UNITS[name]} it is {shown}."
+
+
+class Contact:
+    """Numbers of one contact at frozen and chosen values."""
+
+    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
+        self.profile, self.entries, self.request = profile, entries, request
+        self.all, self.reach = values_of(profile, request)
+        self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}
+        self.compact = profile.contact == "compact"
+        round_contact = self.compact and request.physics != "plane"
+        self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
+        self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
+
+    def given(self) -> dict[sp.Symbol, sp.Expr]:
+        """Parameters, and abbreviations as floats of 40 digits."""
+        known: dict[sp.Symbol, sp.Expr] = dict(self.exact)
+        for symbol, expr in self.profile.abbreviations:
+            known[symbol] = sp.Rational(str(sp.N(expr.xreplace(known), 40)))
+        return known
+
+    def radii(self) -> list[float]:
+        """Contact radii of the size of the profile, on both sides of its breaks, and that of the worked example."""
+        return [*map(short, self._drawn()), *([self.worked] if self.request.at else [])]
+
+    def _drawn(self) -> list[float]:
+        known = {s: float(v) for s, v in self.given().items()}
+        breaks = [known[b] for b in self.profile.breaks]
+        if breaks:
+            inner = [] if self.profile.truncated else [0.6 * breaks[0]]
+            found = [*inner, 1.4 * breaks[-1]]
+            return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
+        drawn = dict(self.profile.sketch.values)
+        lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
+        scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
+        top = scale * self.profile.sketch.a if lengths else 1e-3
+        top = min(top, 0.8 * self.end())
+        return [0.4 * top, top]
+
+    def end(self) -> float:
+        """The radius at which the profile, or its contact, ends; infinite for most."""
+        known, own = self.given(), self.profile
+        ends = [self.reach, *([float(own.largest.xreplace(known))] if own.largest is not None else [])]
+        if own.chain and own.chain[-1] in known:
+            ends.append(float(known[own.chain[-1]]))
+        return min(ends)
+
+    def between(self, a: float) -> list[float]:
+        """A place in the last piece below the contact radius, where there is more than one."""
+        inner = [b for b in (float(self.given()[b]) for b in self.profile.breaks) if b < a]
+        return [0.5 * (inner[-1] + a)] if inner else []
+
+    def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
+        assert self.definition is not None
+        with mp.workdps(DIGITS + 10):
+            if suffix == "w" and at is not None and at <= a:
+                return self.normal("d", a) - self.height(at)
+            if suffix == "p" and at is not None and at >= a:
+                return mp.mpf(0)
+            key = (suffix, a, at)
+            if key not in self.found:
+                self.found[key] = self.definition.quantity(suffix, a, at)
+            return (mp.mpf(self.all.get("E_star", 1.0)) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
+
+    def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
+        """The greatest pressure and its radius, searched for."""
+        known = self.given() | {nt.a: sp.Rational(a)}
+        # the nodes next to the edge are told from it
+        with mp.workdps(3 * DIGITS):
+            place, found = greatest(shape(self.profile, known), mp.mpf(a), 2 * DIGITS)
+            return mp.mpf(self.all["E_star"]) * found, place
+
+    def height(self, at: float) -> mp.mpf:
+        known = self.given() | {nt.r: sp.Rational(at)}
+        return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
+
+    def moved(self, a: float) -> mp.mpf:
+        """The retraction of Hess; 0 without adhesion."""
+        if self.request.physics != "adhesive":
+            return mp.mpf(0)
+        return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
+
+    def depth(self, a: float) -> mp.mpf:
+        return self.normal("d", a) - self.moved(a)
+
+    def force(self, a: float) -> mp.mpf:
+        return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
+
+    @cached_property
+    def _numeric(self) -> Numeric:
+        return Numeric(self.profile, {s: float(v) for s, v in self.given().items()})
+
+    def curve(self, quantity: str, a: Any) -> Any:
+        """Depth or force in doubles, to see where it rises."""
+        numeric = self._numeric
+        E, lost = self.all["E_star"], np.zeros_like(a)
+        if self.request.physics == "adhesive":
+            lost = np.sqrt(2.0 * np.pi * a * self.all["dgamma"] / E)
+        return numeric.depth(a) - lost if quantity == "d" else E * numeric.force(a) - 2.0 * E * a * lost
+
+    def outermost(self, quantity: str, a: float) -> bool:
+        """Whether the load rises through this radius and no larger one carries the same."""
+        values = self.curve(quantity, a * np.array([0.999, *1.03 ** np.arange(120)]))
+        return bool(values[0] < values[1]) and bool(np.all(values[2:] > values[1]))
+
+    @cached_property
+    def worked(self) -> float:
+        """Contact radius of the worked example.
+
+        Raises
+        ------
+        CommandError
+            If no contact carries its load.
+        """
+        name, value = self.request.at or ("a", 0.0)
+        if name == "a":
+            return value
+        floor = float(self.given()[self.profile.breaks[0]]) if self.profile.truncated else 0.0
+        grid = max(self._drawn()) * 10.0 ** np.linspace(-8.0, 8.0, 4001)
+        grid = grid[grid > floor]
+        load = self.curve(name, grid)
+        rises = np.flatnonzero((load[:-1] <= value) & (load[1:] > value))
+        if not len(rises):
+            message = (
+                f"no contact radius carries {name} = {value:g}; change want.at, or name a radius, at = {{ a = ... }}"
+            )
+            raise CommandError(message, FAILED)
+        low, high = grid[rises[-1]], grid[rises[-1] + 1]
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            above = bool(self.curve(name, np.array([middle]))[0] > value)
+            low, high = (low, middle) if above else (middle, high)
+        return float(high)

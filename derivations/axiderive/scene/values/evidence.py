@@ -1,0 +1,224 @@
+"""How far the emitted module is from its check values, and the test that says so.
+
+The emitted module run against its check values.
+
+The evidence of a scene: certificates, comparisons with the definition, what the module was measured at.
+
+The test that is written beside a module: it runs with plain Python.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from ...exits import FAILED, CommandError
+from ...profiles.profile import Profile
+from .. import interface
+from ..linker import sources
+from ..reading import Request
+from .check import Value
+from .contact import DIGITS, Contact
+from .references import State, detached
+
+if TYPE_CHECKING:
+    from ...expression.answer import Answer
+    from ..reading import Request
+
+
+LARGEST_ERROR = 1e-6
+
+
+class RuleError(CommandError, ArithmeticError):
+    """The module is off by more than any rule may be."""
+
+    code = FAILED
+
+
+@dataclass(frozen=True)
+class Run:
+    """What running a module says."""
+
+    values: list[Value]
+    """With the keywords each function really has."""
+    errors: dict[str, float]
+    """The worst relative deviation of every function."""
+    detached: dict[str, State]
+    """The states in which a contact with adhesion breaks, by what is held."""
+
+
+def measured(text: str, values: Sequence[Value], request: Request, free: Mapping[str, float], contact: Contact) -> Run:
+    """Run the text of a module against its check values.
+
+    Raises
+    ------
+    RuleError
+        If a value is off by more than any rule may be.
+    """
+    space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
+    exec(compile(text, request.module, "exec"), space)  # text of our own making
+    errors: dict[str, float] = {}
+    states = _states(space, contact, free, errors) if interface.PULL_OFF in request.quantities else {}
+    called = []
+    for value in values:
+        function = space[value.function]
+        code = inspect.unwrap(function).__code__
+        names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+        own = replace(value, keywords=tuple((k, v) for k, v in value.keywords if k in names))
+        got = function(*own.fields, **dict(own.keywords))
+        _compare(errors, own.function, f"{own.function}{own.fields}", got, own.wanted)
+        called.append(own)
+    return Run(called, errors, states)
+
+
+def _compare(errors: dict[str, float], name: str, call: str, got: float, wanted: float) -> None:
+    error = abs(got - wanted) / abs(wanted) if wanted else abs(got)
+    if not error <= LARGEST_ERROR:
+        message = (
+            f"{call} gives {got!r} instead of {wanted!r}; nothing was written: the rules "
+            "hold for pieces that are smooth in r, use whole powers in them"
+        )
+        raise RuleError(message)
+    errors[name] = max(errors.get(name, 0.0), error)
+
+
+def _states(
+    space: Mapping[str, Any], contact: Contact, free: Mapping[str, float], errors: dict[str, float]
+) -> dict[str, State]:
+    """The states of pull-off by the definitions, next to those that the module finds."""
+    found = {}
+    for control in ("force", "depth"):
+        state = space[interface.PULL_OFF](control, **free)
+        wanted = detached(contact, control, state.radius) if state.radius > 0.0 else None
+        if wanted is not None:
+            found[control] = wanted
+            for field, got, value in zip(state._fields, state, wanted, strict=True):
+                _compare(errors, interface.PULL_OFF, f"pull_off({control!r}).{field}", got, value)
+    return found
+
+
+def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
+    """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
+    if answer is None:
+        kept = sources.evidence(interface.id_of(request.physics, profile.name))
+        return kept["evidence"] if kept else {}
+    return {"entries": {suffix: _found(answer, suffix) for suffix in answer.entries}}
+
+
+def _found(answer: Answer, suffix: str) -> dict[str, Any]:
+    """Certificate and comparisons of one entry as the handbook prints them."""
+    from ...expression.answer import DIGITS
+
+    proof = answer.certificates.get(suffix)
+    rows = [c for c in answer.comparisons if c.suffix == suffix]
+    worst = max((c.residual for c in rows), default=0.0)
+    check = {"compared": "quadrature", "outcome": "passed", "digits": DIGITS, "count": len(rows)}
+    return {
+        "certified": bool(proof and proof.proved),
+        "certificate": {"reason": proof.reason if proof else ""},
+        "checks": [{**check, "worst": f"{worst:.1e}"}] if rows and worst < 10.0**-DIGITS else [],
+    }
+
+
+def record(
+    request: Request,
+    profile: Profile,
+    answer: Answer | None,
+    frozen: Mapping[str, float],
+    values: Sequence[Value],
+    errors: Mapping[str, float],
+) -> dict[str, Any]:
+    """The evidence of a scene."""
+    found: dict[str, Any] = {"format": 1, "title": request.title, "profile": profile.name}
+    found["pieces"] = [
+        {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in profile.pieces
+    ]
+    found["frozen"] = {name: repr(value) for name, value in frozen.items()}
+    if answer is not None:
+        found["validity"] = answer.validity.sentence
+        found["entries"] = {
+            s: {
+                "status": answer.status(s),
+                "result": [{"for": " < ".join(map(sp.sstr, c.chain)), "is": sp.sstr(c.expr)} for c in e.cases],
+                **(
+                    {"certificate": {"proved": cert.proved, "steps": list(cert.steps), "reason": cert.reason}}
+                    if (cert := answer.certificates.get(s))
+                    else {}
+                ),
+            }
+            for s, e in answer.entries.items()
+        }
+        found["compared with the definition"] = [
+            {"formula": c.suffix, "at": c.at, "residual": f"{c.residual:.1e}"} for c in answer.comparisons
+        ]
+    else:
+        found["evidence"] = stored(request, profile, answer)
+    found["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
+    found["check values"] = [v.record() for v in values]
+    return found
+
+
+TOLERANCE = 1e-11
+"""Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
+
+
+def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> str:
+    """The test that goes with a module; it runs with plain Python."""
+    values = run.values
+    rule = max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)])
+    keyed = any(v.keywords for v in values)
+    rows = [
+        f'    ("{v.function}", {v.fields!r}, {f"dict({_passed(v)}), " if keyed else ""}{v.wanted!r}),' for v in values
+    ]
+    lines = [
+        f'"""Values of {stem} from {origin}, {DIGITS} digits; run it with plain Python."""',
+        "",
+        "import math",
+        "",
+        # the name of the module may be one that the test needs itself, as len or wanted
+        f"import {stem} as module",
+        "",
+        f"TOLERANCE = {float(f'{rule:.1e}')!r}",
+        *(["VALUES = [", *rows, "]"] if rows else []),
+        *(["PULL_OFF = {  # radius, force and depth", *_pull_off_lines(run), "}"] if run.detached else []),
+    ]
+    calls, count = [], []
+    if rows:
+        calls, count = ["test_values()"], ["len(VALUES)"]
+        lines += [
+            "",
+            "",
+            "def test_values():",
+            f"    for name, fields, {'keywords, ' if keyed else ''}wanted in VALUES:",
+            f"        got = getattr(module, name)(*fields{', **keywords' if keyed else ''})",
+            "        assert math.isclose(got, wanted, rel_tol=TOLERANCE), (name, fields, got, wanted)",
+        ]
+    if run.detached:
+        calls.append("test_pull_off()")
+        count.append("3 * len(PULL_OFF)")
+        # a depth of zero, next to which the radius is what there is of a length
+        least = ", abs_tol=TOLERANCE * wanted[0]" if any(0.0 in state for state in run.detached.values()) else ""
+        passed = "".join(f", {name}={number!r}" for name, number in free.items())
+        lines += [
+            "",
+            "",
+            "def test_pull_off():",
+            "    for control, wanted in PULL_OFF.items():",
+            f"        state = module.pull_off(control{passed})",
+            "        for got, value in zip(state, wanted):",
+            f"            assert math.isclose(got, value, rel_tol=TOLERANCE{least}), (control, state, wanted)",
+        ]
+    lines += ["", "", 'if __name__ == "__main__":', *(f"    {call}" for call in calls)]
+    return "\n".join([*lines, f'    print(f"{{{" + ".join(count)}}} values agree")', ""])
+
+
+def _pull_off_lines(run: Run) -> list[str]:
+    return [f'    "{control}": {state!r},' for control, state in run.detached.items()]
+
+
+def _passed(value: Value) -> str:
+    return ", ".join(f"{name}={number!r}" for name, number in value.keywords)

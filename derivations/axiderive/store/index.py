@@ -1,0 +1,345 @@
+"""The compact index of the catalogue: how it is read, and what `axicontact list` and `axicontact show` print of it.
+
+Reader of the compact index: standard library only, so that `list` and `show` are instant.
+
+What `axicontact list` and `axicontact show` print.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import json
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from ..exits import ENVIRONMENT, USAGE, CommandError
+
+Row = dict[str, Any]
+PREFIX = "axicontact."
+FIRST = ("key", "problem", "profile", "physics", "quantity")
+
+
+def dumps(record: Mapping[str, Any]) -> str:
+    """The index as JSON, an entry to a line and without the fields that the rest of the record tells."""
+    told = _told(record)
+    rows = []
+    for row in record["entries"]:
+        known = told(row)
+        rows.append({name: value for name, value in row.items() if name not in known or known[name] != value})
+    parts = [f"{_line(name)}: {_lines(value)}" for name, value in {**record, "entries": rows}.items()]
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def loads(text: str | bytes) -> dict[str, Any]:
+    """The index with all fields of its entries.
+
+    Raises
+    ------
+    ValueError
+        If the text is not that of an index.
+    """
+    record: dict[str, Any] = json.loads(text)
+    try:
+        told, rows = _told(record), []
+        for row in record["entries"]:
+            whole = told(row) | row
+            rows.append({name: whole[name] for name in dict.fromkeys((*FIRST, *row, *whole))})
+    except (KeyError, TypeError) as error:
+        message = f"not an index: {type(error).__name__} {error}"
+        raise ValueError(message) from error
+    return {**record, "entries": rows}
+
+
+def _told(record: Mapping[str, Any]) -> Callable[[Row], Row]:
+    """Fields of an entry from its key, its symbol and its call."""
+    places = {key: (row["name"], own["physics"]) for row in record["profiles"] for key, own in row["problems"].items()}
+    units = {row["name"]: row["unit"] for row in record["units"]}
+
+    def told(row: Row) -> Row:
+        problem, _, quantity = row["key"].rpartition(".")
+        profile, physics = places[problem]
+        found = {"problem": problem, "profile": profile, "physics": physics, "quantity": quantity}
+        function = row["python"].partition("(")[0].rpartition(".")[2]
+        return {**found, "function": function, "composed": [], "note": "", "unit": units.get(row["symbol"], "")}
+
+    return told
+
+
+def _lines(value: Any) -> str:
+    """A list with an item to a line, anything else on one line."""
+    return "[\n" + ",\n".join(map(_line, value)) + "\n]" if isinstance(value, list) else _line(value)
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
+class UnknownNameError(CommandError):
+    """A profile, key or topic that does not exist; the message has the nearest one."""
+
+    code = USAGE
+
+
+class NoCatalogueError(CommandError):
+    """There is no catalogue to read."""
+
+    code = ENVIRONMENT
+
+
+def nearest(name: str, kind: str, known: Iterable[str]) -> UnknownNameError:
+    near = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
+    return _unknown(kind, name, near)
+
+
+def _unknown(kind: str, name: str, near: Iterable[str], see: str = "list") -> UnknownNameError:
+    meant = " or ".join(map(repr, near))
+    hint = f"did you mean {meant}?" if meant else f"see axicontact {see}"
+    return UnknownNameError(f"unknown {kind} {name!r}; {hint}")
+
+
+MOST_NAMED = 3
+"""Profiles that are named together; a word that more of them have says too little."""
+LEAST_LIKE = 0.5
+
+
+def _likeness(stem: str, name: str) -> float:
+    """1 for the name itself, less for its beginning and for what shares letters with it."""
+    ratio = difflib.SequenceMatcher(None, stem.casefold(), name).ratio()
+    return max(ratio, 0.9) if stem and name.startswith(stem.casefold()) and stem != name else ratio
+
+
+def module_of(row: Row) -> str:
+    """The module of a formula, below the package."""
+    return str(row["python"]).partition("(")[0].removeprefix(PREFIX).rpartition(".")[0]
+
+
+def _places(row: Row) -> tuple[str, str, str]:
+    """The module of a formula, its function there, and the module with the end of its key."""
+    module = module_of(row)
+    return module, f"{module}.{row['function']}", f"{module}.{row['quantity']}"
+
+
+def _words(profile: Row) -> str:
+    """What a profile is called and whose work it is."""
+    return " ".join((profile["name"], profile["title"], *profile["synonyms"], *profile["sources"])).casefold()
+
+
+@dataclass(frozen=True)
+class Index:
+    """The index of one generated package."""
+
+    folder: Path
+    data: dict[str, Any]
+
+    @property
+    def profiles(self) -> list[Row]:
+        rows: list[Row] = self.data["profiles"]
+        return rows
+
+    @property
+    def entries(self) -> list[Row]:
+        rows: list[Row] = self.data["entries"]
+        return rows
+
+    def profile(self, name: str) -> Row:
+        for row in self.profiles:
+            if row["name"] == name:
+                return row
+        raise nearest(name, "profile", [row["name"] for row in self.profiles])
+
+    def select(self, key: str) -> list[Row]:
+        """The entry of that key, or all entries of the problem of that key: cone, cone.adh, plane.wedge.
+
+        A module or function of the package is such a key too, as `adhesive.cone` or `axicontact.normal.cone.force`.
+        """
+        found = [row for row in self.entries if key in (row["key"], row["problem"])]
+        found = found or [row for row in self.entries if key.removeprefix(PREFIX) in _places(row)]
+        if found:
+            return found
+        raise self._not_known(key)
+
+    def _not_known(self, key: str) -> UnknownNameError:
+        """The error that leads to what an unknown key may stand for, the profile mended before the quantity."""
+        asked = ".".join(key.split())
+        kind = "key" if "." in asked else "profile or key"
+        named = [row["name"] for row in self.profiles if row["name"] == asked.casefold()]
+        named = named or [row["name"] for row in self.profiles if asked.casefold() in _words(row)]
+        if named:
+            return _unknown(kind, key, named if len(named) <= MOST_NAMED else [])
+        parts = asked.split(".")
+        # plane.wedge is a profile of two words, cone one of one
+        stems = ((".".join(parts[:n]), ".".join(parts[n:]), row["name"]) for n in (1, 2) for row in self.profiles)
+        likeness, rest, profile = max((_likeness(stem, name), rest, name) for stem, rest, name in stems)
+        if likeness < LEAST_LIKE:
+            return _unknown(kind, key, [])
+        if not rest:
+            return _unknown(kind, key, [profile])
+        quantities = self._quantities(profile)
+        name = rest if rest in quantities else rest.casefold()
+        near = [quantities[one] for one in difflib.get_close_matches(name, quantities, n=1, cutoff=LEAST_LIKE)]
+        return _unknown(kind, key, near or ([profile] if likeness < 1.0 else []), f"show {profile}")
+
+    def _quantities(self, profile: str) -> dict[str, str]:
+        """Keys of a profile by what follows its name: p, adh, adh.p, and the functions pressure, adh.pressure."""
+        found: dict[str, str] = {}
+        for row in (row for row in self.entries if row["profile"] == profile):
+            part = row["problem"].removeprefix(profile).removeprefix(".")
+            names = {row["quantity"]: row["key"], row["function"]: row["key"]}
+            own = {f"{part}.{name}".lstrip("."): key for name, key in names.items()}
+            found = {**own, **(dict.fromkeys((part, row["physics"]), row["problem"]) if part else {}), **found}
+        return {name.casefold(): key for name, key in found.items()} | found
+
+    def source(self, entry: Row) -> str:
+        """Text of the generated function behind an entry."""
+        _, *parts, _ = entry["python"].partition("(")[0].split(".")
+        path = self.folder.joinpath(*parts).with_suffix(".py")
+        text = path.read_text()
+        for node in ast.parse(text).body:
+            if isinstance(node, ast.FunctionDef) and node.name == entry["function"]:
+                first = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+                return "\n".join(text.splitlines()[first - 1 : node.end_lineno]) + "\n"
+        message = f"{path} has no function {entry['function']}; run axicontact build"
+        raise NoCatalogueError(message)
+
+
+def package() -> Path:
+    """Folder of the installed package that has an index, or of that of the checkout this engine lives in."""
+    spec = find_spec("axicontact")
+    folders = [Path(place) for place in (spec.submodule_search_locations or ())] if spec else []
+    folders.append(Path(__file__).parents[3] / "catalogue" / "axicontact")
+    for folder in folders:
+        if (folder / "index.json").is_file():
+            return folder
+    message = "there is no catalogue yet; run axicontact build"
+    raise NoCatalogueError(message)
+
+
+def load() -> Index:
+    """The index of this package."""
+    folder = package()
+    path = folder / "index.json"
+    try:
+        return Index(folder, loads(path.read_bytes()))
+    except ValueError as error:
+        message = f"{path} is damaged ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error
+
+
+TOPICS = ("profiles", "physics", "quantities", "units", "matrix")
+FORMS = ("text", "latex", "python", "json")
+
+
+def listing(index: Index, topic: str, *, as_json: bool = False) -> str:
+    rows = _rows(index, topic)
+    if as_json:
+        return json.dumps(rows, indent=1, ensure_ascii=False)
+    return table([list(rows[0]), *([_cell(value) for value in row.values()] for row in rows)]) if rows else ""
+
+
+def _rows(index: Index, topic: str) -> list[Row]:
+    if topic == "units":
+        return [{k: row[k] for k in ("name", "unit", "domain", "meaning")} for row in index.data["units"]]
+    if topic == "matrix":
+        systems = [row["name"] for row in index.data["physics"]]
+        cells: dict[str, dict[str, str]] = index.data["matrix"]["profiles"]
+        return [{"profile": name, **{s: own.get(s, "") for s in systems}} for name, own in cells.items()]
+    if topic == "physics":
+        return list(index.data["physics"])
+    if topic == "quantities":
+        first = {(row["quantity"], row["function"]): row for row in index.entries}
+        names = {"quantity": "suffix", "function": "function", "label": "label", "symbol": "symbol", "unit": "unit"}
+        return [{new: row[old] for old, new in names.items()} for row in first.values()]
+    return [
+        {
+            "name": row["name"],
+            "profile f(r)": _shape(row["shape"]),
+            "parameters": row["parameters"],
+            "contact": row["contact"],
+            "formulas": sum(problem["formulas"] for problem in row["problems"].values()),
+        }
+        for row in index.profiles
+    ]
+
+
+def _shape(pieces: list[Row]) -> str | list[str]:
+    if len(pieces) > 1:
+        return [f"{piece['text']} ({piece['conditions'] or 'else'})" for piece in pieces]
+    return "".join(piece["text"] for piece in pieces)
+
+
+def shown(index: Index, key: str, form: str) -> str:
+    """The entry, or all entries of a problem, in one of `FORMS`."""
+    entries = index.select(key)
+    problem = entries[0]["problem"]
+    whole = key.removeprefix(PREFIX) in (problem, module_of(entries[0]))
+    profile = index.profile(entries[0]["profile"])
+    if form == "json":
+        record = {"profile": profile, "entries": entries} if whole else entries[0]
+        return json.dumps(record, indent=1, ensure_ascii=False)
+    if form == "python":
+        first = {entry["function"]: entry for entry in entries}
+        return "\n\n".join(index.source(entry) for entry in first.values())
+    if form == "latex":
+        return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
+    head = [_profile_text(profile, problem)] if whole else []
+    return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
+
+
+def _profile_text(profile: Row, key: str) -> str:
+    shape = "\n".join(f"  f(r) = {piece['text']}{_when(piece['conditions'])}" for piece in profile["shape"])
+    rows = [f"{profile['title']} ({profile['name']}): {profile['subtitle']}", shape]
+    rows += [f"  with     {text}" for text in profile["abbreviations"]]
+    rows += [f"  rule     {rule}" for rule in profile["rules"]]
+    rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
+    rows.append(f"  sources  {', '.join(profile['sources'])}")
+    others = [f"{other} ({found['formulas']})" for other, found in profile["problems"].items() if other != key]
+    if others:
+        rows.append(f"  further  {', '.join(others)}")
+    return "\n".join(rows)
+
+
+def _entry_text(entry: Row, *, brief: bool) -> str:
+    unit = f" [{entry['unit']}]" if entry["unit"] else ""
+    rows = [f"{entry['key']}  {entry['label']}{unit}"]
+    if entry["composed"]:
+        outer, inner = (f"{entry['problem']}.{suffix}" for suffix in entry["composed"])
+        rows.append(f"  {entry['symbol']} = {outer} with a from {inner}")
+    else:
+        head = f"{entry['symbol']} from" if entry["status"] == "root" else f"{entry['symbol']} ="
+        rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
+    if brief:
+        return "\n".join(rows)
+    details = {
+        "status": {
+            "root": "root of an equation, solved by iteration",
+            "integral": "definite integral; closed form not found",
+        }.get(entry["status"], "closed form"),
+        "defined": entry["definition"],
+        "python": entry["python"],
+        "domain": "; ".join(entry["domain"]),
+        "sources": ", ".join(entry["sources"]),
+        "evidence": entry["evidence"].replace("; ", "\n            "),
+        "note": entry["note"],
+    }
+    rows += [f"  {name:9} {text}" for name, text in details.items() if text]
+    return "\n".join(rows)
+
+
+def _when(conditions: str) -> str:
+    return f"    ({conditions})" if conditions else ""
+
+
+def _cell(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def table(rows: Sequence[Sequence[str]]) -> str:
+    """Rows as columns; the last column is not padded."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
+    )

@@ -1,0 +1,174 @@
+"""What the page of one profile shows: the rows of all its problems, each with its evidence and its call in Python."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..book.page import Calls, Signatures, assigned, called, examples, imported, signatures
+from ..book.spread import problems_of
+from ..entry import Entry
+from ..physics.systems import Problem
+from ..print.words import prose
+from ..rows.blocks import ending, ending_of, heading, rows_of
+from ..rows.row import Row
+from .figures import Figure, figures, sketch
+from .words import formula
+
+Derived = Mapping[str, Mapping[str, Entry]]
+Evidence = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """One entry: the end of its key, what is known about it in short and in full, the lines of Python that call it."""
+
+    suffix: str
+    certified: bool
+    short: str
+    evidence: list[str]
+    python: str
+    measured: str = ""
+    """How the function evaluates the formula, and the errors that were measured."""
+
+
+@dataclass(frozen=True)
+class WebRow:
+    """A row of the book with everything the page knows about the entries it prints."""
+
+    label: str
+    small: str
+    regions: list[tuple[Any, Any]]
+    """Formula and condition, ready for KaTeX."""
+    remark: str
+    uses: str
+    note: str
+    entries: list[Formula]
+
+
+@dataclass(frozen=True)
+class Further:
+    """A row without a key of its own: a limit, a universal curve."""
+
+    anchor: str
+    label: str
+    small: str
+    tex: Any
+    remark: str
+
+
+@dataclass(frozen=True)
+class Section:
+    """The rows of one problem, or the words in place of them."""
+
+    anchor: str
+    title: str
+    note: str
+    rows: list[WebRow]
+    words: str = ""
+    further: Sequence[Further] = ()
+    figures: Sequence[Figure] = ()
+
+
+@dataclass(frozen=True)
+class Known:
+    """What the rows of one problem are completed with."""
+
+    problem: Problem
+    records: Evidence
+    agreed: Mapping[str, Any]
+    """Digits and points by the end of the key."""
+    functions: Signatures
+    values: Calls
+
+    def formula(self, entry: Entry) -> Formula:
+        suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
+        lines = imported(self.problem), assigned(entry, self.values), called(self.problem, entry, self.functions)
+        python = "\n\n".join(lines)
+        certified = bool(record.get("certified"))
+        if suffix not in self.agreed:
+            return Formula(suffix, certified, "not verified in this edition", [], python)
+        short, agreed = "certified" if certified else "no exact certificate", self.agreed[suffix]
+        if agreed["digits"] != "--":
+            short += f"; {agreed['digits']} digits at {agreed['count']} points"
+        measured = _measured(agreed["evaluation"])
+        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
+
+    def row(self, one: Row) -> WebRow:
+        label, small = one.label
+        return WebRow(
+            label,
+            small,
+            [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
+            one.remark,
+            one.uses and ending_of(one.uses, one.entry, self.problem.profile_id),
+            prose(one.entry.note),
+            [self.formula(entry) for entry in (one.entry, *one.also)],
+        )
+
+
+def _measured(evaluation: Sequence[str]) -> str:
+    """The cells of the evidence table of the book as words; none where nothing was measured."""
+    if not evaluation:
+        return ""
+    form, *errors = evaluation
+    places = ("error ", "at extreme lengths ", "of the formula as printed ")
+    shown = [where + _in_ulp(error) for where, error in zip(places, errors, strict=True) if error != "--"]
+    return ("" if form == "--" else f"evaluation by {form}; ") + (", ".join(shown) or "error not measured")
+
+
+def _in_ulp(cell: str) -> str:
+    """1.4 / 30 (2 lost) with the words the head of the table has."""
+    worst, of, points = cell.partition(r"\,/\,")
+    if not of:
+        return cell
+    count, _, lost = points.partition(" ")
+    return f"{worst} ulp at {count} points {lost}".rstrip()
+
+
+TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
+
+
+def _further(one: Mapping[str, Any], profile_id: str) -> Further:
+    """Its address is limit.cone of what it tends to, or universal.adh.F of the first formula it gives."""
+    target = TARGET.search(one["label"] + one["remark"])
+    kind, key = one["comment"].split()[:2]
+    anchor = f"{kind}.{target[1] if target else key.removeprefix(profile_id + '.')}"
+    if "words" in one:
+        return Further(anchor, one["label"], one["small"], "", one["words"])
+    return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
+
+
+def _apart(rows: list[Further]) -> list[Further]:
+    """Rows of one kind and key, for several ranges, with a number behind the address of all but the first."""
+    seen: Counter[str] = Counter()
+    found = []
+    for one in rows:
+        seen[one.anchor] += 1
+        found.append(replace(one, anchor=f"{one.anchor}.{seen[one.anchor]}") if seen[one.anchor] > 1 else one)
+    return found
+
+
+def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
+    """The model of the printed spread, with the rows the web page shows in place of its blocks."""
+    agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
+    problems = {problem.system.name: problem for problem in problems_of(model["name"])}
+    sections, drawn = [], figures(model)
+    for name, block in model["blocks"].items():
+        anchor = f"about.{name}"
+        if block["words"]:
+            sections.append(Section(anchor, block["title"], "", [], block["words"]))
+            continue
+        problem = problems[name]
+        title, note = heading(problem.system, derived[problem.key])
+        records = evidence.get(problem.key, {}).get("entries", {})
+        source = modules[problem.module]
+        known = Known(problem, records, agreed, signatures(source), examples(source))
+        rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
+        further = _apart([_further(one, model["name"]) for one in block["approached"]])
+        shown = [known.row(one) for one in rows]
+        sections.append(Section(anchor, title, note, shown, further=further, figures=drawn.get(name, ())))
+    return {**model, "sections": sections, "sketch": sketch(model)}

@@ -1,0 +1,171 @@
+"""The whole web edition: a page per profile, an index with search, the front of the book, the studies, the chapter."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import jinja2
+from markupsafe import Markup, escape
+
+from ..book import book, spread
+from ..book.handbook import Model, page_models, ruled, summary
+from ..book.readme import LEFT_OUT, LEGEND
+from ..code.python import package_sources
+from ..physics.systems import ROUND, SYSTEMS
+from . import study
+from .assets import assets
+from .home import home
+from .page import Derived, page
+from .search import PARTS, anchor_of, has_shape, search_index
+from .words import formula, plain, slug, words
+
+
+def html_sources(
+    derived: Derived,
+    evidence: Mapping[str, Any] | None = None,
+    chapter11: Mapping[str, Any] | None = None,
+    models: Mapping[str, Model] | None = None,
+    modules: Mapping[str, str] | None = None,
+    studies: Mapping[str, Any] | None = None,
+) -> dict[str, str]:
+    """All files of the web edition.
+
+    Parameters
+    ----------
+    derived : mapping
+        Entries by suffix, by key of the problem.
+    evidence : mapping, optional
+        What was checked, by key of the problem; missing records are said to be missing.
+    chapter11 : mapping, optional
+        Record of the checks of the chapter.
+    models : mapping, optional
+        What `handbook.page_models` gives, where it is at hand.
+    modules : mapping, optional
+        Generated modules by path, from which the calls are read, where they are at hand.
+    studies : mapping, optional
+        Records of `axicontact study` by name: error, speed, maps, extremes.
+
+    Returns
+    -------
+    dict of str to str
+        Text by path below `handbook/html`.
+    """
+    evidence = evidence or {}
+    models = page_models(derived, evidence) if models is None else models
+    modules = package_sources(derived) if modules is None else modules
+    ids = list(models)
+    keys = frozenset(e.key for entries in derived.values() for e in entries.values())
+    equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
+    site = Site(frozenset(ids), keys, equations, bool(studies))
+    front = book.model([summary(model) for model in models.values()], chapter11, studies)
+    measured = (studies or {}).get("error")
+    files = {}
+    for i in ids:
+        timing = study.timing(measured, ruled(models[i])) if measured else None
+        shown = page(models[i], derived, evidence, modules)
+        files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
+    matrix = {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
+    files["index.html"] = site.render("index", front | matrix | home(front, models))
+    parts = [(title, address) for title, address, _ in PARTS if address.startswith("reading")]
+    files["reading.html"] = site.render("reading", front | {"parts": parts})
+    if studies:
+        files["study.html"] = site.render("study", study.model(front["studies"]))
+    if chapter11 is not None:
+        files["chapter11.html"] = site.render("chapter11", {"chapter11": _with_errata(front["chapter11"])})
+    files["assets/keys.js"] = search_index(models, derived, front, bool(studies))
+    return files | assets()
+
+
+COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
+"""Systems of the matrix; the other profiles have one system each."""
+
+
+def _matrix(
+    chapters: Sequence[tuple[str, Sequence[Mapping[str, Any]]]], models: Mapping[str, Model]
+) -> list[tuple[str, list[dict[str, Any]]]]:
+    """Profile by physics: the cells of `book.readme`, or that of the only system a profile has, by chapter."""
+    return [(title, [_cells(member["name"], models) for member in members]) for title, members in chapters]
+
+
+def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
+    title, status = models[profile_id]["title"], models[profile_id]["status"]
+    own = COLUMNS if spread.pool_of(profile_id) is ROUND else list(status)
+    cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]
+    return {"name": profile_id, "title": title, "cells": cells, "span": len(COLUMNS) // len(cells)}
+
+
+def _with_errata(chapter: Mapping[str, Any]) -> dict[str, Any]:
+    """The chapter, each misprinted equation with the address of its erratum."""
+    known = {erratum["place"] for erratum in chapter["errata"]}
+    rows = []
+    for row in chapter["rows"]:
+        wrong = row["verdict"] == "misprint" and f"({row['name']})" in known
+        rows.append({**row, "misprint": f"erratum.{row['name']}" if wrong else ""})
+    return {**chapter, "rows": rows}
+
+
+def _digits_below(cell: str) -> Markup:
+    """2 √50 reads like a product; the digits stand lower, as in the book."""
+    return Markup(re.sub(r"([○∫√])(\d+)", r"\1<sub>\2</sub>", str(escape(cell))))
+
+
+@dataclass(frozen=True)
+class Site:
+    """The profiles and keys there are pages for; a reference to another one stays plain text."""
+
+    profiles: frozenset[str]
+    keys: frozenset[str]
+    equations: frozenset[str] = frozenset()
+    """Of chapter 11, by number."""
+    studied: bool = False
+
+    def render(self, name: str, model: Model, profile_id: str = "") -> str:
+        environment = _environment()
+
+        def link(label: str, text: str) -> Markup:
+            # the words of the number of an equation are that number again
+            shown = escape(text) if label.startswith("chapter:") else words(text, link)
+            return self.link(label, shown, profile_id)
+
+        environment.globals["studied"] = self.studied
+        environment.filters.update(
+            words=partial(words, link=link), tex=formula, slug=slug, anchor_of=anchor_of, plain=plain
+        )
+        return environment.get_template(f"{name}.html.j2").render(model)
+
+    def link(self, label: str, text: Markup, profile_id: str) -> Markup:
+        """Words as a link, where the site has its target."""
+        kind, _, target = label.partition(":")
+        if kind == "own":
+            kind, target = "eq", f"{profile_id}.{target}"
+        known = {"eq": self.keys, "sec": self.profiles, "chapter": self.equations}.get(kind)
+        if known is not None and target not in known:
+            return text
+        page = "index" if target == "chart" else "reading"
+        places = {"ref": f"reading.html#ref:{target}", "part": f"{page}.html#{target}"}
+        places["chapter"] = f"chapter11.html#eq.{target}"
+        place = places.get(kind) or self.place(target)
+        name = Markup(' class="key"') if kind == "eq" and target.endswith(text.lstrip(".")) else ""
+        return Markup('<a{} href="{}">{}</a>').format(name, place, text)
+
+    def place(self, key: str) -> str:
+        """Address of a profile or of a key: plane.wedge.html, cone.html#adh.Fc."""
+        if key in self.profiles:
+            return f"{key}.html"
+        owner = max((i for i in self.profiles if key.startswith(f"{i}.")), key=len)
+        return f"{owner}.html#{key[len(owner) + 1 :]}"
+
+
+def _environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.PackageLoader("axiderive.web"),
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+    )

@@ -1,0 +1,146 @@
+"""The structure of the engine in figures: each may only get better, and a change that does lowers it here."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import axiderive
+
+ENGINE = Path(axiderive.__file__).parent
+ROOMS = (
+    *("exits", "notation", "letters", "entry", "profiles", "abel", "physics", "oracle", "proof", "checks"),
+    *("stable", "code", "store", "print", "rows", "figures", "worked", "book", "web", "readback", "verifier"),
+    *("chapter11", "build", "expression", "scene", "study", "commands", "cli"),
+)
+"""From the vocabulary to the command line: a room imports only what stands before it."""
+VIEWS = {("entry", "profiles"), ("entry", "book")}
+"""What an entry asks for inside a function or for a type alone: its profile's type, and its formula in Jupyter."""
+LINES, FILES = 61_100, 424
+FULL = {"runtime": 29, "study": 18, "chapter11": 16, "oracle": 16, "checks": 16, "physics": 16}
+"""Folders with more than 15 files; the profiles are a list, and may be as many as they are."""
+PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
+NAMED, KINDS = 126, 105
+"""Comparisons with the name of a physics, and with a kind of contact."""
+LITERALS, LITERAL_FILES = 2009, 149
+"""Keys of quantities as literals, and files that have some."""
+DOCUMENTED = 0.69
+SUFFIXES = {
+    *("d", "F", "p", "w", "k", "pm", "ad", "aF", "Fd", "dF", "rz", "dmin", "Fmin", "Dl", "ac", "Fc", "dc", "am", "Fm"),
+    *("dm", "tau", "u", "us", "c", "P", "s", "aP", "xz", "Pmin", "phi", "cw", "rp", "pp"),
+}
+"""Keys of quantities."""
+
+
+@cache
+def sources() -> dict[str, ast.Module]:
+    """The modules of the engine by dotted name; the runtime, which is copied into the catalogue, apart."""
+    found = {}
+    for path in sorted(ENGINE.rglob("*.py")):
+        parts = path.relative_to(ENGINE).with_suffix("").parts
+        if "runtime" not in parts:
+            found[".".join(part for part in parts if part != "__init__")] = ast.parse(path.read_bytes())
+    return found
+
+
+def imported(name: str, *, inside: bool) -> Iterator[str]:
+    """What a module imports of the engine: at its top, or inside its functions too."""
+    parts = name.split(".")
+    package = parts if (ENGINE.joinpath(*parts) / "__init__.py").is_file() else parts[:-1]
+    for node in _running(sources()[name], inside=inside):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = [*package[: len(package) - node.level + 1], *(node.module or "").split(".")]
+            for alias in node.names:
+                own = ".".join(part for part in [*base, alias.name] if part)
+                yield own if own in sources() else ".".join(filter(None, base))
+
+
+def _running(node: ast.AST, *, inside: bool) -> Iterator[ast.AST]:
+    yield node
+    if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING" and not inside:
+        return
+    if isinstance(node, ast.FunctionDef) and not inside:
+        return
+    for child in ast.iter_child_nodes(node):
+        yield from _running(child, inside=inside)
+
+
+def room(name: str) -> str:
+    return name.partition(".")[0]
+
+
+def test_rooms_import_in_one_direction():
+    known = {room(name) for name in sources() if name}
+    assert known == set(ROOMS)
+    back = {
+        (name, other)
+        for name in sources() if name
+        for other in imported(name, inside=True)
+        if other and ROOMS.index(room(other)) > ROOMS.index(room(name)) and (room(name), room(other)) not in VIEWS
+    }  # fmt: skip
+    assert not back
+
+
+def test_no_circle_of_modules():
+    """Every module can be put behind all it imports at its top."""
+    pending = {name: {other for other in imported(name, inside=False) if other != name} for name in sources()}
+    while pending:
+        ready = {name for name, needs in pending.items() if not needs & pending.keys()}
+        assert ready, f"these import each other: {sorted(pending)}"
+        pending = {name: needs for name, needs in pending.items() if name not in ready}
+
+
+def test_files_and_lines():
+    files = [path for path in ENGINE.rglob("*.py") if "__pycache__" not in path.parts]
+    assert len(files) <= FILES
+    assert sum(len(path.read_bytes().splitlines()) for path in files) <= LINES
+    count = Counter(path.parent.relative_to(ENGINE).as_posix() for path in files)
+    full = {folder: number for folder, number in count.items() if number > FULL.get(folder, 15)}
+    assert {folder: number for folder, number in full.items() if not folder.startswith("profiles")} == {}
+
+
+def comparisons(values: set[str]) -> int:
+    """How often something is compared with one of some words, or asked whether it begins with one."""
+    found = 0
+    for tree in sources().values():
+        for node in ast.walk(tree):
+            words: list[ast.AST] = []
+            if isinstance(node, ast.Compare):
+                words = [node.left, *node.comparators]
+            elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+                words = [*node.args] if node.func.attr in ("startswith", "endswith", "removeprefix") else []
+            texts = {one.value for word in words for one in ast.walk(word) if isinstance(one, ast.Constant)}
+            found += any(isinstance(text, str) and text.strip(".") in values for text in texts)
+    return found
+
+
+def test_nobody_compares_names_of_physics():
+    assert comparisons(PHYSICS) <= NAMED
+
+
+def test_nobody_compares_kinds_of_contact():
+    assert comparisons({"complete", "compact"}) <= KINDS
+
+
+def test_keys_of_quantities_are_not_typed():
+    count = {
+        name: sum(isinstance(node, ast.Constant) and node.value in SUFFIXES for node in ast.walk(tree))
+        for name, tree in sources().items()
+        if room(name) not in ("physics", "verifier")
+    }
+    assert sum(count.values()) <= LITERALS
+    assert sum(map(bool, count.values())) <= LITERAL_FILES
+
+
+def test_public_functions_say_what_they_return():
+    public = [
+        node
+        for tree in sources().values()
+        for scope in (tree, *(one for one in tree.body if isinstance(one, ast.ClassDef)))
+        for node in scope.body
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
+    ]
+    assert sum(ast.get_docstring(node) is not None for node in public) >= DOCUMENTED * len(public)
