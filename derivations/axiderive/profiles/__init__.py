@@ -8,9 +8,9 @@ from importlib import import_module
 from .profile import Profile
 
 COMPACT_NAMES = (
-    "cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial", "sphere", "ellipsoid", "hyperboloid",
-    "truncated_cone", "truncated_paraboloid", "rounded_cone", "capped_paraboloid", "rounded_punch",
-    "rounded_curved_punch", "sphere_tipped_cone", "wavy_paraboloid", "gaussian",
+    "cone", "sphere_tipped_cone", "rounded_cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial", "sphere",
+    "ellipsoid", "hyperboloid", "truncated_cone", "truncated_paraboloid", "capped_paraboloid", "wavy_paraboloid",
+    "gaussian", "rounded_curved_punch", "rounded_punch",
 )  # fmt: skip
 COMPLETE_NAMES = ("flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic")
 NAMES = COMPACT_NAMES + COMPLETE_NAMES
