@@ -8,9 +8,9 @@ from importlib import import_module
 from .profile import Profile
 
 COMPACT_NAMES = (
-    "cone", "sphere_tipped_cone", "rounded_cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial", "sphere",
-    "ellipsoid", "hyperboloid", "truncated_cone", "truncated_paraboloid", "capped_paraboloid", "wavy_paraboloid",
-    "gaussian", "rounded_curved_punch", "rounded_punch",
+    "cone", "sphere_tipped_cone", "rounded_cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial",
+    "sphere", "ellipsoid", "hyperboloid", "truncated_cone", "truncated_paraboloid", "capped_paraboloid",
+    "wavy_paraboloid", "gaussian", "rounded_curved_punch", "rounded_punch",
 )  # fmt: skip
 COMPLETE_NAMES = ("flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic")
 NAMES = COMPACT_NAMES + COMPLETE_NAMES
