@@ -19,6 +19,7 @@ def energy_balance(a: Any, dx: Any, dgamma: Any, E_star: Any, dl: Any) -> tuple[
 
 
 def retraction(a: Any, dgamma: Any, E_star: Any) -> Any:
+    """Length by which the body is lifted, its contact radius a held, until the springs at the edge come off."""
     return mp.sqrt(2 * mp.pi * a * dgamma / E_star)
 
 
@@ -30,6 +31,7 @@ def spring_energy(g: PowerSum, d: Any, a: Any, E_star: Any) -> Any:
 
 @equation(30, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
 def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Derivatives by a of pi a**2 dgamma and of the energy of the springs, times dx, beside the two sides."""
     g, a, E_star, dgamma = draw.power_sum(), draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
     dx, dl = draw.length(), draw.length()
     surface, elastic = formula(a, dx, dgamma, E_star, dl)

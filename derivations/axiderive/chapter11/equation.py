@@ -28,6 +28,7 @@ class PowerSum:
         return mp.fsum(c * r**n for c, n in self.terms)
 
     def slope(self, r: Any) -> Any:
+        """The derivative at r, sum c n r**(n - 1)."""
         return mp.fsum(c * n * r ** (n - 1) for c, n in self.terms)
 
     def times(self, factor: Any) -> PowerSum:
@@ -53,28 +54,36 @@ class Draw:
         return mp.mpf(self.units[0]) ** length * mp.mpf(self.units[1]) ** force
 
     def number(self, lo: float, hi: float) -> Any:
+        """A random number between lo and hi, without dimension."""
         share = mp.mpf(self._random.randrange(1, 10**DIGITS)) / 10**DIGITS
         return mp.mpf(lo) + (mp.mpf(hi) - mp.mpf(lo)) * share
 
     def integer(self, lo: int, hi: int) -> int:
+        """A random integer from lo to hi, both included."""
         return self._random.randint(lo, hi)
 
     def sign(self) -> int:
+        """1 or -1 at random."""
         return self._random.choice((-1, 1))
 
     def complex(self, lo: float, hi: float, height: float = 1) -> Any:
+        """A random complex number, its real part between lo and hi, its imaginary part between -height and height."""
         return mp.mpc(self.number(lo, hi), self.number(-height, height))
 
     def quantity(self, length: Any, force: Any, lo: float = 0.5, hi: float = 2) -> Any:
+        """A random quantity with these exponents of length and force: between lo and hi where the units are 1."""
         return self.number(lo, hi) * self.factor(length, force)
 
     def length(self, lo: float = 0.5, hi: float = 2) -> Any:
+        """A random length, between lo and hi where the units are 1."""
         return self.quantity(1, 0, lo, hi)
 
     def force(self, lo: float = 0.5, hi: float = 2) -> Any:
+        """A random force, between lo and hi where the units are 1."""
         return self.quantity(0, 1, lo, hi)
 
     def stress(self, lo: float = 0.5, hi: float = 2) -> Any:
+        """A random stress, pressure or modulus: a force over the square of a length."""
         return self.quantity(-2, 1, lo, hi)
 
     def power_sum(self, lo: float = 1.2, hi: float = 3.5, terms: int = 2) -> PowerSum:

@@ -31,6 +31,7 @@ ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2
 
 
 def increment(p: Any, s: Any, ds: Any, dphi: Any, E_star: Any) -> tuple[Any, Any]:
+    """Displacement of A (a length) by the pressure p on the area s ds dphi at the distance s, in two forms."""
     return p * s * ds * dphi / (mp.pi * E_star * s), 1 / (mp.pi * E_star) * p * ds * dphi
 
 
@@ -50,15 +51,18 @@ def chords(p: Function, r: Any, a: Any, E_star: Any, edge: Any) -> Any:
 
 
 def coordinates_printed(rho: Any, xi: Any, r: Any, half: int) -> tuple[Any, Any]:
+    """Distance s and angle phi of B as printed: on the far half of the chord for either value of `half`."""
     del half  # the printed form knows the far half of the chord only
     return mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)
 
 
 def coordinates_corrected(rho: Any, xi: Any, r: Any, half: int) -> tuple[Any, Any]:
+    """Distance s and angle phi of B on the far half of the chord (`half` = 1) or on the half with A on it (-1)."""
     return half * mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)
 
 
 def coordinate_slopes(rho: Any, xi: Any, r: Any) -> tuple[Any, Any]:
+    """ds/drho, a pure number, and dphi/dxi, one over a length."""
     return rho / mp.sqrt(rho**2 - xi**2), 1 / mp.sqrt(r**2 - xi**2)
 
 
@@ -72,6 +76,7 @@ def chord_displacement(p: Function, xi: Any, a: Any, E_star: Any, edge: Any) -> 
 
 
 def displacement_from_chords(w1D: Function, r: Any) -> tuple[Any, Any]:
+    """Displacement at r (a length) from w1D, integrated over the angle of the chords and over their distance xi."""
     return (
         2 / mp.pi * singular(lambda phi: w1D(r * mp.sin(phi)), ZERO, mp.pi / 2),
         2 / mp.pi * singular(lambda xi: w1D(xi) / mp.sqrt(r**2 - xi**2), ZERO, r),
@@ -83,23 +88,28 @@ def _abel(slope: Function, xi: Any, breaks: tuple[Any, ...]) -> Any:
 
 
 def inversion_printed(w: Function, slope: Function, xi: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    """w1D at xi (a length) from the slope of the displacement alone, as printed; zero at xi = 0."""
     del w
     return xi * _abel(slope, xi, breaks)
 
 
 def inversion_corrected(w: Function, slope: Function, xi: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    """w1D at xi (a length) from the slope of the displacement, with the displacement w(0) of the centre added."""
     return w(ZERO) + xi * _abel(slope, xi, breaks)
 
 
 def pressure_from_chords(slope: Function, rho: Any, a: Any, E_star: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    """Pressure at rho from the slope of w1D, by quadrature in panels between the breaks."""
     return -E_star / mp.pi * panels(lambda xi: slope(xi) / mp.sqrt(xi**2 - rho**2), rho, a, breaks)
 
 
 def mean_of_kernel(r: Any) -> Any:
+    """The integral of the kernel 2/(pi sqrt(r**2 - xi**2)) over (0, r) by quadrature, a pure number."""
     return 2 / mp.pi * singular(lambda xi: 1 / mp.sqrt(r**2 - xi**2), ZERO, r)
 
 
 def centre(w1D: Function, r: Any) -> tuple[Any, Any]:
+    """Displacement of the centre (a length): w1D(0) with the integral of the kernel, and w1D(0) itself."""
     return w1D(ZERO) * 2 / mp.pi * singular(lambda xi: 1 / mp.sqrt(r**2 - xi**2), ZERO, r), w1D(ZERO)
 
 
@@ -138,12 +148,14 @@ def force_printed(p: Function, w1D: Function, slope: Function, a: Any, E_star: A
 
 
 def force_corrected(p: Function, w1D: Function, slope: Function, a: Any, E_star: Any, rho: Any) -> tuple[Any, ...]:
+    """Every line as a force, the inner integral of the first beginning at r; rho is left unused."""
     del rho
     return *_later_lines(p, w1D, slope, a, E_star), _double(slope, lambda r: r, a, E_star, ())
 
 
 @equation(100, increment, "both forms integrated around A against ring kernels, smooth pressure")
 def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement by ring kernels beside the integral of each form around A, under the pressure p0 cos(r**2/a**2)."""
     a, p0, E_star, _ = a_load(draw)
     r = a * draw.number(0.2, 0.6)
 
@@ -163,6 +175,7 @@ def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(101, chords, "full chords against ring kernels, power load of random exponent")
 def check_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement by ring kernels beside the integral over full chords, load p0 (1 - r**2/a**2)**s with random s."""
     a, p0, E_star, exponent = a_load(draw)
     r, load = a * draw.number(0.2, 0.6), power_load(p0, a, exponent)
     yield Residual(rings(load, r, a, E_star), formula(load, r, a, E_star, exponent), LENGTH)
@@ -205,6 +218,7 @@ def check_coordinate_slopes(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(104, chord_displacement, "closed w1D of Föppl's pressures and of any exponent above -1, both forms")
 def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Closed w1D of the exponents -1/2, 1/2, 0 and of a random one beside both quadratures."""
     a, p0, E_star, exponent = a_load(draw, -0.9)
     xi = a * draw.number(0.2, 0.8)
     for power in (-HALF, HALF, ZERO, exponent):
@@ -218,6 +232,7 @@ def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]
     "known displacement of Föppl's three pressures; ring kernels and the derived loads for a random exponent",
 )
 def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Known displacements of three loads, ring kernels and the derived loads beside both integrals of w1D."""
     a, p0, E_star, exponent = a_load(draw)
     r = a * draw.number(0.2, 0.9)
     constant, parabola = mp.pi * p0 * a / E_star, mp.pi * p0 * (2 * a**2 - r**2) / (4 * a * E_star)
@@ -251,6 +266,7 @@ def check_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
     107, pressure_from_chords, "power load, random powers, and the derived pressure of every profile of the catalogue"
 )
 def check_pressure_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """A power load and the closed pressures of random powers and of the catalogue beside the inversion of w1D."""
     a, p0, E_star, exponent = a_load(draw, 0.2)
     r = a * draw.number(0.2, 0.9)
     chord = PowerLoadChord(p0, a, exponent, E_star)
@@ -262,11 +278,13 @@ def check_pressure_from_chords(draw: Draw, formula: Formula) -> Iterator[Residua
 
 @equation(108, mean_of_kernel, "quadrature")
 def check_mean_of_kernel(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The number 1 beside the quadrature up to a random radius."""
     yield Residual(mp.mpf(1), formula(draw.length()), NUMBER)
 
 
 @equation(109, centre, "displacement of the centre by ring kernels against both lines")
 def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement of the centre by ring kernels beside both members, with the closed w1D of a power load."""
     a, p0, E_star, exponent = a_load(draw)
     left = rings(power_load(p0, a, exponent), ZERO, a, E_star)
     yield from chain(left, formula(PowerLoadChord(p0, a, exponent, E_star), draw.length()), LENGTH)
@@ -282,6 +300,7 @@ def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
     reason="Nothing defines rho here: in the pressure (11.107) at r, the integral begins at xi = r",
 )
 def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The closed pressure of an even polynomial g, integrated over the area, beside every line."""
     g, a, E_star = draw.even_sum(2), draw.length(), draw.stress()
     left = total_force(lambda r: even_pressure(g, r, a, E_star), a)
     sides = formula(

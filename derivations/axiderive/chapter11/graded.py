@@ -28,21 +28,25 @@ ZERO = mp.mpf(0)
 
 
 def depth_of_radius(g: Function, a: Any) -> Any:
+    """The depth g(a), a length, at the contact radius a."""
     return g(a)
 
 
 def force_increment(x: Any, dd: Any, slope: Function, dx: Any, m: Medium) -> tuple[Any, Any]:
+    """Force added when a contact of radius x sinks by dd, and the same with g'(x) dx in the place of dd."""
     E0, c0, k, nu, h_N = m
     factor = 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k))
     return factor * x ** (1 + k) * dd, factor * x ** (1 + k) * slope(x) * dx
 
 
 def force_from_slope(slope: Function, a: Any, m: Medium) -> Any:
+    """Normal force from g', by quadrature over the radii the contact has grown through."""
     E0, c0, k, nu, h_N = m
     return 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k)) * singular(lambda x: x ** (1 + k) * slope(x), ZERO, a)
 
 
 def force_by_parts(g: Function, d: Any, a: Any, foundation: Function, m: Medium) -> tuple[Any, Any]:
+    """Normal force from g over the radii 0 to a, and from the springs of the foundation between -a and a."""
     E0, c0, k, nu, h_N = m
     return (
         2 * h_N * E0 / ((1 - nu**2) * c0**k) * singular(lambda x: x**k * (g(a) - g(x)), ZERO, a),
@@ -51,6 +55,7 @@ def force_by_parts(g: Function, d: Any, a: Any, foundation: Function, m: Medium)
 
 
 def pressure_increment(r: Any, x: Any, dd: Any, slope: Function, dx: Any, m: Medium) -> tuple[Any, Any]:
+    """Pressure added at r < x when a contact of radius x sinks by dd, and with g'(x) dx in the place of dd."""
     E0, c0, k, nu, h_N = m
     factor = h_N * E0 / (mp.pi * (1 - nu**2) * c0**k * (x**2 - r**2) ** ((1 - k) / 2))
     return factor * dd, factor * slope(x) * dx
@@ -59,6 +64,7 @@ def pressure_increment(r: Any, x: Any, dd: Any, slope: Function, dx: Any, m: Med
 def pressure_from_slope(
     slope: Function, w1D_slope: Function, foundation: Function, r: Any, a: Any, m: Medium, breaks: tuple[Any, ...] = ()
 ) -> tuple[Any, Any]:
+    """Pressure at r from the slope of g, and from the slope of w1D with the stiffness of the foundation at c_0."""
     E0, c0, k, nu, h_N = m
 
     def abel(f: Function) -> Any:
@@ -68,6 +74,7 @@ def pressure_from_slope(
 
 
 def displacement_increment(r: Any, x: Any, dd: Any, k: Any) -> Any:
+    """Displacement (a length) added at r by a contact of radius x that sinks by dd: all of dd where r < x."""
     if r < x:
         return dd
     factor = 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k))
@@ -75,6 +82,8 @@ def displacement_increment(r: Any, x: Any, dd: Any, k: Any) -> Any:
 
 
 def displacement_from_slope(slope: Function, r: Any, a: Any, k: Any) -> Any:
+    """Displacement (a length) at r > a from the slope of g, by quadrature of a hypergeometric kernel."""
+
     def integrand(x: Any) -> Any:
         return (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2) * slope(x)
 
@@ -82,6 +91,7 @@ def displacement_from_slope(slope: Function, r: Any, a: Any, k: Any) -> Any:
 
 
 def displacement_by_parts(g: Function, w1D: Function, r: Any, a: Any, k: Any) -> tuple[Any, Any]:
+    """Displacement (a length) at r > a by an Abel kernel: from g(a) - g, and from w1D."""
     factor = 2 * mp.cos(k * mp.pi / 2) / mp.pi
     return (
         factor * singular(lambda x: x**k * (g(a) - g(x)) / (r**2 - x**2) ** ((1 + k) / 2), ZERO, a),
@@ -90,6 +100,8 @@ def displacement_by_parts(g: Function, w1D: Function, r: Any, a: Any, k: Any) ->
 
 
 def displacement_inside(slope: Function, r: Any, a: Any, k: Any) -> Any:
+    """Displacement (a length) at r < a: the depth gained since the contact passed r, and what it gave r before that."""
+
     def integrand(x: Any) -> Any:
         return (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2) * slope(x)
 
@@ -102,18 +114,22 @@ def _abel(g: Function, r: Any, k: Any) -> Any:
 
 
 def inside_by_parts(g: Function, r: Any, a: Any, k: Any) -> Any:
+    """Displacement (a length) at r < a from g itself, by an Abel kernel."""
     return g(a) - 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
 
 
 def inside_from_profile(f: Function, r: Any, d: Any) -> Any:
+    """Displacement d - f(r), a length, to which the indenter forces the surface."""
     return d - f(r)
 
 
 def profile_from_depth(g: Function, r: Any, k: Any) -> Any:
+    """The profile f(r), a length, from g by quadrature."""
     return 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
 
 
 def depth_from_slope(slope: Function, x: Any, k: Any, breaks: tuple[Any, ...] = ()) -> Any:
+    """g(x), a length, from the slope of the profile by quadrature in panels between the breaks; x may be negative."""
     strongest = max(0.0, float(1 - k) / 2)
     return abs(x) ** (1 - k) * panels(
         lambda r: slope(r) / (x**2 - r**2) ** ((1 - k) / 2), ZERO, abs(x), breaks, strongest
@@ -140,12 +156,14 @@ def _area_force(g: PowerSum, a: Any, m: Medium) -> Any:
 
 @equation(48, depth_of_radius, "displacement of the centre by quadrature of (11.34) is g(a), smooth g")
 def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement of the centre under the closed pressure of an even g, by quadrature of (11.34), beside g(a)."""
     g, a, m = draw.even_sum(), draw.length(), medium(draw)
     yield Residual(graded_centre(lambda r: even_pressure(g, r, a, m.H, m.k), a, m.H, m.k), formula(g, a), LENGTH)
 
 
 @equation(49, force_increment, "its integral is a difference of forces over the area")
 def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Difference of two forces, each a pressure over its area, beside each form integrated between the two radii."""
     g, first, m = _contact(draw)
     last = first * draw.number(1.2, 2)
     left = _area_force(g, last, m) - _area_force(g, first, m)
@@ -158,18 +176,21 @@ def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(50, force_from_slope, "closed pressure of random powers integrated over the area")
 def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The closed pressure of random powers, integrated over the area, beside the force from g'."""
     g, a, m = _contact(draw)
     yield Residual(_area_force(g, a, m), formula(g.slope, a, m), FORCE)
 
 
 @equation(51, force_by_parts, "closed pressure integrated over the area against both forms")
 def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The closed pressure of random powers, integrated over the area, beside both forms."""
     g, a, m = _contact(draw)
     yield from chain(_area_force(g, a, m), formula(g, g(a), a, m.foundation, m), FORCE)
 
 
 @equation(52, pressure_increment, "its integral is a difference of closed pressures")
 def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Difference of the closed pressures at two contact radii beside each form integrated from one to the other."""
     g, first, m = _contact(draw)
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
     left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
@@ -186,6 +207,7 @@ def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]
     "closed pressure of random powers against both forms; closed graded pressures of the catalogue",
 )
 def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The closed pressure of random powers beside both integrals, that of catalogue profiles beside the second."""
     g, a, m = _contact(draw)
     r = a * draw.number(0.2, 0.9)
     sides = formula(g.slope, lambda x: -g.slope(x), m.foundation, r, a, m)
@@ -212,6 +234,7 @@ def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Resid
 
 @equation(55, displacement_from_slope, "ring kernels under the closed pressure, smooth g")
 def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement at r > a by ring kernels, under the closed pressure of an even g, beside the integral of g'."""
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
     left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
@@ -220,6 +243,7 @@ def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Resi
 
 @equation(56, displacement_by_parts, "ring kernels under the closed pressure against both forms")
 def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement at r > a by ring kernels, under the closed pressure of an even g, beside both forms."""
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
     left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
@@ -228,6 +252,7 @@ def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residu
 
 @equation(57, displacement_inside, "d - f(r) of random powers with g by quadrature")
 def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """d - f(r) of random powers, g found by quadrature of (11.61), beside both integrals of g'."""
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
     r = a * draw.number(0.2, 0.9)
@@ -236,6 +261,7 @@ def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual
 
 @equation(58, inside_by_parts, "d - f(r) of random powers with g by quadrature")
 def check_inside_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """d - f(r) of random powers, g found by quadrature of (11.61), beside the Abel integral of g."""
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
     r = a * draw.number(0.2, 0.9)
@@ -258,6 +284,7 @@ def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual
 
 @equation(60, profile_from_depth, "f of random powers from g by quadrature and from the closed g")
 def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """f(r) of random powers beside the integral of g, which is found by quadrature and in closed form."""
     f, r, k = draw.power_sum(), draw.length(), exponent(draw)
     yield Residual(f(r), formula(_depth_by_quadrature(f, k), r, k), LENGTH)
     yield Residual(f(r), formula(f.times(lambda n: kappa(n, k)), r, k), LENGTH)
@@ -269,6 +296,7 @@ def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]
     "closed g of random powers, (11.60) applied to it returns f; the graded depths of the catalogue",
 )
 def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Closed g of random powers and of the catalogue beside the integral of f'; a power f beside (11.60) of its g."""
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = f.times(lambda n: kappa(n, k))
     for x in (a, -a):

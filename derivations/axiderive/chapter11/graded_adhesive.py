@@ -13,6 +13,7 @@ from .quadrature import derivative, panels, pressure, total_force
 
 
 def spring_stiffness(foundation: Any, dx: Any) -> Any:
+    """Stiffness (force over length) of one spring of width dx; `foundation` is a stiffness per length."""
     return foundation * dx
 
 
@@ -22,18 +23,22 @@ def energy_balance(a: Any, dx: Any, dgamma: Any, foundation: Any, dl: Any) -> tu
 
 
 def retraction(a: Any, dgamma: Any, foundation: Any) -> Any:
+    """Length by which the body is lifted until its edge springs come off; `foundation` is c_N at the edge."""
     return mp.sqrt(2 * mp.pi * a * dgamma / foundation)
 
 
 def foundation_modulus(x: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """Stiffness of the foundation per length at x, a force over the square of a length."""
     return h_N * E_star * (abs(x) / c0) ** k
 
 
 def retraction_printed(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """The retraction as printed, which has the dimension of a length to the power 3/2."""
     return mp.sqrt(2 * mp.pi * a * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
 
 
 def retraction_corrected(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """The retraction, a length, from the constants of the medium."""
     return mp.sqrt(2 * mp.pi * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
 
 
@@ -54,6 +59,7 @@ def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(63, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
 def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Derivatives by a of pi a**2 dgamma and of the energy of the springs, times dx, beside the two sides."""
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     dx, dl = draw.length(), draw.length()
     surface, elastic = formula(a, dx, dgamma, m.foundation(a), dl)
@@ -71,6 +77,7 @@ def _is_stationary(g: PowerSum, a: Any, dgamma: Any, dl: Any, m: Medium) -> Resi
 
 @equation(64, retraction, "stationary energy of random powers")
 def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The retraction, rescaled until the springs release what the surface takes up, beside the formula."""
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     yield _is_stationary(g, a, dgamma, formula(a, dgamma, m.foundation(a)), m)
 
@@ -97,6 +104,7 @@ def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]
     reason="The power a^(1-k) holds the factor a already: as printed, dl is not in metres and misses (11.31) for k = 0",
 )
 def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """(11.64) with c_N put in, the balance of both energies, and (11.31) for k = 0, each beside the formula."""
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     constants = (m.h_N, m.E_star, m.c0, m.k)
     yield Residual(mp.sqrt(2 * mp.pi * a * dgamma / m.foundation(a)), formula(a, dgamma, *constants), LENGTH)

@@ -40,6 +40,7 @@ class Medium(NamedTuple):
         return self.h_N * self.E0 / (1 - self.nu**2) * (abs(x) / self.c0) ** self.k
 
     def homogeneous(self) -> Medium:
+        """The same constants with k = 0, so that the modulus is E_0 at every depth."""
         return self._replace(k=mp.mpf(0))
 
 
@@ -49,6 +50,7 @@ def exponent(draw: Draw) -> Any:
 
 
 def medium(draw: Draw) -> Medium:
+    """Random constants in the units of the draw, k of either sign and h_N between 0.5 and 1.5."""
     return Medium(draw.stress(5, 50), draw.length(), exponent(draw), draw.number(0, 0.5), draw.number(0.5, 1.5))
 
 
@@ -56,10 +58,12 @@ ZERO = mp.mpf(0)
 
 
 def modulus(z: Any, medium: Medium) -> Any:
+    """The modulus, a stress, at the depth z."""
     return medium.E0 * (z / medium.c0) ** medium.k
 
 
 def point_load(r: Any, force: Any, medium: Medium) -> Any:
+    """Displacement of the surface (a length) at the distance r from a point force."""
     E0, c0, k, nu, h_N = medium
     return (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k / (h_N * mp.pi * E0) * force / r ** (1 + k)
 
@@ -75,15 +79,18 @@ def superposition(p: Callable[[Any], Any], r: Any, a: Any, edge: Any, medium: Me
 
 
 def punch_pressure(r: Any, a: Any, p0: Any, k: Any) -> Any:
+    """Pressure at r < a, equal to p0 at the centre and infinite at the edge."""
     return p0 * (1 - r**2 / a**2) ** ((k - 1) / 2)
 
 
 def pressure_around(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
+    """Pressure at the distance s and angle phi from a point A at r < a."""
     alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
     return p0 * a ** (1 - k) / mp.sqrt(alpha_squared - 2 * beta * s - s**2) ** (1 - k)
 
 
 def displacement_around(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    """Displacement of the surface (a length) at r < a, the double integral around that point by quadrature."""
     E0, c0, k, nu, h_N = medium
 
     def integrand(s: Any, phi: Any) -> Any:
@@ -94,22 +101,26 @@ def displacement_around(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
 
 
 def inner_integral(alpha: Any, beta: Any, k: Any) -> Any:
+    """A pure number: the integral along the ray from A to the edge, alpha**2 = a**2 - r**2, beta = r cos(phi)."""
     head = mp.gamma(1 - k / 2) * mp.gamma((1 + k) / 2) / mp.sqrt(mp.pi) * beta / mp.sqrt(alpha**2 + beta**2)
     series = mp.hyp2f1(mp.mpf(1) / 2, (1 + k) / 2, mp.mpf(3) / 2, beta**2 / (alpha**2 + beta**2))
     return mp.pi / (2 * mp.cos(k * mp.pi / 2)) - head * series
 
 
 def punch_depth(a: Any, p0: Any, medium: Medium) -> Any:
+    """The depth (a length) to which p0 presses every point of the circle."""
     E0, c0, k, nu, h_N = medium
     return (1 - nu**2) * c0**k * mp.pi * p0 * a ** (1 - k) / (h_N * E0)
 
 
 def pressure_across(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
+    """Pressure at the distance s from a point A at r > a, phi measured from the direction of the centre."""
     alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
     return p0 * a ** (1 - k) / mp.sqrt(alpha_squared + 2 * beta * s - s**2) ** (1 - k)
 
 
 def displacement_across(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    """Displacement of the surface (a length) at r > a, the double integral across the disc by quadrature."""
     E0, c0, k, nu, h_N = medium
 
     def integrand(s: Any, phi: Any) -> Any:
@@ -120,32 +131,38 @@ def displacement_across(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
 
 
 def chord_integral(alpha_squared: Any, beta: Any, k: Any) -> Any:
+    """A pure number: the integral along a chord of the disc seen from A at r > a, alpha_squared = a**2 - r**2 < 0."""
     share = (alpha_squared + beta**2) / beta**2
     head = mp.sqrt(mp.pi) * mp.gamma((1 + k) / 2) / mp.gamma(1 + k / 2)
     return head * share ** (k / 2) * mp.hyp2f1(k / 2, (1 + k) / 2, 1 + k / 2, share)
 
 
 def outside_from_pressure(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
+    """Displacement of the surface (a length) at r >= a, from the pressure p0 at the centre."""
     E0, c0, k, nu, h_N = medium
     factor = 2 * (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k * p0 * a ** (1 - k) / (h_N * E0 * (1 + k))
     return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
 
 
 def outside_from_depth(r: Any, a: Any, d: Any, k: Any) -> Any:
+    """Displacement of the surface (a length) at r >= a, from the depth d of the punch."""
     factor = 2 * d * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k))
     return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
 
 
 def punch_force(a: Any, p0: Any, k: Any) -> Any:
+    """Force that p0 at the centre and the radius a amount to."""
     return 2 * mp.pi * p0 * a**2 / (k + 1)
 
 
 def punch_stiffness(a: Any, medium: Medium) -> Any:
+    """Force over depth of a punch of radius a."""
     E0, c0, k, nu, h_N = medium
     return 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k)) * a ** (1 + k)
 
 
 def pressure_from_depth(r: Any, a: Any, d: Any, medium: Medium) -> Any:
+    """Pressure at r < a under a punch pressed in by d."""
     E0, c0, k, nu, h_N = medium
     return h_N * E0 * d / (mp.pi * (1 - nu**2) * c0**k * (a**2 - r**2) ** ((1 - k) / 2))
 
@@ -165,6 +182,7 @@ def _depth_at_centre(p0: Any, a: Any, m: Medium) -> Any:
 
 @equation(32, modulus, "value at c0, homogeneous limit, logarithmic slope k")
 def check_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """E_0 beside the modulus at c_0 and beside that for k = 0; k beside the power with which the modulus grows."""
     m, z = medium(draw), draw.length()
     yield Residual(m.E0, formula(m.c0, m), STRESS)
     yield Residual(m.E0, formula(z, m.homogeneous()), STRESS)
@@ -192,6 +210,7 @@ def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(34, superposition, "uniform pressure at the centre; (11.35) gives the depth found at the centre")
 def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The centre under a uniform load in closed form, and under (11.35) by quadrature, beside the double integral."""
     a, r, p0, m = _disc(draw)
     near = a * mp.mpf(10) ** -30
     uniform = 2 * mp.cos(m.k * mp.pi / 2) * p0 * a ** (1 - m.k) / (m.H * (1 - m.k))
@@ -202,6 +221,7 @@ def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(35, punch_pressure, "two points of the loaded circle sink equally, by double quadrature")
 def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacements of two random points, by double integrals, beside each other; p0 beside the value at r = 0."""
     a, r, p0, m = _disc(draw)
     k, factor = m.k, mp.cos(m.k * mp.pi / 2) / (mp.pi * m.H)
 
@@ -217,6 +237,7 @@ def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(36, pressure_around, "pressure at a point given by coordinates")
 def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The pressure (11.35) at a point with Cartesian coordinates beside the form in s and phi."""
     a, r, p0, m = _disc(draw)
     phi, s = draw.number(0, 6.28), draw.number(0.1, 0.9) * (a - r)
     x, y = r + s * mp.cos(phi), s * mp.sin(phi)
@@ -225,12 +246,14 @@ def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(37, displacement_around, "double quadrature at r < a against the integral for the centre")
 def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement of the centre, a single integral, beside the double integral around a point at r < a."""
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(r, a, p0, m), LENGTH)
 
 
 @equation(38, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
 def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Tanh-sinh quadrature between 0 and the positive root beside the closed form."""
     k = exponent(draw)
     alpha, beta = draw.length(), draw.sign() * draw.length()
     with mp.workdps(6 * mp.mp.dps):  # the integrand has a power at the end point, whose rounding counts
@@ -243,6 +266,7 @@ def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(39, punch_depth, "displacement of the centre and of a point r < a by quadrature of (11.34)")
 def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement of the centre by a single integral, and of a point inside by a double one, beside the depth."""
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(a, p0, m), LENGTH)
     yield Residual(superposition(_loaded(p0, a, m.k), r, a, (m.k - 1) / 2, m), formula(a, p0, m), LENGTH)
@@ -250,6 +274,7 @@ def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(40, pressure_across, "pressure at a point given by coordinates, A outside")
 def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The pressure (11.35) at a point known from the centre beside the form that sees it from A outside."""
     a, _, p0, m = _disc(draw)
     r, radius, angle = draw.number(1.5, 3) * a, draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
     x, y = r - radius * mp.cos(angle), radius * mp.sin(angle)
@@ -259,6 +284,7 @@ def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(41, displacement_across, "double quadrature at r > a against ring kernels")
 def check_displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement at r > a by ring kernels beside the formula; serves (11.43) as well."""
     a, _, p0, m = _disc(draw)
     r = draw.number(1.6, 3) * a
     yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, p0, m), LENGTH)
@@ -266,6 +292,7 @@ def check_displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residua
 
 @equation(42, chord_integral, "inner integral by tanh-sinh quadrature")
 def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Tanh-sinh quadrature between both ends of a random chord beside the closed form."""
     k, a = exponent(draw), draw.length()
     r = draw.number(1.3, 3) * a
     with mp.workdps(6 * mp.mp.dps):
@@ -278,6 +305,7 @@ def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(43, outside_from_pressure, "ring kernels at r > a, continuity at r = a, homogeneous limit")
 def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Ring kernels at r > a, the depth of the centre at r = a, and the arcsine for k = 0, each beside the formula."""
     yield from check_displacement_outside(draw, formula)
     a, _, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(a, a, p0, m), LENGTH)
@@ -287,6 +315,7 @@ def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residu
 
 @equation(44, outside_from_depth, "ring kernels and double quadrature at r > a")
 def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Ring kernels, and the double integral of (11.41), at r > a beside the form in d."""
     a, _, p0, m = _disc(draw)
     r, d = draw.number(1.6, 3) * a, _depth_at_centre(p0, a, m)
     yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, d, m.k), LENGTH)
@@ -299,17 +328,20 @@ def _force(p0: Any, a: Any, k: Any) -> Any:
 
 @equation(45, punch_force, "pressure (11.35) integrated over the area")
 def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The integral of the pressure (11.35) over the area beside the closed force."""
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k), formula(a, p0, m.k), FORCE)
 
 
 @equation(46, punch_stiffness, "force over depth, both by quadrature")
 def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Force over depth of the centre, both integrals of the pressure (11.35), beside the closed stiffness."""
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k) / _depth_at_centre(p0, a, m), formula(a, m), STIFFNESS)
 
 
 @equation(47, pressure_from_depth, "pressure (11.35) with p0 replaced by d found at the centre")
 def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The pressure (11.35) beside the form in d, where d is the displacement of the centre by quadrature."""
     a, r, p0, m = _disc(draw)
     yield Residual(_loaded(p0, a, m.k)(r), formula(r, a, _depth_at_centre(p0, a, m), m), STRESS)

@@ -169,6 +169,7 @@ class PowerLoadChord:
         return self.at_centre * ((1 - xi / self.a) * (1 + xi / self.a)) ** self.power
 
     def slope(self, xi: Any) -> Any:
+        """The derivative of w1D at xi, a pure number."""
         factor = -2 * self.power * xi / self.a**2
         return self.at_centre * factor * ((1 - xi / self.a) * (1 + xi / self.a)) ** (self.power - 1)
 

@@ -89,10 +89,12 @@ class Indenter:
 
     @property
     def entries(self) -> dict[str, Entry]:
+        """What the engine derives for this profile in this medium: an entry for every key of a quantity, as "p"."""
         return _entries(self.profile.name, self.medium)
 
     @property
     def compact(self) -> bool:
+        """Whether the contact grows with the depth, d = g(a), rather than ending at the edge of the body."""
         return self.profile.contact == "compact"
 
     def _piece(self, r: Any) -> sp.Expr:
@@ -101,9 +103,11 @@ class Indenter:
         return _spelled(pieces[index].expr)
 
     def height(self, r: Any) -> Any:
+        """The profile f(r), a length, on the piece where r lies."""
         return _number(self._piece(r), {**self.values, nt.a: self.a, nt.r: r})
 
     def slope(self, r: Any) -> Any:
+        """The slope f'(r), a pure number, on the piece where r lies."""
         return _number(_slope(self._piece(r), nt.r), {**self.values, nt.a: self.a, nt.r: r})
 
     def _case(self, cases: tuple[Case, ...], at: Values) -> Case | None:
@@ -136,6 +140,7 @@ class Indenter:
         return _number(expr, at)
 
     def w1D_slope(self, x: Any) -> Any:
+        """The derivative at x of the derived d - g, a pure number."""
         expr, at = self._radius_law(x)
         return _number(_slope(expr, nt.a), at)
 

@@ -38,6 +38,7 @@ class Outcome:
     carried: int
 
     def residual(self) -> float:
+        """The larger of the residuals of the values and of the units, a pure number."""
         return max(self.values, self.units or 0.0)
 
     def digits(self) -> int:
@@ -59,6 +60,7 @@ class Row:
 
     @property
     def name(self) -> str:
+        """The number as the chapter prints it, without brackets: "11.20"."""
         return f"11.{self.number}"
 
     def digits(self) -> int:

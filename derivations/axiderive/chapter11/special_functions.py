@@ -19,6 +19,7 @@ ZERO, ONE, HALF = mp.mpf(0), mp.mpf(1), mp.mpf(1) / 2
 
 
 def elliptic_incomplete(theta: Any, k: Any) -> tuple[Any, Any]:
+    """F(theta, k) and E(theta, k), both by quadrature; k is the modulus."""
     return (
         singular(lambda phi: 1 / mp.sqrt(1 - k**2 * mp.sin(phi) ** 2), ZERO, theta),
         singular(lambda phi: mp.sqrt(1 - k**2 * mp.sin(phi) ** 2), ZERO, theta),
@@ -26,6 +27,7 @@ def elliptic_incomplete(theta: Any, k: Any) -> tuple[Any, Any]:
 
 
 def elliptic_complete(k: Any) -> tuple[Any, Any, Any, Any]:
+    """K(k) by quadrature and as F(pi/2, k), E(k) by quadrature and as E(pi/2, k); k is the modulus."""
     return (
         singular(lambda phi: 1 / mp.sqrt(1 - k**2 * mp.sin(phi) ** 2), ZERO, mp.pi / 2),
         mp.ellipf(mp.pi / 2, k**2),
@@ -35,18 +37,22 @@ def elliptic_complete(k: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def gamma_integral(z: Any) -> Any:
+    """Gamma(z) by quadrature from 0 to infinity, z complex with a positive real part."""
     return to_infinity(lambda t: t ** (z - 1) * mp.exp(-t), ZERO)
 
 
 def gamma_recursion(z: Any) -> Any:
+    """Gamma(z) from Gamma(z - 1)."""
     return (z - 1) * mp.gamma(z - 1)
 
 
 def gamma_factorial(n: int) -> Any:
+    """Gamma(n) of a positive integer n as (n - 1)!."""
     return mp.factorial(n - 1)
 
 
 def gamma_incomplete(z: Any, a: Any) -> tuple[Any, Any]:
+    """The upper and the lower incomplete Gamma function at a, both by quadrature."""
     return (
         to_infinity(lambda t: t ** (z - 1) * mp.exp(-t), a),
         singular(lambda t: t ** (z - 1) * mp.exp(-t), ZERO, a),
@@ -54,6 +60,7 @@ def gamma_incomplete(z: Any, a: Any) -> tuple[Any, Any]:
 
 
 def gamma_sum(upper: Any, lower: Any) -> Any:
+    """Gamma as the sum of its upper and its lower part."""
     return upper + lower
 
 
@@ -63,15 +70,18 @@ def beta_printed(x: Any, y: Any) -> Any:
 
 
 def beta_corrected(x: Any, y: Any) -> Any:
+    """B(x, y) as Gamma(x) Gamma(y) over Gamma(x + y)."""
     return mp.gamma(x) * mp.gamma(y) / mp.gamma(x + y)
 
 
 def beta_integral(x: Any, y: Any) -> Any:
+    """B(x, y) by tanh-sinh quadrature from 0 to 1."""
     strongest = max(0.0, 1 - float(mp.re(x)), 1 - float(mp.re(y)))
     return singular(lambda u: u ** (x - 1) * (1 - u) ** (y - 1), ZERO, ONE, strongest)
 
 
 def binomial(n: int, k: int) -> tuple[Any, Any, Any]:
+    """n over k by factorials, by Gamma functions and by the Beta function."""
     return (
         mp.factorial(n) / (mp.factorial(k) * mp.factorial(n - k)),
         mp.gamma(n + 1) / (mp.gamma(k + 1) * mp.gamma(n - k + 1)),
@@ -80,10 +90,12 @@ def binomial(n: int, k: int) -> tuple[Any, Any, Any]:
 
 
 def beta_recursion(x: Any, y: Any) -> Any:
+    """B(x, y) as the sum of B(x + 1, y) and B(x, y + 1)."""
     return mp.beta(x + 1, y) + mp.beta(x, y + 1)
 
 
 def beta_incomplete(z: Any, x: Any, y: Any) -> Any:
+    """B(z; x, y) by tanh-sinh quadrature from 0 to z."""
     strongest = max(0.0, 1 - float(x))
     return singular(lambda u: u ** (x - 1) * (1 - u) ** (y - 1), ZERO, z, strongest)
 
@@ -94,6 +106,8 @@ def _terms(ratio: Any) -> int:
 
 
 def gauss_series(a: Any, b: Any, c: Any, z: Any) -> Any:
+    """2F1(a, b; c; z) summed from its power series, for abs(z) < 1."""
+
     def term(n: int) -> Any:
         rising = mp.gamma(a + n) * mp.gamma(b + n) * mp.gamma(c) / (mp.gamma(a) * mp.gamma(b) * mp.gamma(c + n))
         return rising * z**n / mp.factorial(n)
@@ -102,18 +116,23 @@ def gauss_series(a: Any, b: Any, c: Any, z: Any) -> Any:
 
 
 def gauss_equation(a: Any, b: Any, c: Any, z: Any, y: Any, slope: Any, bend: Any) -> Any:
+    """What the differential equation says is zero, for y = 2F1 with the derivatives y' = slope and y'' = bend."""
     return z * (1 - z) * bend + (c - (a + b + 1) * z) * slope - a * b * y
 
 
 def gauss_derivative(a: Any, b: Any, c: Any, z: Any) -> Any:
+    """The derivative of 2F1 at z, from 2F1 with a, b and c raised by one."""
     return a * b / c * mp.hyp2f1(a + 1, b + 1, c + 1, z)
 
 
 def gauss_geometric(z: Any) -> Any:
+    """2F1(1, 1; 1; z) without a series."""
     return 1 / (1 - z)
 
 
 def struve_series(n: Any, z: Any) -> Any:
+    """The Struve function H_n(z) summed from its power series, z complex."""
+
     def term(k: int) -> Any:
         return (-1) ** k / (mp.gamma(k + mp.mpf(3) / 2) * mp.gamma(k + n + mp.mpf(3) / 2)) * (z / 2) ** (2 * k + n + 1)
 
@@ -121,15 +140,18 @@ def struve_series(n: Any, z: Any) -> Any:
 
 
 def struve_equation(n: Any, z: Any) -> Any:
+    """The right side of the inhomogeneous Bessel equation that H_n fulfils."""
     return 4 / (mp.sqrt(mp.pi) * mp.gamma(n + HALF)) * (z / 2) ** (n + 1)
 
 
 def struve_derivative(n: Any, z: Any) -> Any:
+    """The derivative of H_n at z, from H_n and H_(n-1)."""
     return mp.struveh(n - 1, z) - n / z * mp.struveh(n, z)
 
 
 @equation(81, elliptic_incomplete, "quadrature against mpmath with m = k^2 and Carlson's R_F")
 def check_elliptic_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """F and E of mpmath, and F by Carlson's R_F, beside the quadratures."""
     theta, k = draw.number(0.2, 1.5), draw.number(0.1, 0.9)
     first, second = formula(theta, k)
     yield Residual(mp.ellipf(theta, k**2), first)
@@ -141,6 +163,7 @@ def check_elliptic_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual
 
 @equation(82, elliptic_complete, "arithmetic-geometric mean, mpmath, Legendre's relation")
 def check_elliptic_complete(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """K by an arithmetic-geometric mean, E of mpmath, and pi/2 of Legendre's relation, beside the four members."""
     k = draw.number(0.3, 0.9)
     first, first_again, second, second_again = formula(k)
     yield from chain(mp.pi / (2 * mp.agm(1, mp.sqrt((1 - k) * (1 + k)))), (first, first_again))
@@ -151,6 +174,7 @@ def check_elliptic_complete(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(83, gamma_integral, "Euler's integral of complex z against mpmath; Gamma(1/2)")
 def check_gamma_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Gamma of mpmath at a complex z, and the square root of pi, beside the quadratures of z and 1/2."""
     z = draw.complex(0.6, 4)
     yield Residual(mp.gamma(z), formula(z))
     yield Residual(mp.sqrt(mp.pi), formula(HALF))
@@ -158,18 +182,21 @@ def check_gamma_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(84, gamma_recursion, "Euler's integral of complex z")
 def check_gamma_recursion(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Euler's integral (11.83) at a complex z beside (z - 1) Gamma(z - 1)."""
     z = draw.complex(1.6, 4)
     yield Residual(gamma_integral(z), formula(z))
 
 
 @equation(85, gamma_factorial, "Euler's integral at integers")
 def check_gamma_factorial(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Euler's integral (11.83) at 1 and at two random integers beside the factorial."""
     for n in (1, draw.integer(2, 8), draw.integer(9, 15)):
         yield Residual(gamma_integral(mp.mpf(n)), formula(n))
 
 
 @equation(86, gamma_incomplete, "both integrals against mpmath and Kummer's function, complex z")
 def check_gamma_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Both functions of mpmath, and the lower one by Kummer's 1F1, beside the quadratures."""
     z, a = draw.complex(0.6, 3), draw.number(0.3, 3)
     upper, lower = formula(z, a)
     yield Residual(mp.gammainc(z, a), upper)
@@ -179,6 +206,7 @@ def check_gamma_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(87, gamma_sum, "both integrals of (11.86) against Gamma")
 def check_gamma_sum(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Gamma of mpmath beside the sum of both quadratures of (11.86), z complex."""
     z, a = draw.complex(0.6, 3), draw.number(0.3, 3)
     yield Residual(mp.gamma(z), formula(*gamma_incomplete(z, a)))
 
@@ -193,6 +221,7 @@ def check_gamma_sum(draw: Draw, formula: Formula) -> Iterator[Residual]:
     reason="The comma is a plus sign: Gamma(x, y) would be an incomplete Gamma function, and B would not be symmetric",
 )
 def check_beta(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Euler's integral, by Gauss-Jacobi for real x, y and by tanh-sinh for complex ones, beside the formula."""
     x, y = draw.number(0.6, 3), draw.number(0.6, 3)
     left = weighted(lambda u: u ** (x - 1) * (1 - u) ** (y - 1), ZERO, ONE, x - 1, y - 1, density=0.4)
     yield Residual(left, formula(x, y))
@@ -202,12 +231,14 @@ def check_beta(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(89, beta_integral, "Euler's integral of complex x, y against mpmath")
 def check_beta_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The Beta function of mpmath at complex x, y beside the quadrature."""
     x, y = draw.complex(0.6, 3), draw.complex(0.6, 3)
     yield Residual(mp.beta(x, y), formula(x, y))
 
 
 @equation(90, binomial, "Pascal's triangle against the three forms")
 def check_binomial(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """A number of Pascal's triangle, built by additions, beside each of the three forms."""
     n = draw.integer(2, 30)
     k = draw.integer(1, n - 1)
     row = [1]
@@ -218,12 +249,14 @@ def check_binomial(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(91, beta_recursion, "Euler's integral of complex x, y")
 def check_beta_recursion(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Euler's integral (11.89) of complex x, y beside the sum of two Beta functions."""
     x, y = draw.complex(0.6, 3), draw.complex(0.6, 3)
     yield Residual(beta_integral(x, y), formula(x, y))
 
 
 @equation(92, beta_incomplete, "quadrature against mpmath and against 2F1")
 def check_beta_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The function of mpmath, and its form with 2F1, beside the quadrature."""
     z, x, y = draw.number(0.1, 0.9), draw.number(0.6, 3), draw.number(0.6, 3)
     right = formula(z, x, y)
     yield Residual(mp.betainc(x, y, 0, z), right)
@@ -238,6 +271,7 @@ def _gauss(draw: Draw) -> tuple[Any, Any, Any, Any]:
 
 @equation(93, gauss_series, "series against mpmath and against Euler's integral")
 def check_gauss_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """2F1 of mpmath, and Euler's integral by Gauss-Jacobi quadrature, beside the sum."""
     a, b, c, z = _gauss(draw)
     right = formula(a, b, c, z)
     yield Residual(mp.hyp2f1(a, b, c, z), right)
@@ -256,6 +290,7 @@ def _taylor(f: Function, z: Any, reach: Any) -> tuple[Any, Any, Any]:
 
 @equation(94, gauss_equation, "derivatives by Cauchy's integral")
 def check_gauss_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Zero beside the equation with 2F1 and its derivatives by Cauchy's integrals, measured by two of its terms."""
     a, b, c, z = _gauss(draw)
     y, slope, bend = _taylor(lambda x: mp.hyp2f1(a, b, c, x), z, mp.mpf("0.18"))
     yield Residual(0, formula(a, b, c, z, y, slope, bend), scale=abs(a * b * y) + abs(c * slope))
@@ -263,12 +298,14 @@ def check_gauss_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(95, gauss_derivative, "derivative by Cauchy's integral")
 def check_gauss_derivative(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Cauchy's integral of 2F1 around z beside the formula."""
     a, b, c, z = _gauss(draw)
     yield Residual(derivative(lambda x: mp.hyp2f1(a, b, c, x), z, mp.mpf("0.18")), formula(a, b, c, z))
 
 
 @equation(96, gauss_geometric, "series (11.93) and mpmath")
 def check_gauss_geometric(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The series (11.93) and 2F1 of mpmath beside 1/(1 - z)."""
     z = draw.sign() * draw.number(0.1, 0.7)
     yield Residual(gauss_series(ONE, ONE, ONE, z), formula(z))
     yield Residual(mp.hyp2f1(1, 1, 1, z), formula(z))
@@ -276,6 +313,7 @@ def check_gauss_geometric(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(97, struve_series, "series against mpmath and against Poisson's integral, complex z, real order")
 def check_struve_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The function of mpmath, and Poisson's integral by Gauss-Jacobi quadrature, beside the sum."""
     n, z = draw.number(0, 2), draw.complex(0.5, 4)
     right = formula(n, z)
     yield Residual(mp.struveh(n, z), right)
@@ -285,6 +323,7 @@ def check_struve_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(98, struve_equation, "derivatives by Cauchy's integral")
 def check_struve_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The left side, from H_n of mpmath and its derivatives by Cauchy's integrals, beside the right side."""
     n, z = draw.number(0, 2), draw.number(1, 4)
     y, slope, bend = _taylor(lambda x: mp.struveh(n, x), z, mp.mpf("0.4"))
     yield Residual(bend * z**2 + slope * z + (z**2 - n**2) * y, formula(n, z))
@@ -292,5 +331,6 @@ def check_struve_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(99, struve_derivative, "derivative by Cauchy's integral")
 def check_struve_derivative(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Cauchy's integral of H_n around z beside the formula."""
     n, z = draw.number(0, 2), draw.number(1, 4)
     yield Residual(derivative(lambda x: mp.struveh(n, x), z, mp.mpf("0.4")), formula(n, z))

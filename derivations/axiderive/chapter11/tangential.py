@@ -28,26 +28,32 @@ class Solid(NamedTuple):
 
     @property
     def E_star(self) -> Any:
+        """Effective modulus of the normal contact, a stress."""
         return 2 * self.G / (1 - self.nu)
 
     @property
     def G_star(self) -> Any:
+        """Effective modulus of the tangential contact, a stress."""
         return 4 * self.G / (2 - self.nu)
 
 
 def normal_punch(r: Any, a: Any, d: Any, E_star: Any) -> tuple[Any, Any]:
+    """Force, and pressure at r < a, of a flat punch pressed in by d."""
     return 2 * E_star * a * d, 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2)
 
 
 def tangential_punch(r: Any, a: Any, u0: Any, G_star: Any) -> tuple[Any, Any]:
+    """Tangential force, and traction at r < a, of a flat punch moved sideways by u0."""
     return 2 * G_star * a * u0, 1 / mp.pi * G_star * u0 / mp.sqrt(a**2 - r**2)
 
 
 def histories(g: Function, h: Function, a: Any) -> tuple[Any, Any]:
+    """Depth and sideways displacement, two lengths, at the contact radius a."""
     return g(a), h(a)
 
 
 def normal_load(slope: Function, r: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
+    """Normal force, and pressure at r, from the slope of g by quadrature."""
     return (
         2 * E_star * singular(lambda x: x * slope(x), ZERO, a),
         E_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
@@ -55,6 +61,7 @@ def normal_load(slope: Function, r: Any, a: Any, E_star: Any) -> tuple[Any, Any]
 
 
 def tangential_load(slope: Function, r: Any, a: Any, G_star: Any) -> tuple[Any, Any]:
+    """Tangential force, and traction at r, from the slope of h by quadrature."""
     return (
         2 * G_star * singular(lambda x: x * slope(x), ZERO, a),
         G_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
@@ -62,12 +69,14 @@ def tangential_load(slope: Function, r: Any, a: Any, G_star: Any) -> tuple[Any, 
 
 
 def joint_increment(lam: Any, dg: Any) -> Any:
+    """The sideways increment that goes with the increment dg of the depth, in the unit of dg."""
     return lam * dg
 
 
 def force_of_second_step(
     h_slope: Function, g_slope: Function, lam: Any, c: Any, a: Any, G_star: Any
 ) -> tuple[Any, Any]:
+    """Tangential force gained while the contact grows from c to a: from the slope of h, and from lam and that of g."""
     return (
         2 * G_star * singular(lambda x: x * h_slope(x), c, a),
         2 * G_star * lam * singular(lambda x: x * g_slope(x), c, a),
@@ -75,24 +84,30 @@ def force_of_second_step(
 
 
 def traction_of_second_step(slope: Function, lam: Any, r: Any, c: Any, a: Any, G_star: Any) -> Any:
+    """Traction at r gained while the contact grows from c to a, by quadrature; at r > c it begins when r is reached."""
     if r < c:
         return G_star / mp.pi * lam * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), c, a)
     return G_star / mp.pi * lam * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a)
 
 
 def traction_in_slip(p: Any, lam: Any, G_star: Any, E_star: Any) -> Any:
+    """Traction where c < r < a, from the pressure p there."""
     return lam * G_star / E_star * p
 
 
 def friction(lam: Any, G_star: Any, E_star: Any) -> Any:
+    """The coefficient of friction, a pure number."""
     return lam * G_star / E_star
 
 
 def stick_and_slip(u0: Any, mu: Any, p: Any) -> tuple[Any, Any]:
+    """Displacement (a length) of the stuck circle r < c, and traction in the slip ring c < r < a."""
     return u0, mu * p
 
 
 def solution(slope: Function, mu: Any, r: Any, c: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
+    """Tangential force, and traction at r, by quadrature; c is the radius of the stuck circle."""
+
     def abel(end: Any) -> Any:
         return singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, end)
 
@@ -103,12 +118,14 @@ def solution(slope: Function, mu: Any, r: Any, c: Any, a: Any, E_star: Any) -> t
 
 
 def traction_by_pressures(p: Callable[[Any, Any], Any], mu: Any, r: Any, c: Any, a: Any) -> Any:
+    """Traction at r from the pressures p(r, a) and p(r, c) at two contact radii."""
     if r < c:
         return mu * (p(r, a) - p(r, c))
     return mu * p(r, a)
 
 
 def tangential_displacement(g: Function, mu: Any, c: Any, a: Any, E_star: Any, G_star: Any) -> Any:
+    """Displacement (a length) of the stuck circle from the depths at the radii a and c."""
     return mu * E_star / G_star * (g(a) - g(c))
 
 
@@ -147,6 +164,7 @@ def _stuck_displacement(g: PowerSum, mu: Any, r: Any, c: Any, a: Any, solid: Sol
 
 @equation(67, normal_punch, "depth by ring kernels; force and pressure from (11.1)")
 def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The depth by ring kernels under the given pressure beside d; force and pressure by (11.1) beside those given."""
     a, d, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.1, 0.9)
     p0 = solid.E_star * d / (mp.pi * a)
@@ -162,6 +180,7 @@ def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(68, tangential_punch, "displacement by Cerruti's kernel at r < a; force 8 G a u0/(2 - nu)")
 def check_tangential_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The shift by Cerruti's kernel under the given traction beside u0; traction and force beside the closed ones."""
     a, u0, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.2, 0.6)
     shear = cerruti(lambda t: formula(t, a, u0, solid.G_star)[1], r, a, -HALF, solid)
@@ -183,6 +202,7 @@ def check_histories(draw: Draw, formula: Formula) -> Iterator[Residual]:
 @equation(70, normal_load, "closed pressure of random powers and its integral over the area")
 @equation(71, tangential_load, "closed traction of random powers and its integral over the area")
 def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The closed stress of random powers, and its integral over the area, beside both integrals of the slope."""
     g, a, modulus = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     force, stress = formula(g.slope, r, a, modulus)
@@ -201,6 +221,7 @@ def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(73, force_of_second_step, "both forms against mu [F(a) - F(c)], forces over the area")
 def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """mu [F(a) - F(c)], each force a closed pressure over its area, beside both forms."""
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     mu = lam * solid.G_star / solid.E_star
     whole = total_force(lambda t: pressure(g, t, a, solid.E_star), a)
@@ -211,6 +232,7 @@ def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residua
 
 @equation(74, traction_of_second_step, "stick and slip: closed p(r; a) - p(r; c) of random powers")
 def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """mu [p(r; a) - p(r; c)] of closed pressures, at a stuck and at a slipping radius, beside the integral."""
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     mu = lam * solid.G_star / solid.E_star
     for r in (c * draw.number(0.1, 0.9), c + (a - c) * draw.number(0.1, 0.9)):
@@ -220,6 +242,7 @@ def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Resi
 
 @equation(75, traction_in_slip, "integral of the second step in the slip ring")
 def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The integral (11.74) at a slipping radius beside the multiple of the closed pressure."""
     g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
     r = c + (a - c) * draw.number(0.1, 0.9)
     left = traction_of_second_step(g.slope, lam, r, c, a, solid.G_star)
@@ -240,6 +263,7 @@ def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(77, stick_and_slip, "Cerruti's displacement at two points of the stuck circle; traction in the slip ring")
 def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Two stuck points by Cerruti's kernel beside u0; the integral (11.74) at a slipping radius beside mu p."""
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     slip = c + (a - c) * draw.number(0.1, 0.9)
     u0 = mu * solid.E_star / solid.G_star * (g(a) - g(c))
@@ -252,6 +276,7 @@ def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(78, solution, "force over the area; closed tractions, stick and slip")
 def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """mu [F(a) - F(c)] over the area, and closed tractions at a stuck and a slipping radius, beside the formula."""
     g, (c, a), E_star, mu = draw.power_sum(), _radii(draw), draw.stress(), draw.number(0.1, 0.9)
     whole = total_force(lambda t: pressure(g, t, a, E_star), a)
     core = total_force(lambda t: pressure(g, t, c, E_star), c)
@@ -273,6 +298,7 @@ def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residu
 
 @equation(80, tangential_displacement, "displacement of the stuck circle by Cerruti's kernel")
 def check_tangential_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Displacement of a stuck point by Cerruti's kernel beside the closed form."""
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     left = _stuck_displacement(g, mu, c * draw.number(0.2, 0.6), c, a, solid)
     yield Residual(left, formula(g, mu, c, a, solid.E_star, solid.G_star), LENGTH)
