@@ -86,6 +86,7 @@ class Entry:
 
     @property
     def suffix(self) -> str:
+        """The last part of the key, "p" of "cone.p"."""
         return self.quantity.suffix
 
     def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:

@@ -28,6 +28,7 @@ class Dimension:
 
     @classmethod
     def of(cls, length: object = 0, force: object = 0) -> Dimension:
+        """The dimension with these exponents, given as numbers or expressions; that of a number without any."""
         return cls(sp.sympify(length), sp.sympify(force))
 
     def __mul__(self, other: Dimension) -> Dimension:
@@ -58,6 +59,7 @@ class Notation:
 
     @property
     def name(self) -> str:
+        """The name of the symbol, under which `describe` finds the record."""
         return str(self.symbol.name)
 
 
@@ -77,6 +79,7 @@ def describe(symbol: sp.Symbol | sp.IndexedBase | str) -> Notation:
 
 
 def known(name: str) -> bool:
+    """Whether there is a record for a symbol of that name."""
     return name in _RECORDS
 
 

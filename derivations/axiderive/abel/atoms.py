@@ -38,12 +38,23 @@ from .moments import (
 class Atom(Protocol):
     """Shape that is zero up to its break, with the four Abel integrals on a chain of lengths."""
 
-    def shape(self, order: Order) -> sp.Expr: ...
-    def depth(self, order: Order, k: sp.Expr) -> Form | None: ...
-    def primitives(self, order: Order, k: sp.Expr) -> tuple[Primitive, ...]: ...
-    def force(self, order: Order, k: sp.Expr) -> Form | None: ...
-    def pressure(self, order: Order, k: sp.Expr) -> Form | None: ...
-    def displacement(self, order: Order, k: sp.Expr) -> Form | None: ...
+    def shape(self, order: Order) -> sp.Expr:
+        """f(r) on this order of the lengths, zero up to the break."""
+
+    def depth(self, order: Order, k: sp.Expr) -> Form | None:
+        """g(a), or None where no closed form is known; empty where the contact does not reach the break."""
+
+    def primitives(self, order: Order, k: sp.Expr) -> tuple[Primitive, ...]:
+        """Antiderivatives in x of the integrand of the depth; empty where none is known or needed."""
+
+    def force(self, order: Order, k: sp.Expr) -> Form | None:
+        """F^(a), or None where no closed form is known."""
+
+    def pressure(self, order: Order, k: sp.Expr) -> Form | None:
+        """P^(r) for r < a, or None where no closed form is known."""
+
+    def displacement(self, order: Order, k: sp.Expr) -> Form | None:
+        """W^(r) for r > a, or None where no closed form is known."""
 
 
 def depth_kernel(slope: sp.Expr, k: sp.Expr) -> sp.Expr:
@@ -60,14 +71,17 @@ class PowerAtom:
     b: sp.Expr = ZERO
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r), zero where the order puts r below b; `ValueError` if it puts r nowhere."""
         return self.c * (r**self.n - (self.b**self.n if self.b != 0 else ZERO)) if order.below(self.b, r) else ZERO
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        """g(a) for every k, from one moment of x**(n - 1); empty where a is below b."""
         if not order.below(self.b, a):
             return Form()
         return depth_moment(self.n - 1, self.b, k) * (self.c * self.n * a ** (1 - k))
 
     def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        """One antiderivative over b < x < a, the negative of the integral from x to a; none where a is below b."""
         if not order.below(self.b, a):
             return ()
         moment = depth_moment(self.n - 1, x, k).expr()
@@ -86,6 +100,7 @@ class PowerAtom:
         return form
 
     def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """P^(r); None with a break where k != 0 or n is no integer."""
         if not order.below(self.b, a):
             return Form()
         if self.b == 0:
@@ -106,6 +121,7 @@ class PowerAtom:
         return total * (self.c * self.n)
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """W^(r) for r > a; None with a break where k != 0 or n is no integer."""
         if not order.below(self.b, a):
             return Form()
         if k == 0 and self.n.is_Integer and not self.n.free_symbols:

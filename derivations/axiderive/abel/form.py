@@ -18,10 +18,12 @@ class Form(dict[sp.Expr, sp.Expr]):
 
     @classmethod
     def of(cls, master: sp.Expr, coefficient: sp.Expr = sp.S.One) -> Form:
+        """The combination of one master with its coefficient."""
         return cls({master: sp.sympify(coefficient)})
 
     @classmethod
     def total(cls, forms: Iterable[Form]) -> Form:
+        """The sum of combinations, coefficients of the same master added; empty for none."""
         out = cls()
         for form in forms:
             out = out + form

@@ -31,6 +31,7 @@ class Master(sp.Function):
 
     @staticmethod
     def numeric(*args: Any, **options: Any) -> Number:
+        """The value at numbers of mpmath, at the working precision; `TypeError` if a class does not define it."""
         message = "a master integral must say how it is evaluated"
         raise TypeError(message)
 
@@ -52,9 +53,11 @@ class IncompleteBeta(Master):
 
     @classmethod
     def eval(cls, z: sp.Expr, p: sp.Expr, q: sp.Expr) -> sp.Expr | None:
+        """Zero at z = 0; otherwise None, which leaves the function as it is."""
         return sp.S.Zero if z.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in z; `ArgumentIndexError` for p and q."""
         z, p, q = self.args
         if argindex != 1:
             raise ArgumentIndexError(self, argindex)
@@ -62,6 +65,7 @@ class IncompleteBeta(Master):
 
     @staticmethod
     def numeric(z: Number, p: Number, q: Number) -> Number:
+        """B(z; p, q) by the `betainc` of mpmath, its real part."""
         return mp.re(mp.betainc(p, q, 0, z))
 
 
@@ -72,9 +76,11 @@ class Hypergeometric(Master):
 
     @classmethod
     def eval(cls, p: sp.Expr, q: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        """One at z = 0; otherwise None, which leaves the function as it is."""
         return sp.S.One if z.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in z, p q/c times the function with p, q, c raised by 1; `ArgumentIndexError` for p, q, c."""
         p, q, c, z = self.args
         if argindex != 4:
             raise ArgumentIndexError(self, argindex)
@@ -82,6 +88,7 @@ class Hypergeometric(Master):
 
     @staticmethod
     def numeric(p: Number, q: Number, c: Number, z: Number) -> Number:
+        """2F1(p, q; c; z) by the `hyp2f1` of mpmath."""
         return mp.hyp2f1(p, q, c, z)
 
 
@@ -92,9 +99,11 @@ class Kummer(Master):
 
     @classmethod
     def eval(cls, p: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        """One at z = 0; otherwise None, which leaves the function as it is."""
         return sp.S.One if z.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in z, p/c times the function with p and c raised by 1; `ArgumentIndexError` for p and c."""
         p, c, z = self.args
         if argindex != 3:
             raise ArgumentIndexError(self, argindex)
@@ -102,6 +111,7 @@ class Kummer(Master):
 
     @staticmethod
     def numeric(p: Number, c: Number, z: Number) -> Number:
+        """1F1(p; c; z) by the `hyp1f1` of mpmath."""
         return mp.hyp1f1(p, c, z)
 
 
@@ -116,9 +126,11 @@ class CapMoment(Master):
 
     @classmethod
     def eval(cls, k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr | None:
+        """Zero at b = 0; otherwise None, which leaves the function as it is."""
         return sp.S.Zero if b.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in b or in a; `ArgumentIndexError` for k and R."""
         k, b, R, a = self.args
         if argindex == 2:
             return b * (R**2 - b**2) ** (-sp.S.Half) * (a**2 - b**2) ** ((k - 1) / 2)
@@ -130,6 +142,7 @@ class CapMoment(Master):
 
     @staticmethod
     def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
+        """J(k; b, R, a) as the difference of a primitive, with more digits the smaller b is beside the radii."""
         gap, far, half = (R - a) * (R + a), min(a, R), mp.mpf(1) / 2
 
         def primitive(v: Number) -> Number:
@@ -172,6 +185,7 @@ class C0(Master):
 
     @classmethod
     def eval(cls, b: sp.Expr, r: sp.Expr, a: sp.Expr) -> sp.Expr | None:
+        """pi/2 acosh(a/r) at b = 0, zero where a is b or r; otherwise None, which leaves the function as it is."""
         if b.is_zero:
             return sp.pi / 2 * sp.acosh(a / r)
         if a in (b, r):
@@ -179,6 +193,7 @@ class C0(Master):
         return None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in the upper limit a; `ArgumentIndexError` for b and r."""
         b, r, a = self.args
         if argindex != 3:
             raise ArgumentIndexError(self, argindex)
@@ -186,6 +201,7 @@ class C0(Master):
 
     @staticmethod
     def numeric(b: Number, r: Number, a: Number) -> Number:
+        """The integral by quadrature, in a variable in which the integrand has no root."""
         # sigma = sqrt(t^2 - b^2) = c sinh v (r < b) or c cosh v (r > b) removes both roots and stays smooth as r -> b
         if r == b:
             return mp.quad(lambda x: mp.atan(x) / mp.hypot(1, x), [0, mp.sqrt((a - b) * (a + b)) / b])
@@ -208,14 +224,17 @@ class LegendreChi2(Master):
 
     @classmethod
     def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        """Zero at x = 0; otherwise None, which leaves the function as it is."""
         return sp.S.Zero if x.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in the argument, atanh(x)/x."""
         (x,) = self.args
         return sp.atanh(x) / x
 
     @staticmethod
     def numeric(x: Number) -> Number:
+        """Half the difference of the dilogarithms at x and -x, its real part."""
         return mp.re(mp.polylog(2, x) - mp.polylog(2, -x)) / 2
 
 
@@ -226,14 +245,17 @@ class ArctanIntegral(Master):
 
     @classmethod
     def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        """Zero at x = 0; otherwise None, which leaves the function as it is."""
         return sp.S.Zero if x.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in the argument, atan(x)/x."""
         (x,) = self.args
         return sp.atan(x) / x
 
     @staticmethod
     def numeric(x: Number) -> Number:
+        """The imaginary part of the dilogarithm at i x; for x > 1 from the value at 1/x."""
         if x > 1:
             return ArctanIntegral.numeric(1 / x) + mp.pi / 2 * mp.log(x)
         return mp.im(mp.polylog(2, mp.mpc(0, x)))
@@ -247,9 +269,11 @@ class StruveH(Master):
 
     @classmethod
     def eval(cls, nu: sp.Expr, z: sp.Expr) -> sp.Expr | None:
+        """Zero at z = 0 for an order that is known to be above -1; otherwise None."""
         return sp.S.Zero if z.is_zero and (nu + 1).is_positive else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in z, by the order below or, for order 0, by order 1; `ArgumentIndexError` for nu."""
         nu, z = self.args
         if argindex != 2:
             raise ArgumentIndexError(self, argindex)
@@ -259,6 +283,7 @@ class StruveH(Master):
 
     @staticmethod
     def numeric(nu: Number, z: Number) -> Number:
+        """H_nu(z) by the `struveh` of mpmath."""
         return mp.struveh(nu, z)
 
 
@@ -269,6 +294,7 @@ class StruveL(StruveH):
 
     @staticmethod
     def numeric(nu: Number, z: Number) -> Number:
+        """L_nu(z) by the `struvel` of mpmath."""
         return mp.struvel(nu, z)
 
 
@@ -279,13 +305,16 @@ class Dawson(Master):
 
     @classmethod
     def eval(cls, x: sp.Expr) -> sp.Expr | None:
+        """Zero at x = 0; otherwise None, which leaves the function as it is."""
         return sp.S.Zero if x.is_zero else None
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in the argument, 1 - 2 x D(x)."""
         return 1 - 2 * self.args[0] * self
 
     @staticmethod
     def numeric(x: Number) -> Number:
+        """D(x) by the `erfi` of mpmath."""
         return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
 
 

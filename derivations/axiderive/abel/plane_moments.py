@@ -30,12 +30,21 @@ class Kernel(Protocol):
     """1/sqrt(|t^2 - z^2|) over the half-widths t that contribute at the point z."""
 
     @property
-    def z(self) -> sp.Expr: ...
+    def z(self) -> sp.Expr:
+        """The coordinate of the point."""
+
     @property
-    def sign(self) -> int: ...
-    def root(self) -> sp.Expr: ...
-    def ends(self, b: sp.Expr) -> tuple[Form, Form]: ...
-    def power(self, s: sp.Expr) -> Form: ...
+    def sign(self) -> int:
+        """1 where the kernel is 1/sqrt(t^2 - z^2), -1 where it is 1/sqrt(z^2 - t^2)."""
+
+    def root(self) -> sp.Expr:
+        """sqrt(|a^2 - z^2|), the inverse of the kernel at t = a."""
+
+    def ends(self, b: sp.Expr) -> tuple[Form, Form]:
+        """Integrals of t/sqrt(t^2 - b^2) and of 1/(t sqrt(t^2 - b^2)) times the kernel."""
+
+    def power(self, s: sp.Expr) -> Form:
+        """Integral of t**s times the kernel, without a break."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +56,7 @@ class Inside:
     sign: int = 1
 
     def root(self) -> sp.Expr:
+        """sqrt(a^2 - x^2), real for a point of the contact."""
         return sp.sqrt(a**2 - x**2)
 
     def ends(self, b: sp.Expr) -> tuple[Form, Form]:
@@ -68,6 +78,7 @@ class Outside:
     sign: int = -1
 
     def root(self) -> sp.Expr:
+        """sqrt(z^2 - a^2), real for a point of the free surface."""
         return sp.sqrt(self.z**2 - a**2)
 
     def ends(self, b: sp.Expr) -> tuple[Form, Form]:

@@ -42,6 +42,7 @@ class SphereAtom:
         return bool(self.cap != 0 and order.below(self.cap, a))
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r); where the atom has a cap, the order must tell on which side of it r is."""
         top = self.cap if self.cap != 0 and order.below(self.cap, r) else r
         return self.c * (self.R - sp.sqrt(self.R**2 - top**2))
 
@@ -53,6 +54,7 @@ class SphereAtom:
         return sp.log((a + self.R) / (root_a + root_R))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        """g(a), elementary for k = 0; otherwise a 2F1, or a `CapMoment` where a is above the cap."""
         if k == 0:
             return Form.of(self._angle(order), self.c * a)
         if self._capped(order):
@@ -60,6 +62,7 @@ class SphereAtom:
         return _radical_depth(self.c / self.R, a**2 / self.R**2, k)
 
     def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        """One antiderivative, over 0 < x < a or, where a is above the cap, over 0 < x < cap."""
         integrand = depth_kernel(self.c * x / sp.sqrt(self.R**2 - x**2), k)
         if k != 0:
             return (self._graded_primitive(order, k, integrand),)
@@ -129,14 +132,17 @@ class HyperboloidAtom:
     b: sp.Expr
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r), one formula for every r."""
         return self.c * (sp.sqrt(r**2 + self.b**2) - self.b)
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        """g(a), an arctangent for k = 0, otherwise a 2F1."""
         if k != 0:
             return _radical_depth(self.c / self.b, -(a**2) / self.b**2, k)
         return Form.of(sp.atan(a / self.b), self.c * a)
 
     def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        """One antiderivative over 0 < x < a, an arctangent for k = 0, otherwise an incomplete Beta function."""
         root_a, root_b = sp.sqrt(a**2 - x**2), sp.sqrt(self.b**2 + x**2)
         integrand = depth_kernel(self.c * x / root_b, k)
         if k == 0:
@@ -145,11 +151,13 @@ class HyperboloidAtom:
         return (Primitive(ZERO, a, integrand, -self.c * a ** (1 - k) * (a**2 + self.b**2) ** (k / 2) * tail),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form:
+        """F^(a), an arctangent for k = 0, otherwise a 2F1."""
         if k != 0:
             return _radical_force(self.c / self.b, -(a**2) / self.b**2, k)
         return Form.of(sp.atan(a / self.b), self.c * (a**2 - self.b**2) / 2) + Form.of(ONE, self.c * a * self.b / 2)
 
     def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """P^(r) for k = 0, by two inverse tangent integrals; None for any other k."""
         if k != 0:
             return None
         root_a, root_b = sp.sqrt(a**2 - r**2), sp.sqrt(self.b**2 + r**2)
@@ -158,6 +166,7 @@ class HyperboloidAtom:
         return form + Form.of(sp.atan(root_a / root_b) / root_b, self.c * self.b)
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """W^(r) for r > a and k = 0, by arcs; None for any other k."""
         if k != 0:
             return None
         q, root_b = sp.sqrt(r**2 - a**2), sp.sqrt(self.b**2 + r**2)

@@ -45,21 +45,27 @@ class Reduced:
         return form
 
     def depth(self, order: Order) -> Form:
+        """g(a); `NotReducibleError` if it is not known for one of the atoms."""
         return self._known("depth", order)
 
     def force(self, order: Order) -> Form:
+        """F^(a); `NotReducibleError` if it is not known for one of the atoms."""
         return self._known("force", order)
 
     def pressure(self, order: Order) -> Form | None:
+        """P^(r) for r < a, or None if it is not known for one of the atoms."""
         return self._total("pressure", order)
 
     def displacement(self, order: Order) -> Form | None:
+        """W^(r) for r > a, or None if it is not known for one of the atoms."""
         return self._total("displacement", order)
 
     def primitives(self, order: Order) -> tuple[Primitive, ...]:
+        """The antiderivatives of all atoms, one after the other."""
         return tuple(primitive for atom in self.atoms for primitive in atom.primitives(order, self.k))
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r) as the sum over the atoms, on this order of the lengths."""
         return sp.Add(*(atom.shape(order) for atom in self.atoms))
 
 

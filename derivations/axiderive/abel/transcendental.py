@@ -20,12 +20,15 @@ class _SingleScale:
     """Common part: no further closed forms."""
 
     def primitives(self, order: Order, k: sp.Expr = ZERO) -> tuple[Primitive, ...]:
+        """An empty tuple: no antiderivative is known."""
         return ()
 
     def pressure(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """None: no closed form is known."""
         return None
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """None: no closed form is known."""
         return None
 
 
@@ -37,6 +40,7 @@ class CosineAtom(_SingleScale):
     q: sp.Expr
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r), one formula for every r."""
         return self.h * (1 - sp.cos(self.q * r))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
@@ -62,9 +66,11 @@ class GaussianAtom(_SingleScale):
     s: sp.Expr
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r), one formula for every r."""
         return self.h * (1 - sp.exp(-(r**2) / self.s**2))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """g(a) by Dawson's function for k = 0, by Kummer's for any other k."""
         if k == 0:
             return Form.of(Dawson(a / self.s), 2 * self.h * a / self.s)
         z = a**2 / self.s**2
@@ -81,6 +87,7 @@ class GaussianAtom(_SingleScale):
         return (Primitive(ZERO, a, integrand, -self.h * a ** (1 - k) / self.s**2 * tail),)
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """F^(a) by Dawson's function for k = 0, by Kummer's for any other k."""
         if k != 0:
             z = a**2 / self.s**2
             scale = 4 * self.h * z * a ** (1 + k) / ((1 + k) ** 2 * (3 + k))
@@ -96,13 +103,16 @@ class ExponentialAtom(_SingleScale):
     s: sp.Expr
 
     def shape(self, order: Order) -> sp.Expr:
+        """f(r), one formula for every r."""
         return self.h * (1 - sp.exp(-r / self.s))
 
     def depth(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """g(a) by Bessel and Struve functions of order 0 for k = 0; None for any other k."""
         z = a / self.s
         return Form.of(sp.besseli(0, z) - StruveL(0, z), sp.pi / 2 * self.h * z) if k == 0 else None
 
     def force(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """F^(a) by Bessel and Struve functions of orders 0 and 1 for k = 0; None for any other k."""
         if k != 0:
             return None
         z = a / self.s

@@ -62,6 +62,7 @@ def check(
 def check_profile(
     profile: Profile, entries: Entries, *, digits: int = 40, points: int = 3, seed: int = 0
 ) -> dict[str, Evidence]:
+    """Evidence by suffix, for those of d, F, pm, p and w that the profile has."""
     return {
         suffix: check(profile, entries, suffix, digits=digits, points=points, seed=seed)
         for suffix in ENCLOSED

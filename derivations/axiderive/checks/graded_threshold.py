@@ -30,6 +30,7 @@ ELSEWHERE = (0.05, 0.3, 0.6, 0.9)
 
 
 def check(profile: Profile, entries: Mapping[str, Entry], suffix: str, *, seed: int = 0) -> Evidence:
+    """Evidence for rz, dmin or Fmin at one point, with each of `EXPONENTS` for k and another n if there is one."""
     entry = entries[suffix]
     rows: list[tuple[Values, Number]] = []
     with mp.workdps(DIGITS + 30):

@@ -49,6 +49,7 @@ class Pressed:
     even: bool
 
     def at(self, s: Number, expr: sp.Expr) -> Number:
+        """The value of an expression at x = s, at the working precision."""
         return at_precision(expr, {**self.values, nt.x: s})
 
     def formula(self, expr: sp.Expr) -> Callable[[Number], Number]:

@@ -27,10 +27,12 @@ class UnitsError(ValueError):
 
 
 def same(left: Dimension, right: Dimension) -> bool:
+    """Whether the exponents of length and of force are equal, also where they are symbols."""
     return bool(sp.cancel(left.length - right.length) == 0 and sp.cancel(left.force - right.force) == 0)
 
 
 def text(dimension: Dimension) -> str:
+    """The dimension for a message: "length**(-2) force" for a stress, "a number" without a dimension."""
     parts = [
         name if power == 1 else f"{name}**({power})"
         for name, power in (("length", dimension.length), ("force", dimension.force))
@@ -174,4 +176,5 @@ def _fits(units: Units, expr: sp.Expr, entry: Entry) -> None:
 
 
 def check_profile(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Evidence]:
+    """Evidence for every entry, by suffix."""
     return {suffix: check(profile, entries, suffix) for suffix in entries}

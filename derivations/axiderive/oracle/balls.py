@@ -62,6 +62,7 @@ def enclose_value(expr: sp.Expr, values: Values, digits: int) -> Number:
 
 
 def point(values: Values) -> dict[sp.Symbol, acb]:
+    """The symbols of a point with their values as balls."""
     return {s: exact(values[s]) for s in numeric_symbols(values)}
 
 
@@ -139,32 +140,41 @@ class Ball:
         return integral(f, self(lower), self(upper))
 
     def sqrt(self, z: acb) -> acb:
+        """The square root; not finite on a box that meets its cut, if `analytic` is set."""
         return z.sqrt(analytic=self.analytic)
 
     def log(self, z: acb) -> acb:
+        """The natural logarithm; not finite on a box that meets its cut, if `analytic` is set."""
         return z.log(analytic=self.analytic)
 
     def atanh(self, z: acb) -> acb:
+        """The inverse hyperbolic tangent, by logarithms if `analytic` is set."""
         return (self.log(1 + z) - self.log(1 - z)) / 2 if self.analytic else z.atanh()
 
     def atan(self, z: acb) -> acb:
+        """The inverse tangent, by logarithms if `analytic` is set."""
         return self.atanh(z * acb(0, 1)) * acb(0, -1) if self.analytic else z.atan()
 
     def asin(self, z: acb) -> acb:
+        """The inverse sine, by a logarithm and a root if `analytic` is set."""
         if not self.analytic:
             return z.asin()
         return self.log(acb(0, 1) * z + self.sqrt((1 - z) * (1 + z))) * acb(0, -1)
 
     def acos(self, z: acb) -> acb:
+        """The inverse cosine, pi/2 less the inverse sine if `analytic` is set."""
         return acb.pi() / 2 - self.asin(z) if self.analytic else z.acos()
 
     def asinh(self, z: acb) -> acb:
+        """The inverse hyperbolic sine, by a logarithm and a root if `analytic` is set."""
         return self.log(z + self.sqrt(1 + z * z)) if self.analytic else z.asinh()
 
     def acosh(self, z: acb) -> acb:
+        """The inverse hyperbolic cosine, by a logarithm and two roots if `analytic` is set."""
         return self.log(z + self.sqrt(z - 1) * self.sqrt(z + 1)) if self.analytic else z.acosh()
 
     def struve(self, order: acb, z: acb, sign: int) -> acb:
+        """The Struve function H for the sign -1, L for the sign 1, by its hypergeometric series."""
         series = (sign * z * z / 4).hypgeom([acb(1)], [acb(fmpq(3, 2)), order + fmpq(3, 2)])
         return (z / 2).pow(order + 1) * series / (acb(fmpq(3, 2)).gamma() * (order + fmpq(3, 2)).gamma())
 

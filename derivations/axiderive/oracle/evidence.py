@@ -34,13 +34,16 @@ class Evidence:
 
     @property
     def passed(self) -> bool:
+        """Whether the outcome is "passed"; false also where nothing could be compared."""
         return self.outcome == "passed"
 
     def as_dict(self) -> dict[str, Any]:
+        """All fields by name, as plain data."""
         return asdict(self)
 
 
 def point_text(values: Values) -> dict[str, str]:
+    """The values of a point as text by the names of their symbols, numbers of mpmath to 20 digits."""
     return {str(s): _text(values[s]) for s in numeric_symbols(values)}
 
 
@@ -59,6 +62,7 @@ def agreed(worst: Number, working: int) -> int:
 
 
 def not_available(key: str, compared: str, reason: str) -> Evidence:
+    """Evidence that nothing could be compared, with the reason."""
     return Evidence(key, compared, "not available", reason=reason)
 
 

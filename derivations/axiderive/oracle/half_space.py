@@ -44,13 +44,16 @@ class HalfSpace:
 
     @property
     def k(self) -> Number:
+        """The exponent of grading, zero on the homogeneous half-space."""
         return number(self.values[nt.k]) if self.graded else mp.mpf(0)
 
     @property
     def modulus(self) -> Number:
+        """The value of H on the graded half-space, of E* on the homogeneous one."""
         return number(self.values[nt.H if self.graded else nt.E_star])
 
     def at(self, symbol: object) -> Number:
+        """The value of a symbol, at the working precision."""
         return number(self.values[symbol])
 
     def face(self, a: Number, digits: int | None = None) -> Graded:
@@ -63,18 +66,21 @@ class HalfSpace:
         return face.depth(a) if self.graded else integrals.depth(face.shape, a, self.digits)
 
     def force(self, a: Number, free_depth: Number | None = None) -> Number:
+        """F of a contact of radius a with the depth g(a), or with the free depth if one is given."""
         face = self.face(a)
         if self.graded:
             return self.modulus * face.force(a, free_depth)
         return self.modulus * integrals.force(face.shape, a, self.digits, free_depth)
 
     def pressure(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
+        """p(r) for r < a, with the depth g(a), or with the free depth if one is given."""
         face = self.face(a)
         if self.graded:
             return self.modulus * face.pressure(a, r, free_depth)
         return self.modulus * integrals.pressure(face.shape, a, r, self.digits, free_depth)
 
     def displacement(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
+        """w(r) for r > a, with the depth g(a), or with the free depth if one is given."""
         face = self.face(a)
         if self.graded:
             return face.displacement(a, r, free_depth)

@@ -27,6 +27,7 @@ LOST = 10
 def check(
     load: Profile, entries: Mapping[str, Entry], suffix: str, *, digits: int = 50, points: int = 6, seed: int = 0
 ) -> Evidence:
+    """Evidence for an entry of a prescribed pressure, at `points` points of every case."""
     entry = entries[suffix]
     drawn = [point for case in entry.cases for point in draw(load, case.chain, points, seed, (nt.E_star,))]
     rows: list[tuple[Values, Number]] = []

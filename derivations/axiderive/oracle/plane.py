@@ -35,6 +35,7 @@ class Face:
     growths: tuple[sp.Expr, ...]
 
     def at(self, expr: sp.Expr, symbol: sp.Symbol, point: Number) -> Number:
+        """The value of an expression with the point for the symbol, at the working precision."""
         return at_precision(expr, {**self.values, symbol: point})
 
     def pieces(self, lo: Number, hi: Number, exprs: Iterable[sp.Expr]) -> list[tuple[Number, Number, sp.Expr]]:
@@ -44,6 +45,7 @@ class Face:
         return [(left, right, expr) for left, right, expr in cut if left < right and expr != 0]
 
     def height(self, point: Number) -> Number:
+        """f at a point x > 0, at a break by the piece below it."""
         found = self.pieces(point * (1 - mp.mpf(10) ** -GUARD), point, self.heights)
         return self.at(found[0][2], x, point) if found else mp.mpf(0)
 
@@ -130,6 +132,8 @@ Kernel = Callable[[Number, Number, Number], Number]
 
 
 def pressure(face: Face, half_width: Number, point: Number, digits: int) -> Number:
+    """p/E* at a point of the contact: int_x^a P'(t)/sqrt(t^2 - x^2) dt/(pi E*)."""
+
     def kernel(t: Number, root: Number, lo: Number) -> Number:
         return 1 / root if lo == point else 1 / mp.hypot(root, mp.sqrt((lo - point) * (lo + point)))
 
@@ -137,6 +141,8 @@ def pressure(face: Face, half_width: Number, point: Number, digits: int) -> Numb
 
 
 def slope(face: Face, half_width: Number, point: Number, digits: int) -> Number:
+    """dw/dx at a point of the free surface: -2 int_0^a P'(t)/sqrt(x^2 - t^2) dt/(pi E*)."""
+
     def kernel(t: Number, root: Number, lo: Number) -> Number:
         return 1 / mp.sqrt((point - t) * (point + t))
 
@@ -144,6 +150,8 @@ def slope(face: Face, half_width: Number, point: Number, digits: int) -> Number:
 
 
 def depth(face: Face, half_width: Number, distance: Number, digits: int) -> Number:
+    """Depth of the middle below the surface at a distance L > a: 2 int_0^a P'(t) acosh(L/t) dt/(pi E*)."""
+
     def kernel(t: Number, root: Number, lo: Number) -> Number:
         return mp.acosh(distance / t)
 

@@ -122,6 +122,7 @@ Panel = Callable[[Any, Callable[..., Rule], tuple[Any, ...], Number, Number], Nu
 
 
 def sum_over(f: Integrand, rule: Callable[..., Rule], of: tuple[Any, ...], start: Number, length: Number) -> Number:
+    """The sum of the weights times f at start + length * node, over all nodes of the rule, times abs(length)."""
     return abs(length) * mp.fsum(w * f(start + length * x) for x, w in rule(*of))
 
 

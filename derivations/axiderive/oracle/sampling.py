@@ -28,6 +28,8 @@ _SIZE = sp.Symbol("size", positive=True)
 
 @dataclass(frozen=True)
 class Point:
+    """Exact values by symbol, and whether a ratio of neighbouring lengths is next to 0 or 1."""
+
     values: Values
     extreme: bool
 

@@ -43,6 +43,7 @@ def coefficient(index: int) -> sp.Symbol:
 
 
 def numeric_symbols(values: Values) -> tuple[sp.Symbol, ...]:
+    """The symbols among the keys, sorted by name."""
     return tuple(sorted((s for s in values if isinstance(s, sp.Symbol)), key=lambda s: str(s.name)))
 
 
@@ -80,6 +81,7 @@ class Shape:
     """(c, n) of every term where the whole profile is a sum of c r**n; empty elsewhere."""
 
     def height(self, s: Number) -> Number:
+        """f(s), at a break by the stretch below it; `StopIteration` beyond the last one."""
         return next(piece for piece in self.stretches if s <= piece.hi).height(s)
 
 

@@ -124,10 +124,12 @@ class Numbers:
 
     @property
     def depth(self) -> Any:
+        """The value of the entry d where the contact grows, otherwise the given value of d."""
         return self("d") if self.compact else self["d"]
 
     @property
     def mean_pressure(self) -> Any:
+        """F/(pi a**2)."""
         return self("F") / (mp.pi * self["a"] ** 2)
 
     def shape(self, r: Any) -> Any:
@@ -180,6 +182,7 @@ class StripNumbers(Numbers):
             )
 
     def at(self, **changed: Any) -> Numbers:
+        """The same strip with other values, by the names of their symbols."""
         values = self.values | {nt.describe(name).symbol: value for name, value in changed.items()}
         return StripNumbers(self.profile, self.entries, values, self.digits)
 
@@ -191,6 +194,7 @@ class StripNumbers(Numbers):
         return super().__call__(suffix, self.reach if suffix == "d" and r is None else r)
 
     def place(self, suffix: str) -> sp.Symbol:
+        """L for the depth, x for everything else."""
         return nt.L if suffix == "d" else nt.x
 
     @property
@@ -200,8 +204,10 @@ class StripNumbers(Numbers):
 
     @property
     def depth(self) -> Any:
+        """Depth of the middle below the surface at the distance `reach`."""
         return self("d")
 
     @property
     def mean_pressure(self) -> Any:
+        """Line load over the width, P/(2 a)."""
         return self("F") / (2 * self["a"])

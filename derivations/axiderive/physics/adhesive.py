@@ -123,6 +123,7 @@ class _Builder:
         self.profile, self.medium, self.plain = profile, medium, plain
 
     def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
+        """The entry of a suffix with its key, quantity, parameters, references and note filled in."""
         exponent = (self.medium.k,) if self.medium.k != 0 else ()
         geometry = () if suffix == "Dl" else self.profile.parameters
         return Entry(

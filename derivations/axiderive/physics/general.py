@@ -31,6 +31,7 @@ class Layer:
 
     @property
     def slope(self) -> sp.Expr:
+        """df/dr of the shape."""
         return steepness(self.shape)
 
     @property
@@ -88,6 +89,7 @@ class _General:
         self.chains = tuple(insert(profile.breaks, a, above=above))
 
     def entries(self) -> dict[str, Entry]:
+        """All entries by suffix: integrals, inverses as equations, and the stiffness, which is closed."""
         depth = self._over_pieces(sp.S.One, a)
         force = self._over_pieces(sp.sin(psi) ** 2, HOMOGENEOUS.force_scale * a**2)
         mean = self._over_pieces(sp.sin(psi) ** 2, HOMOGENEOUS.force_scale / sp.pi)

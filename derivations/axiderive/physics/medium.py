@@ -31,10 +31,12 @@ class Medium:
 
     @property
     def pressure_scale(self) -> sp.Expr:
+        """p = pressure_scale * P^."""
         return self.modulus / sp.pi
 
     @property
     def displacement_scale(self) -> sp.Expr:
+        """w = displacement_scale * W^."""
         return 2 * sp.cos(sp.pi * self.k / 2) / sp.pi
 
     def stiffness(self) -> sp.Expr:
@@ -50,6 +52,7 @@ class Medium:
         return outside_kernel(self.k) * self.displacement_scale
 
     def key(self, *parts: str) -> str:
+        """The parts with dots between them, empty ones left out: "cone.fgm.d"."""
         return ".".join(part for part in parts if part)
 
 

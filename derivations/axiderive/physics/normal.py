@@ -203,6 +203,7 @@ class _Compact:
         return outside * sp.Sum(coefficients[j] * inside, (j, 1, N))
 
     def entries(self) -> dict[str, Entry]:
+        """All entries by suffix: forward quantities, the greatest pressure where it is known, and inverses."""
         depth, primitives = self._depth()
         force = self._force(self.medium.force_scale)
         mean = self._force(self.medium.force_scale / (sp.pi * a**2))

@@ -74,6 +74,7 @@ class Superposition:
 
     @classmethod
     def of(cls, pieces: tuple[Piece, ...]) -> Superposition:
+        """The atoms of f(x); `NotReducibleError` if one is no power of x."""
         reduced: Reduced = parse(tuple(_in_r(piece) for piece in pieces))
         powers = tuple(atom for atom in reduced.atoms if isinstance(atom, PowerAtom))
         if len(powers) < len(reduced.atoms):
@@ -82,15 +83,19 @@ class Superposition:
         return cls(powers)
 
     def load(self, chain: Chain) -> Form:
+        """P/E* of a contact of half-width a, on this order of the lengths."""
         return complementary(Form.total(plane_moments.load(atom, Order(chain)) for atom in self.atoms))
 
     def field(self, chain: Chain, kernel: Kernel) -> Form:
+        """Integral of P'(t)/E* times the kernel over the half-widths t."""
         return complementary(Form.total(plane_moments.field(atom, Order(chain), kernel) for atom in self.atoms))
 
     def depth(self, chain: Chain) -> Form:
+        """Integral of P'(t)/E* times acosh(L/t); the depth is `SURFACE` times it."""
         return complementary(Form.total(plane_moments.depth(atom, Order(chain)) for atom in self.atoms))
 
     def primitives(self, chain: Chain) -> tuple[Primitive, ...]:
+        """Antiderivatives in x of the integrand of the load, with the factor E*."""
         parts = (part for atom in self.atoms for part in plane_moments.primitives(atom, Order(chain)))
         return tuple(replace(part, integrand=E_star * part.integrand, expr=E_star * part.expr) for part in parts)
 
@@ -125,6 +130,7 @@ class _Compact:
         self.chains = tuple(insert(self.profile.breaks, a, above=above))
 
     def entries(self) -> dict[str, Entry]:
+        """P, p, s, d and aP by suffix; aP is an equation where no inverse is known."""
         load = tuple(Case(chain, (self.strips.load(chain) * E_star).expr()) for chain in self.chains)
         primitives = {chain: self.strips.primitives(chain) for chain in self.chains}
         half_width = closed_inverse(load, P)
@@ -166,6 +172,7 @@ class _Complete:
         self.strips = Superposition.of(self.profile.pieces)
 
     def entries(self) -> dict[str, Entry]:
+        """p, s and d by suffix, and xz and Pmin where the face is not flat."""
         formulas = self._formulas()
         entries = {suffix: _entry(self.profile, PLANE_COMPLETE[suffix], (case,)) for suffix, case in formulas.items()}
         return entries | self._threshold() if self.strips.atoms else entries

@@ -64,6 +64,7 @@ class System:
 
     @property
     def package(self) -> str:
+        """Dotted name of the package of its modules, "axicontact.normal"."""
         return f"axicontact.{self.name}"
 
 
@@ -76,14 +77,17 @@ class Problem:
 
     @property
     def profile(self) -> Profile:
+        """The profile of that name in the pool of the system."""
         return self.system.pool.load(self.name)
 
     @property
     def profile_id(self) -> str:
+        """The profile as the command line and the index call it: "cone", "plane.wedge"."""
         return self.system.pool.id(self.name)
 
     @property
     def key(self) -> str:
+        """What the keys of its entries begin with: "cone", "cone.fgm.adh", "plane.wedge"."""
         return ".".join(part for part in (self.profile_id, self.system.group) if part)
 
     @property
@@ -94,6 +98,7 @@ class Problem:
         return f"{self.system.package.replace('.', '/')}/{self.name}.py"
 
     def derive(self) -> dict[str, Entry]:
+        """All entries of the problem, keyed by suffix."""
         return self.system.rule(self.profile)
 
     def base_keys(self) -> set[str]:

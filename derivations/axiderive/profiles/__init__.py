@@ -27,4 +27,5 @@ def load(name: str) -> Profile:
 
 
 def catalogue() -> tuple[Profile, ...]:
+    """All axisymmetric profiles, in the order of `NAMES`."""
     return tuple(load(name) for name in NAMES)

@@ -31,6 +31,7 @@ class Rule:
     reason: str
 
     def relation(self) -> sp.Expr:
+        """The condition as an inequality of SymPy."""
         return (sp.StrictLessThan if self.strict else sp.LessThan)(self.left, self.right)
 
 
@@ -85,6 +86,7 @@ class Profile:
 
     @property
     def breaks(self) -> tuple[sp.Expr, ...]:
+        """The upper ends of the pieces that have one, ascending."""
         return tuple(piece.upper for piece in self.pieces if piece.upper is not None)
 
     @property

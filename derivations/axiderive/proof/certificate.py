@@ -89,6 +89,7 @@ class Prover:
         self.done: dict[str, Certificate] = {}
 
     def certify(self, suffix: str) -> Certificate:
+        """The certificate of a quantity, made once; of the contact below for a name like `plain.F`."""
         if self.plain is not None and suffix.startswith("plain."):
             return self.plain.certify(suffix.removeprefix("plain."))
         if suffix not in self.done:

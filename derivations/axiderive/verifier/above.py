@@ -10,6 +10,7 @@ from .reading import Tree, UnknownError, put, tree
 
 
 def retraction(problem: Problem, suffix: str) -> None:
+    """Shows Dl > 0 and c_N(a) Dl^2 = 2 pi a dgamma, or raises `UnknownError`."""
     (case,) = problem.places("Dl", {("a",)})
     field = problem.field(("a",))
     own = field.read(case.expr)
@@ -23,12 +24,14 @@ def retraction(problem: Problem, suffix: str) -> None:
 
 
 def same_places(problem: Problem, suffix: str, source: str) -> list[tuple[Case, Tree]]:
+    """The cases, each with the formula of the contact below in the same order; `UnknownError` if the orders differ."""
     assert problem.plain
     wanted = {case.chain for case in problem.plain.closed(source)}
     return [(case, problem.plain.of(source, case.chain)) for case in problem.places(suffix, wanted)]
 
 
 def superposed(problem: Problem, suffix: str) -> None:
+    """Shows d, F, p or w as that of the contact without adhesion less Dl times that of a flat punch moved by 1."""
     (shift,) = problem.entries["Dl"]
     for case, plain in same_places(problem, suffix, suffix):
         field = problem.field(case.chain)
@@ -104,6 +107,7 @@ def stable(problem: Problem, suffix: str) -> None:
 
 
 def at_pull_off(problem: Problem, case: Case, field: Field, level: Element, control: str) -> None:
+    """Shows a closed radius by the energy and the minimum there, or that an equation is that of pull-off."""
     if not case.chain:
         unit = problem.table("(1 - k)/2")
         rise = field.slope(level, "a") * field.read("a") / level - field.read(unit)
@@ -151,6 +155,7 @@ def slip(problem: Problem, suffix: str) -> None:
 
 
 def full_slip(problem: Problem, suffix: str) -> None:
+    """Shows the displacement at full slip as mu M/T times the depth of the normal contact."""
     assert problem.plain
     for case, plain in same_places(problem, suffix, "d"):
         field = problem.field(case.chain)
@@ -160,6 +165,7 @@ def full_slip(problem: Problem, suffix: str) -> None:
 
 
 def stick_radius(problem: Problem, suffix: str) -> None:
+    """Shows that c at the force mu (F(a) - F(c)) is c, in the first of `WAYS` that can; else `UnknownError`."""
     assert problem.plain
     (force,) = problem.plain.closed("F")
     chain = (problem.floor, "c", "a") if problem.floor else ("c", "a")
@@ -249,6 +255,7 @@ def regimes(problem: Problem, case: Case, elastic: Case, depth: Case, relaxed: T
 
 
 def symbols_of(x: Element) -> set[str]:
+    """Names of the symbols of an element, "?" for a root or a function."""
     return {
         name
         for poly in (x.num, x.den)
@@ -259,6 +266,7 @@ def symbols_of(x: Element) -> set[str]:
 
 
 def elastic_force(problem: Problem, suffix: str) -> str:
+    """The quantity of the contact below: "Fd" where there is one and the entry is no equation, else "F"."""
     assert problem.plain
     if problem.records[suffix]["status"] == "root" or "Fd" not in problem.plain.entries:
         return "F"

@@ -25,6 +25,7 @@ WAVE = (
 
 
 def abel(problem: Problem, case: Case, suffix: str, kernel: str) -> None:
+    """Shows a case as the sum of the increments of its antiderivatives, whose slopes add up to the kernel."""
     items = dict(
         (tuple(tree(m["="]) for m in key), value) for key, value in problem.records[suffix]["primitives"]["@items"]
     )
@@ -83,6 +84,7 @@ def grown(problem: Problem, suffix: str) -> None:
 
 
 def integral(problem: Problem, suffix: str, wanted: set[Chain], base: str, unit: str, point: str = "r") -> None:
+    """Shows that each case grows by `unit` times the growth of `base`, and its value where the contact begins."""
     cases = problem.places(suffix, wanted)
     for case in cases:
         field = problem.field(case.chain)
@@ -105,6 +107,7 @@ def integral(problem: Problem, suffix: str, wanted: set[Chain], base: str, unit:
 
 
 def stiffness(problem: Problem, suffix: str) -> None:
+    """Shows k g'(a) = F'(a) in every order."""
     (own,) = problem.places("k", {("a",)})
     for case in problem.closed("F"):
         field = problem.field(case.chain)
@@ -113,6 +116,7 @@ def stiffness(problem: Problem, suffix: str) -> None:
 
 
 def mean(problem: Problem, suffix: str) -> None:
+    """Shows pi a^2 p = F in every order."""
     for case in problem.places("pm", {case.chain for case in problem.closed("F")}):
         field = problem.field(case.chain)
         problem.show(

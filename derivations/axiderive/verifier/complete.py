@@ -90,6 +90,7 @@ def before(problem: Problem, suffix: str, face: Face, radius: str) -> Tree:
 
 
 def complete(problem: Problem, suffix: str) -> None:
+    """Shows F, p, w, k or dF case by case, before the edge is reached and after."""
     face = Face(problem, "r")
     depth = face.table(problem, MONOMIAL)
     edge_cases = edges(problem, suffix, face)

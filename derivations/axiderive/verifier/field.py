@@ -72,10 +72,12 @@ class FinerError(Exception):
 
 
 def used(poly: Any) -> set[int]:
+    """Indices of the generators that occur in a polynomial."""
     return {i for i, degree in enumerate(poly.degrees()) if degree > 0}
 
 
 def as_fraction(value: Any) -> Fraction:
+    """A rational number of FLINT as a `Fraction`."""
     return Fraction(int(value.p), int(value.q))
 
 
@@ -126,6 +128,7 @@ class Element:
 
     @property
     def name(self) -> str:
+        """The quotient as text, in the keys of its generators."""
         return f"({self.field.name(self.num)})/({self.field.name(self.den)})"
 
 
@@ -144,9 +147,11 @@ class Field:
         self.slopes: dict[tuple[int, str], Element] = {}
 
     def number(self, value: Any) -> Element:
+        """The element of an integer, a `Fraction` or the text of one."""
         return Element(self, RING.constant(fmpq(Fraction(value).numerator, Fraction(value).denominator)))
 
     def reduced(self, poly: Any) -> Any:
+        """The polynomial with powers of roots lowered by y**q = P."""
         for index in sorted(self.relations):
             degree, relation = self.relations[index]
             if poly.degrees()[index] >= degree:
@@ -159,6 +164,7 @@ class Field:
         return "+".join(f"{c}" + "".join(f"*[{names[i]}]^{m}" for i, m in enumerate(e) if m) for e, c in poly.terms())
 
     def generator(self, key: str, kind: tuple[Any, ...], *, positive: bool, safe: bool) -> Element:
+        """The generator of a key, made if it is new; `UnknownError` where room or time has run out."""
         if key not in self.keys:
             self.free -= 1
             if self.free < 0 or time.process_time() > self.end:
@@ -170,6 +176,7 @@ class Field:
         return Element(self, GENS[self.keys[key]])
 
     def symbol(self, name: str) -> Element:
+        """The generator of a symbol, positive unless `ANY_SIGN` has it."""
         return self.generator(name, ("symbol", name), positive=name not in ANY_SIGN, safe=True)
 
     def read(self, formula: Tree, values: Mapping[str, Element] | None = None) -> Element:
@@ -225,6 +232,7 @@ class Field:
         return self.kind[index][1:] if index >= 0 and base == GENS[index] and self.kind[index][0] == "power" else None
 
     def power(self, base: Element, exponent: Element) -> Element:
+        """Base to an exponent, factor by factor; `UnknownError` if a sign that is needed is not shown."""
         number = exponent.number
         if number is not None and number.denominator == 1:
             if number < 0 and not self.poly_sign(base.num):
@@ -269,6 +277,7 @@ class Field:
                 yield as_fraction(coefficient), Element(self, RING.from_dict({powers: 1}), den)
 
     def log(self, x: Element) -> Element:
+        """The logarithm as a sum over the factors of x; `UnknownError` if x is not shown to be positive."""
         out = self.number(0)
         for factor, times in self.factors(x):
             root = self._root(factor)
@@ -282,6 +291,7 @@ class Field:
         return out
 
     def exp(self, x: Element) -> Element:
+        """exp(x), where multiples of logarithms in x become powers."""
         out = self.number(1)
         for index in used(x.num):
             if self.kind[index][0] == "log":
@@ -384,6 +394,7 @@ class Field:
         return self.opaque(head, *args)
 
     def by(self, formula: str, values: Mapping[str, Element]) -> Element:
+        """The element of a formula in Python's notation, with elements for its symbols."""
         return self.read(tree(formula), values)
 
     def excess(self, x: Element, *, floor: bool = False) -> int:
@@ -419,6 +430,7 @@ class Field:
     # signs
 
     def sign(self, x: Element) -> int | None:
+        """-1, 0 or 1 where that is shown to be the sign on the whole domain, otherwise None."""
         top, bottom = self.poly_sign(x.num), self.poly_sign(x.den)
         return None if top is None or not bottom else top * bottom
 
@@ -583,6 +595,7 @@ def between(poly: Any, index: int, low: Any, high: Any, u: Any, v: Any) -> Any:
 
 
 def primes(number: int) -> list[tuple[int, int]]:
+    """The prime factors of a positive integer with their multiplicities, ascending."""
     out, prime = [], 2
     while number > 1:
         times = 0

@@ -20,6 +20,7 @@ class Limit:
         self.gap = ((field.symbol(name) - field.read(low)) * side).num
 
     def ratio(self, x: Element) -> tuple[Element, Element]:
+        """The leading power of t of an element, and its coefficient; `UnknownError` if the denominator may vanish."""
         (one, top), (two, bottom) = self.leading(x.num), self.leading(x.den)
         if not self.face.sign(bottom):
             message = "a denominator may vanish at the end"
@@ -27,6 +28,7 @@ class Limit:
         return one - two, top / bottom
 
     def value(self, x: Element) -> Element:
+        """The limit, as an element of the face; `UnknownError` if no finite one is shown."""
         order, ratio = self.ratio(x)
         sign = self.face.sign(order)
         if sign == 1 or (ratio.num == 0 and sign == 0):
@@ -72,6 +74,7 @@ class Limit:
         return order, total
 
     def generator(self, index: int) -> tuple[Element, Element]:
+        """The leading power of t of a generator, and its coefficient; found once."""
         if index not in self.known:
             self.known[index] = self._generator(*self.field.kind[index])
         return self.known[index]
@@ -107,6 +110,7 @@ class Substitution:
         self.field, self.into, self.values = field, into, values
 
     def value(self, x: Element) -> Element:
+        """The element in the other field, with the values put in."""
         return self._poly(x.num) / self._poly(x.den)
 
     def _poly(self, poly: Any) -> Element:

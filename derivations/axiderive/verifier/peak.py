@@ -12,6 +12,7 @@ POWERS = range(4)
 
 
 def radius(problem: Problem, suffix: str) -> None:
+    """Shows that a closed radius is the only zero of dp/dr inside the contact; an equation is left to `balance`."""
     (case,) = problem.places("rp", problem.orders())
     if problem.records["rp"]["status"] == "root":
         balance(problem, case)
@@ -69,6 +70,7 @@ def by_tangent(formula: Tree) -> Tree:
 
 
 def pressure(problem: Problem, suffix: str) -> None:
+    """Shows the greatest pressure as the pressure at its radius; for a closed radius by their squares."""
     (case,), (own,) = problem.entries["rp"], problem.places("pp", problem.orders())
     if problem.records["rp"]["status"] == "root":
         chain = (case.chain[0], "r", "a")

@@ -18,11 +18,13 @@ STRIP_LOAD = "E_star*n*a**n*pi**(1/2)*gamma((n + 1)/2)/(2*gamma(n/2 + 1))"
 
 
 def plane_load(problem: Problem, suffix: str) -> None:
+    """Shows the load by antiderivatives of E* x f'(x)/sqrt(a^2 - x^2)."""
     for case in problem.places("P", problem.orders()):
         abel(problem, case, "P", "E_star*x*slope*(a**2 - x**2)**(-1/2)")
 
 
 def plane_field(problem: Problem, suffix: str) -> None:
+    """Shows p or s by its growth with the half-width, for complete contact without the edge term."""
     pair = ("x", "a") if suffix == "p" else ("a", "x")
     if problem.profile["contact"] == "compact":
         integral(problem, suffix, problem.orders(pair, items="x"), "P", STRIP[suffix], "x")
@@ -66,6 +68,7 @@ def plane_depth(problem: Problem, suffix: str) -> None:
 
 
 def half_width(problem: Problem, suffix: str) -> None:
+    """Shows a closed half-width as the inverse of P(a), or that its equation is P(a) = P with P' > 0."""
     if problem.records[suffix]["status"] == "closed":
         inverse(problem, suffix)
         return

@@ -88,6 +88,7 @@ class Problem:
     # domains and elements
 
     def field(self, chain: Chain, *more: tuple[Tree, str]) -> Field:
+        """The field of an order, the rules of the profile and more pairs (low, high); one for equal arguments."""
         key = (chain, more)
         if key not in self.fields:
             pairs = [*more, *itertools.pairwise(chain), *itertools.pairwise(self.chain)]
@@ -106,11 +107,13 @@ class Problem:
         return put(tree(formula), {**self.medium, **values})
 
     def show(self, what: str, field: Field, left: Tree, right: Tree = 0) -> None:
+        """Raises `UnknownError` unless two formulas, trees or elements, are shown to be equal."""
         one = left if isinstance(left, Element) else field.read(left)
         two = right if isinstance(right, Element) else field.read(right)
         self.vanishes(what, one - two)
 
     def vanishes(self, what: str, gap: Element) -> None:
+        """Raises `UnknownError` unless the element is shown to be zero and is linear in the coefficients A_j."""
         index = gap.field.keys.get("A_j", -1)
         if index >= 0 and (gap.num.degrees()[index] > 1 or gap.den.degrees()[index]):
             message = f"{what}: not linear in the coefficients of a polynomial"
@@ -122,6 +125,7 @@ class Problem:
     # the rules are run here
 
     def need(self, suffix: str) -> None:
+        """Raises `UnknownError` with the reason if another entry is not shown."""
         reason = self.prove(suffix)
         if reason:
             message = f"rests on {self.key}.{suffix}: {reason}"
@@ -158,6 +162,7 @@ class Problem:
         return "the exponents do not come to an end"
 
     def below(self, needed: str) -> Problem:
+        """The problem itself, or the normal contact for a name like `plain.F`; `UnknownError` if it is not given."""
         if not needed.startswith("plain."):
             return self
         if self.plain is None:
@@ -201,6 +206,7 @@ class Problem:
         return [[*own, *whole], *([own] if kind == "plane complete" and self.pieces == [0] else [])]
 
     def closed(self, suffix: str) -> list[Case]:
+        """The cases of a quantity; `UnknownError` if its formulas are not closed."""
         if self.records[suffix]["status"] != "closed":
             message = f"{self.key}.{suffix} is no closed formula"
             raise UnknownError(message)
@@ -217,6 +223,7 @@ class Problem:
         }  # fmt: skip
 
     def places(self, suffix: str, wanted: set[Chain]) -> list[Case]:
+        """The cases of a quantity; `UnknownError` unless they hold in the wanted orders, each once."""
         cases = self.entries[suffix]
         if {case.chain for case in cases} != wanted or len(cases) != len(wanted):
             message = "its cases are not every place in the order once"

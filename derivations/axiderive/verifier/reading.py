@@ -69,6 +69,7 @@ def put(formula: Tree, values: Mapping[str, Tree]) -> Tree:
 
 
 def symbols(formula: Tree) -> set[str]:
+    """Names of the symbols in a tree, pi apart."""
     if isinstance(formula, tuple):
         return set().union(*map(symbols, formula[1:]))
     return {formula} - {"pi"} if isinstance(formula, str) else set()

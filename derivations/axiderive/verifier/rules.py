@@ -19,6 +19,7 @@ MODULI = {
 
 
 def modulus(problem: Problem, suffix: str) -> None:
+    """Shows E_star or G_star as the formula of `MODULI`."""
     (case,) = problem.places(suffix, {()})
     problem.show("the modulus", problem.field(()), case.expr, tree(MODULI[suffix]))
 

@@ -25,4 +25,5 @@ def load(name: str) -> Profile:
 
 
 def catalogue() -> tuple[Profile, ...]:
+    """All plane profiles, in the order of `NAMES`."""
     return tuple(load(name) for name in NAMES)

@@ -65,6 +65,7 @@ class Domain:
         return tuple(self._pairs)
 
     def children(self, symbol: sp.Expr) -> list[sp.Expr]:
+        """The symbols whose largest lower bound is this one, sorted by name."""
         return sorted((high for high, low in self._parents.items() if low == symbol), key=str)
 
     def shift(self, symbol: sp.Expr) -> sp.Expr:

@@ -85,9 +85,11 @@ class Elements:
     # arithmetic
 
     def constant(self, value: sp.Expr) -> Element:
+        """The element of a rational number; empty for zero."""
         return {ONE: self.ring.from_expr(value)} if value != 0 else {}
 
     def add(self, *elements: Element) -> Element:
+        """The sum of any number of elements, without the terms that cancel."""
         total: Element = {}
         for element in elements:
             for monomial, polynomial in element.items():
@@ -95,12 +97,15 @@ class Elements:
         return {monomial: polynomial for monomial, polynomial in total.items() if polynomial}
 
     def scale(self, element: Element, factor: int) -> Element:
+        """The element times an integer."""
         return {monomial: polynomial * factor for monomial, polynomial in element.items()}
 
     def sub(self, left: Element, right: Element) -> Element:
+        """The difference of two elements, without the terms that cancel."""
         return self.add(left, self.scale(right, -1))
 
     def mul(self, left: Element, right: Element) -> Element:
+        """The product; `NotProvedError` if the numbers of terms multiply to more than `LARGEST_PRODUCT`."""
         if sum(map(len, left.values())) * sum(map(len, right.values())) > LARGEST_PRODUCT:
             message = "the expressions of the proof grow beyond all bounds"
             raise NotProvedError(message)
@@ -136,6 +141,7 @@ class Elements:
         return out
 
     def is_zero(self, element: Element) -> bool:
+        """Whether nothing is left in the canonical form."""
         return not self.collect(element)
 
     def factors(self, polynomial: PolyElement) -> tuple[int, dict[PolyElement, int]]:
@@ -170,6 +176,7 @@ class Elements:
         return rational, {m: element[m] for m in with_root}
 
     def polynomial_sign(self, polynomial: PolyElement) -> int:
+        """+1 or -1 if that is shown to be the sign on the domain, 0 if none is."""
         if polynomial not in self._signs:
             used = {s: f for s, f in self.functions.items() if polynomial.degree(self.ring(s)) > 0}
             plain = (s for s in self.ring.symbols if s not in self.functions and polynomial.degree(self.ring(s)) > 0)

@@ -152,6 +152,7 @@ class Tower(Elements):
     # to and from SymPy
 
     def convert(self, expr: sp.Expr) -> Element:
+        """The element of an expression; `NotProvedError` if it is not algebraic in the lengths and functions."""
         if expr in self.generators:
             return {ONE: self.ring(self.generators[expr])}
         if expr.is_Rational:
@@ -178,6 +179,7 @@ class Tower(Elements):
         return self.scale(element, sign)
 
     def expr(self, element: Element) -> sp.Expr:
+        """The element as an expression of SymPy, with the functions its symbols stand for."""
         terms = [
             polynomial.as_expr() * sp.Mul(*(f.as_expr() ** e for f, e in monomial))
             for monomial, polynomial in element.items()

@@ -50,6 +50,7 @@ class Adhesive:
         return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
 
     def superposed(self, suffix: str) -> list[str]:
+        """d, F, p or w is that of the contact without adhesion less Dl times the one of a flat punch of unit depth."""
         entry, plain, steps = self.entries[suffix], self.normal.entries[suffix], self.retraction()
         (shift,) = self.entries["Dl"].cases
         unit = PUNCH[suffix](self.medium)
@@ -92,6 +93,7 @@ class Adhesive:
         return [(case, sp.diff(case.expr, a) / growth) for case in self.normal.entry(suffix).cases]
 
     def radius(self, control: str) -> list[str]:
+        """The radius of pull-off, closed or by its equation, is where the force, or the depth, is stationary."""
         name = CONTROLS[control][0]
         entry, regimes = self.entries[name], self.stationary(control)
         if entry.status == "closed":

@@ -65,6 +65,7 @@ class Compact:
         return self._by_antiderivatives(f"f'(x) {kernel}")
 
     def integrand(self, slope: sp.Expr) -> sp.Expr:
+        """What (11.29), (11.61) integrate over x, with `slope` for f'(x)."""
         k = self.medium.k
         return a ** (1 - k) * slope * (a**2 - x**2) ** ((k - 1) / 2)
 
@@ -142,15 +143,18 @@ class Compact:
     # integrals up to a
 
     def force(self) -> list[str]:
+        """F grows with a by the stiffness of a flat punch times g'(a), from zero where the contact begins."""
         rule = "2 E* a" if self.medium.k == 0 else "2 H a^(1+k)/(1 + k)"
         return self._grown("F", self.medium.stiffness(), f"dF/da = {rule} g'(a)", lambda chain: [chain])
 
     def pressure(self) -> list[str]:
+        """p grows with a by the pressure of a flat punch of unit depth times g'(a), from zero at a = r."""
         rule = "E*/(pi sqrt(a^2 - r^2))" if self.medium.k == 0 else "H/pi (a^2 - r^2)^((k-1)/2)"
         unit, places = self.medium.punch_pressure(), lambda chain: list(insert(chain, r, below=a))
         return self._grown("p", unit, f"dp/da = {rule} g'(a)", places)
 
     def displacement(self) -> list[str]:
+        """w grows with a by that of a flat punch of unit depth times g'(a), from zero where the contact begins."""
         rule = "2/pi asin(a/r)" if self.medium.k == 0 else "cos(k pi/2)/pi B(a^2/r^2; (1+k)/2, (1-k)/2)"
         unit, places = self.medium.punch_displacement().expr(), lambda chain: list(insert(chain, r, above=a))
         return self._grown("w", unit, f"dw/da = {rule} g'(a)", places)
@@ -194,6 +198,7 @@ class Compact:
     # algebra on what is proved
 
     def stiffness(self) -> list[str]:
+        """k g'(a) = dF/da, in every regime."""
         entry, steps = self.entry("k"), []
         require_regions(entry, ((a,),))
         (case,) = entry.cases
@@ -203,6 +208,7 @@ class Compact:
         return steps
 
     def mean_pressure(self) -> list[str]:
+        """pi a^2 p_mean = F, in every regime."""
         entry, steps = self.entry("pm"), []
         require_regions(entry, self._regimes())
         forces = {case.chain: case.expr for case in self.entry("F").cases}

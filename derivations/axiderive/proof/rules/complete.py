@@ -92,6 +92,7 @@ class Complete:
     # the quantities
 
     def force(self) -> list[str]:
+        """With the face held fixed dF/da = 2 H a^k (d - g(a)), for k = 0 with E* for H, and F -> 0 as a -> 0."""
         expr, steps = self._fixed("F")
         domain, k = self.domain((a,)), self.medium.k
         slope = self.medium.force_scale * a**k * self.gap
@@ -100,6 +101,7 @@ class Complete:
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "F -> 0 as a -> 0")]
 
     def pressure(self) -> list[str]:
+        """p without its edge term grows with a by the pressure of a flat punch times g'(a), from zero at a = r."""
         expr, steps = self._fixed("p")
         domain, unit = self.domain((r, a)), self.medium.punch_pressure()
         rest = normal(canonical(expr - unit * self.gap, domain), domain)
@@ -110,6 +112,7 @@ class Complete:
         return [*steps, require_zero(at(rest, a, r), domain.at(a, r), "p - edge term -> 0 as a -> r")]
 
     def displacement(self) -> list[str]:
+        """With the face held fixed w grows with a in proportion to d - g(a), by (11.56), from zero at a = 0."""
         expr, steps = self._fixed("w")
         domain, k = self.domain((a, r)), self.medium.k
         slope = self.medium.displacement_scale * a**k * self.gap * (r**2 - a**2) ** (-(1 + k) / 2)
@@ -118,6 +121,7 @@ class Complete:
         return [*steps, require_zero(at(expr, a, sp.S.Zero), domain.at(a, sp.S.Zero), "w -> 0 as a -> 0")]
 
     def stiffness(self) -> list[str]:
+        """k = dF/dd, in every region."""
         _, steps = self._fixed("k")
         forces = {case.chain: case.expr for case in self.entries["F"].cases}
         for case in self.entries["k"].cases:
@@ -126,6 +130,7 @@ class Complete:
         return steps
 
     def depth_from_force(self) -> list[str]:
+        """The depth put into the formula of the force gives the force back."""
         expr, steps = self._fixed("dF")
         (force,) = self.entries["F"].fixed_face
         return [*steps, require_zero(force.expr.subs(d, expr) - F, self.domain((a,)), "F(dF(F)) = F")]
@@ -161,6 +166,7 @@ class Complete:
     # the least depth of complete contact
 
     def zero_radius(self) -> list[str]:
+        """What is shown for the least depth, which says where the pressure vanishes."""
         return self.minimum_depth()
 
     def minimum_depth(self) -> list[str]:
@@ -198,6 +204,7 @@ class Complete:
         return self.pressure() + self.compact.pressure() + [f"with x = r, P = d: {step}" for step in shown]
 
     def minimum_force(self) -> list[str]:
+        """F_min = F(d_min), after what is shown for d_min and F."""
         steps = self.minimum_depth()
         least, (force,), case = self._alone("dmin"), closed(self.entries["F"]).cases, self._alone("Fmin")
         gap, domain = case.expr - force.expr.subs(d, least.expr), self.domain((a,))

@@ -45,6 +45,7 @@ class Detachment:
         return [*steps, "g(a) - Dl(a) falls with a: an edge that peels does not stop"]
 
     def force(self) -> list[str]:
+        """Fc is the force of complete contact at the depth dc."""
         (case,) = self.normal.entries["F"].cases
         gap = self._expr("Fc") - case.expr.subs(d, self._expr("dc"))
         return [*self.depth(), require_zero(gap, self.normal.domain((a,)), "Fc = F at dc")]

@@ -28,6 +28,7 @@ BOUNDS = ((KAPPA, sp.Integer(2)),)
 
 
 def in_kappa(expr: sp.Expr) -> sp.Expr:
+    """The expression with kappa - 1 for k."""
     return expr.xreplace({k: KAPPA - 1})
 
 

@@ -28,6 +28,7 @@ class Loads:
         self.load, self.entries = load, entries
 
     def displacement(self) -> list[str]:
+        """w is the integral (11.105), inside the loaded circle and outside."""
         entry = self.entries["w"]
         require_regions(entry, ((r, a), (a, r)))
         places = {(r, a): "inside", (a, r): "outside"}

@@ -85,10 +85,12 @@ class Materials:
         return [require_zero(gap, domain, f"1/{suffix} is the compliance of two half-spaces")]
 
     def graded(self) -> list[str]:
+        """H is what its definition gives with the formula of h_N."""
         entry, factor = self.entries["H"], self.entries["h_N"].cases[0].expr
         return [self._equal(entry.cases[0].expr, entry.definition.rhs.subs(nt.h_N, factor), "H by its definition")]
 
     def factor(self) -> list[str]:
+        """Raises `NotProvedError`: h_N is compared in numbers only."""
         message = "h_N is compared with a solution of the equations of equilibrium, which is no exact statement"
         raise NotProvedError(message)
 

@@ -37,12 +37,15 @@ class Plane(Compact):
         super().__init__(replace(profile, pieces=in_r), entries)
 
     def integrand(self, slope: sp.Expr) -> sp.Expr:
+        """What the load integrates over x, with `slope` for f'(x)."""
         return E_star * x * slope / sp.sqrt(a**2 - x**2)
 
     def load(self) -> list[str]:
+        """P is the sum of the increments of antiderivatives."""
         return self._by_antiderivatives("E* x f'(x)/sqrt(a^2 - x^2)")
 
     def pressure(self) -> list[str]:
+        """p grows with a by the pressure of a flat strip times P'(a), from zero at a = x."""
         return self._integral(
             "p",
             lambda growth: growth / (sp.pi * sp.sqrt(a**2 - x**2)),
@@ -51,6 +54,7 @@ class Plane(Compact):
         )
 
     def slope(self) -> list[str]:
+        """s grows with a by the slope beside a flat strip times P'(a), from zero where the contact begins."""
         return self._integral(
             "s",
             lambda growth: -2 / (sp.pi * E_star) * growth / sp.sqrt(x**2 - a**2),
@@ -137,12 +141,15 @@ class PlaneComplete:
         return self.face.load() + rules[suffix]()
 
     def pressure(self) -> list[str]:
+        """p is that of the face under its own load P_f(a) and that of a flat strip under the rest, P - P_f(a)."""
         return self._superposition("p", (x, a), 1 / (sp.pi * sp.sqrt(a**2 - x**2)))
 
     def slope(self) -> list[str]:
+        """s is that of the face under its own load P_f(a) and that of a flat strip under the rest, P - P_f(a)."""
         return self._superposition("s", (a, x), -2 / (sp.pi * E_star * sp.sqrt(x**2 - a**2)))
 
     def depth(self) -> list[str]:
+        """d is that of the face under its own load P_f(a) and that of a flat strip under the rest, P - P_f(a)."""
         return self._superposition("d", (a, L), 2 / (sp.pi * E_star) * sp.acosh(L / a))
 
     def minimum_load(self) -> list[str]:

@@ -24,9 +24,11 @@ class Tangential:
         self.ratio = mu * normal.medium.modulus / tangential
 
     def force(self) -> list[str]:
+        """F_x = mu (F(a) - F(c)), for every place of c below a."""
         return self._difference("F", "F", mu)
 
     def displacement(self) -> list[str]:
+        """u = mu E*/G* (g(a) - g(c)), on the graded half-space with H/H_x, for every place of c below a."""
         return self._difference("u", "d", self.ratio)
 
     def _difference(self, suffix: str, source: str, unit: sp.Expr) -> list[str]:

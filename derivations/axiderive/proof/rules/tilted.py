@@ -103,6 +103,7 @@ class Tilted:
         return plain.subs(PLACE, sp.S.Half), beta
 
     def pressure(self) -> list[str]:
+        """p carries P with the moment P e; it is positive at both edges, or vanishes at a lifted one and beyond."""
         steps = [self._mirrored("p", 1)]
         for regime in REGIONS.values():
             alpha, beta = self._numerator(regime)
@@ -130,6 +131,7 @@ class Tilted:
         return [*steps, require_zero(nothing, LIFTED.domain, "p = 0 where the punch has lifted")]
 
     def inclination(self) -> list[str]:
+        """phi belongs to the pressure by Plemelj's formula, and changes its sign with e."""
         steps = [self._mirrored("phi", -1)]
         for regime in REGIONS.values():
             alpha, beta = self._numerator(regime)
@@ -141,6 +143,7 @@ class Tilted:
         return steps
 
     def width(self) -> list[str]:
+        """The contact width is twice the half-width c, touching all over and with an edge lifted."""
         steps = [self._mirrored("cw", 1)]
         for regime in REGIONS.values():
             gap = self._expr("cw", regime) - 2 * regime.width

@@ -93,12 +93,14 @@ class Viscoelastic:
         self.laws = {law.suffix: law for law in LAWS}
 
     def domain(self, case: Case) -> Domain:
+        """The symbols of the chain of a case in their order, and alpha < 1."""
         return Domain(tuple(length for length in case.chain if length.is_Symbol), BOUNDS)
 
     def _law(self, suffix: str) -> Law:
         return self.laws[suffix.split("_")[1]]
 
     def ramp(self, suffix: str) -> list[str]:
+        """F at d = v t is F_el/E* times the ramp factor of the law, F_el being a power of d."""
         law, (elastic,) = self._law(suffix), closed(self.force).cases
         require_regions(self.entries[suffix], ((),))
         (case,) = self.entries[suffix].cases
@@ -113,6 +115,7 @@ class Viscoelastic:
         return [*steps, require_zero(case.expr - wanted, domain, statement)]
 
     def step(self, suffix: str) -> list[str]:
+        """F after a step of depth, given or by an equation, is F_el/E* times the relaxation E(t)."""
         law, entry = self._law(suffix), self.entries[suffix]
         steps, source = [duality(law)], self.normal.entries["F"] if entry.status == "root" else self.force
         for case, elastic in paired(entry, closed(source)):
