@@ -156,6 +156,7 @@ def _chapter(profile_id: str) -> int:
 
 
 def templates() -> jinja2.Environment:
+    """The Jinja environment of the LaTeX templates, with their own delimiters; an undefined name is an error."""
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("axiderive.book"),
         block_start_string=r"\BLOCK{",

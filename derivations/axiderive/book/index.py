@@ -24,6 +24,7 @@ FORMAT = 2
 
 
 def to_bytes(record: Any) -> bytes:
+    """The record as indented JSON in UTF-8, keys in the order given, with a newline at the end."""
     return (json.dumps(record, indent=1, ensure_ascii=False, sort_keys=False) + "\n").encode()
 
 

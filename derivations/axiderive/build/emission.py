@@ -56,6 +56,7 @@ def emitted(
     settings: Settings,
     jobs: int,
 ) -> dict[str, bytes]:
+    """Every file of the catalogue as bytes by path, in order of path; from the cache where nothing has changed."""
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     studies = study_records()
     sources = [source_digest(*EMITTING), import_digest("axiderive.build.emission")]

@@ -28,6 +28,7 @@ class Progress:
 
     @contextmanager
     def running(self) -> Iterator[Progress]:
+        """A context in which the bar is shown, if standard error is a terminal; it yields the counter itself."""
         if self.quiet or not sys.stderr.isatty() or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
             yield self
             return
@@ -42,6 +43,7 @@ class Progress:
             yield self
 
     def finished(self, outcome: Outcome) -> None:
+        """Counts one problem: the bar moves, or without a bar a line is said of what was not cached."""
         self.done += 1
         if self._bar is not None:
             self._bar.update(self._task, advance=1, description=outcome.key)
@@ -51,6 +53,7 @@ class Progress:
             self.say(f"{count}  {outcome.key:28} {state}  {outcome.seconds:6.1f} s")
 
     def say(self, text: str) -> None:
+        """Writes a line to standard error, unless the build is quiet."""
         if not self.quiet:
             print(text, file=sys.stderr, flush=True)
 

@@ -48,6 +48,7 @@ class Settings:
     seed: int = 17
 
     def record(self) -> dict[str, int]:
+        """The settings as plain data, as they go into keys and evidence."""
         return {"digits": self.digits, "points": self.points, "seed": self.seed}
 
 
@@ -68,6 +69,7 @@ class Outcome:
 
     @property
     def failures(self) -> list[dict[str, str]]:
+        """Key and message of every check that failed; empty where none did or none was made."""
         found: list[dict[str, str]] = self.evidence.get("failures", [])
         return found
 
@@ -79,6 +81,7 @@ def project_root() -> Path:
 
 
 def derivation_key(problem: Problem) -> str:
+    """SHA-256 of all a derivation depends on: its code, the version of SymPy, the problem and its profile."""
     shape = _shape(problem.profile)
     return digest([FORMAT, "derivation", installed("sympy"), import_digest(*DERIVING), problem.key, shape])
 
@@ -212,6 +215,7 @@ def evaluation(
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
+    """The entries of a problem by suffix, from their stored records."""
     from ..store.records import read_entry
 
     profile = problem.profile

@@ -37,6 +37,7 @@ def field_values(profile: Profile, entries: Mapping[str, Entry]) -> dict[sp.Symb
 
 
 def environment(profile: Profile) -> dict[sp.Symbol, sp.Expr]:
+    """Exact values of all symbols but fields: parameters as sketched, E_star = 1, and the abbreviations."""
     known: dict[sp.Symbol, sp.Expr] = dict(numbers(profile))
     known[sp.Symbol("E_star", positive=True)] = sp.S.One
     return known | {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
@@ -119,10 +120,12 @@ def _root(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) ->
 
 
 def rounded(number: sp.Float) -> sp.Rational:
+    """The number to four significant digits, as an exact rational."""
     return sp.Rational(str(sp.Float(str(number), 4)))
 
 
 def literal(number: sp.Expr) -> str:
+    """The number as a Python float in text."""
     return repr(float(number))
 
 

@@ -44,6 +44,7 @@ class ModuleText:
 
     @property
     def interface(self) -> list[str]:
+        """The lines of `__all__` and `__dir__`, which name the public functions."""
         return interface([re.match(r"def (\w+)", function.signature)[1] for function in self.public])  # type: ignore[index]
 
 
@@ -75,6 +76,7 @@ def _names(text: str) -> set[str]:
 
 
 def imports(module: ModuleText) -> list[str]:
+    """The import lines of a module; of the runtime it imports what its code calls."""
     text = "\n".join([*(str(line) for function in module.private for line in function["lines"])])  # type: ignore[attr-defined]
     text += "\n".join(line for function in module.public for line in function.body)
     tools = [name for name in ("partial", "reduce") if f"{name}(" in text]

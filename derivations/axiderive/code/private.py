@@ -32,6 +32,7 @@ class Private:
     doc: str = ""
 
     def call(self, *fields: str) -> str:
+        """The code of a call with these fields, or with its own where none are given."""
         return f"{self.name}({', '.join([*(fields or self.fields), *self.needs])})"
 
     def growth(self, *fields: str) -> str:
@@ -57,6 +58,7 @@ class PrivateFunctions:
     """The variant of all entries; where there is none each has the chosen one."""
 
     def own(self, entry: Entry) -> Variant:
+        """The variant an entry is evaluated in: the common one, or that which measurements chose for its key."""
         return self.common or chosen(entry.key)
 
     def variant(self, entry: Entry) -> Variant:
@@ -74,11 +76,13 @@ class PrivateFunctions:
 
     @property
     def order(self) -> tuple[str, ...]:
+        """Names of the parameters in the order in which functions take them, E_star last."""
         return tuple(parameter_name(p) for p in self.profile.parameters) + ("E_star",)
 
     def add(
         self, name: str, fields: Sequence[str], lines: Iterable[str], needs: Iterable[str], doc: str = ""
     ) -> Private:
+        """Adds and returns `_name`; it takes the parameters among `needs`, and defines the abbreviations first."""
         lines, wanted = list(lines), set(needs)
         for symbol, definition in self.profile.abbreviations:
             if str(symbol) in wanted:
@@ -90,6 +94,7 @@ class PrivateFunctions:
         return private
 
     def steps(self, form: EvaluationForm, given: Sequence[str] = ()) -> list[str]:
+        """The assignments of the intermediates of a form, without those whose names are given."""
         return [f"{name} = {self.definition(expr)}" for name, expr in form.steps if str(name) not in given]
 
     def returned(self, form: EvaluationForm) -> list[str]:
@@ -166,4 +171,5 @@ def _generator(terms: str) -> list[str]:
 
 
 def parameter_name(symbol: sp.Symbol | sp.IndexedBase) -> str:
+    """The name of a parameter in code: that of a symbol, or the letter of indexed coefficients."""
     return str(getattr(symbol, "label", symbol))

@@ -106,6 +106,7 @@ def shown_example(
     fields: Mapping[sp.Symbol, sp.Rational],
     entries: Mapping[str, Entry],
 ) -> list[str]:
+    """The lines of the doctest of a function: import, call and the value rounded to six decimals."""
     known = example.environment(profile)
     place = dict(fields)
     if quantity.suffix == "w":
@@ -144,6 +145,7 @@ def _with_ring(
 
 
 def check(profile: Profile) -> dict[str, object]:
+    """Name, signature and lines of `_check`, which checks the parameters and the rules between them."""
     names = [parameter_name(s) for s in profile.parameters]
     passed = ", ".join(f"{name}={name}" for name in names)
     lines = [f"require({passed}, **material)"]

@@ -28,6 +28,7 @@ MOST_REMARKS = 5
 
 
 def build(arguments: argparse.Namespace) -> int:
+    """The exit code, 0 if all went well; UnknownNameError for a profile that does not exist."""
     known = systems.profile_ids()
     for name in arguments.only:
         if name not in known:

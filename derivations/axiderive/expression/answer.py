@@ -69,6 +69,7 @@ class Answer:
 
     @cached_property
     def certificates(self) -> dict[str, Certificate]:
+        """The proofs by suffix; they are made when they are first asked for."""
         return self.proofs()
 
     @property
@@ -79,6 +80,7 @@ class Answer:
 
     @property
     def worst(self) -> float:
+        """The largest relative difference of a formula from its definition, 0 without comparisons."""
         return max((c.residual for c in self.comparisons), default=0.0)
 
     def status(self, suffix: str) -> str:
@@ -169,6 +171,7 @@ def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], end: float
 
 
 def environment(known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """The values with E_star = 1 added."""
     return {**known, sp.Symbol("E_star", positive=True): sp.S.One}
 
 

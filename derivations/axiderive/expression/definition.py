@@ -176,12 +176,15 @@ class Numeric:
         return out
 
     def height(self, x: Array) -> Array:
+        """f at these radii."""
         return self._piecewise(self.pieces, x)
 
     def slope(self, x: Array) -> Array:
+        """f' at these radii; at a break that of the piece below it."""
         return self._piecewise(self.slopes, x)
 
     def kinks(self) -> list[tuple[float, float]]:
+        """Radius and jump of the slope f' for every layer that begins off the axis."""
         return [(start, kink) for start, _, kink in self.layers if start > 0.0]
 
     @staticmethod
@@ -208,9 +211,11 @@ class Numeric:
         return total
 
     def depth(self, a: Array) -> Array:
+        """g at these contact radii, by quadrature of f'."""
         return a * self._whole(a, 0)
 
     def force(self, a: Array) -> Array:
+        """F/E_star at these contact radii, by quadrature of f'."""
         return 2.0 * a**2 * self._whole(a, 2)
 
     def rate(self, a: Array) -> Array:

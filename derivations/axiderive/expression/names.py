@@ -172,6 +172,7 @@ def refusal(name: str) -> str:
 
 
 def nearest_function(name: str) -> str:
+    """The message for an unknown function, with the known one most like it if there is one."""
     near = difflib.get_close_matches(name, FUNCTIONS, n=1, cutoff=0.5)
     hint = f"; did you mean {near[0]}?" if near else ""
     return f"{name[:40]} is no function of an expression{hint}"

@@ -108,6 +108,7 @@ class OwnProfile:
 
     @property
     def smooth(self) -> bool:
+        """Whether the profile is one piece, without a break."""
         return not self.profile.breaks
 
 

@@ -169,6 +169,7 @@ class _Reader:
         self.nodes = 0
 
     def read(self) -> Expression:
+        """The expression of the text; ExpressionError where it is none, or does not depend on r, or holds abs."""
         node = self._parsed()
         names = [inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)]
         if "r" not in names:

@@ -47,6 +47,7 @@ class Part:
 
     @property
     def halved(self) -> bool:
+        """Whether the exponent e is half-integer, so that y stands under a root."""
         return bool(self.e.q == 2)
 
     @property
@@ -55,10 +56,12 @@ class Part:
         return bool(self.s.is_negative)
 
     def y(self, square: sp.Expr) -> sp.Expr:
+        """y = B + s x**2, given the square x**2."""
         return self.B + self.s * square
 
     @property
     def steep(self) -> sp.Expr:
+        """sqrt(|s|), a factor in the arguments of the inverse functions."""
         return sp.sqrt(sp.Abs(self.s))
 
     @property
@@ -95,6 +98,7 @@ class Part:
 
     @cached_property
     def depth(self) -> sp.Expr:
+        """The depth g(a) of this part of f', in closed form; NotSolvableError where there is none."""
         return sp.expand(-a * self.primitive(sp.S.One).subs(x, 0))
 
     @property
@@ -197,6 +201,7 @@ def polynomial(degree: sp.Expr) -> tuple[sp.Expr, list[sp.Symbol]]:
 
 
 def degree_of(expr: sp.Expr) -> int:
+    """Degree of a polynomial in V, 0 for zero; NotSolvableError for what is no polynomial."""
     if not expr.is_polynomial(V):
         raise NotSolvableError
     return int(sp.degree(expr, V)) if expr != 0 else 0

@@ -41,6 +41,7 @@ class Validity:
 
     @property
     def sentence(self) -> str:
+        """The finding in one sentence: up to which radius the contact is compact, and whether that is proved."""
         if self.exact and self.ends is not None:
             return (
                 f"compact up to where f ends (a = {self.ends:.6g} at {self.where}): all coefficients of f are positive"

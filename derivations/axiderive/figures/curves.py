@@ -34,6 +34,8 @@ class Adhesion:
 
 @dataclass(frozen=True)
 class Curves:
+    """Both plots of a contact: the branches with adhesion, and the coordinates of its partial slip."""
+
     adhesion: Adhesion
     slip: str
     sphere: Curve

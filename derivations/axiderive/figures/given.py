@@ -85,5 +85,8 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
 
 
 class Strip(Numbers):
+    """The entries of a plane contact at numbers, whose fields are asked for at x instead of r."""
+
     def place(self, suffix: str) -> sp.Symbol:
+        """The coordinate a field is asked for at: x."""
         return nt.x

@@ -28,6 +28,7 @@ class Curve:
 
 
 def coordinates(rows: Rows) -> str:
+    """The points as `(x,y)` pairs for pgfplots, to five significant digits."""
     return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)
 
 

@@ -165,6 +165,7 @@ class Printer(FunctionPrinter):
         return [(sign, text) for sign, text, _ in rows]
 
     def sum(self, expr: sp.Expr) -> str:
+        """LaTeX of an expression as a sum with its signs, a positive term first if there is one."""
         out = ""
         for sign, text in self.terms(expr):
             out += ("-" if sign < 0 else "+" if out else "") + text
@@ -173,6 +174,7 @@ class Printer(FunctionPrinter):
     # products
 
     def product(self, expr: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of one term without its sign."""
         parts = taken_apart(expr, self.positive)
         return parts.sign, self._layout(parts)
 
@@ -300,6 +302,7 @@ class Printer(FunctionPrinter):
         return f"{self._bracketed(base, sp.S.One)}^{{{power}}}"
 
     def exponent(self, exponent: sp.Expr) -> str:
+        """LaTeX of an exponent, a fraction with a slash: (n+1)/2."""
         above, below = sp.fraction(sp.together(exponent))
         if below == 1:
             return self.sum(exponent)

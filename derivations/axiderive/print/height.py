@@ -62,6 +62,7 @@ class _Reader:
         self.tokens, self.at = tokens, 0
 
     def row(self, closing: str | None = None) -> Extent:
+        """Extent of the tokens up to the closing one, or to the end, side by side."""
         above = below = 0.0
         while self.at < len(self.tokens):
             if self.tokens[self.at] == closing:
@@ -72,12 +73,14 @@ class _Reader:
         return above, below
 
     def argument(self) -> Extent:
+        """Extent of a TeX argument: a group in braces, or the next item."""
         if self.at < len(self.tokens) and self.tokens[self.at] == "{":
             self.at += 1
             return self.row("}")
         return self.item()
 
     def item(self) -> Extent:
+        """Extent of the next item: a letter, group, fraction, root, script or fence."""
         token = self.tokens[self.at]
         self.at += 1
         if token == "{":
@@ -97,6 +100,7 @@ class _Reader:
         return _TALL.get(token, LETTER)
 
     def fraction(self, *, display: bool) -> Extent:
+        """Extent of a fraction after its command, in display size or in that of scripts."""
         scale, (raised, lowered) = (1.0, _FRAC_SHIFTS) if display else (_SCRIPT, _TFRAC_SHIFTS)
         (top, under), (over, bottom) = self.argument(), self.argument()
         clear = AXIS + RULE / 2 + _CLEARANCE[display]
@@ -105,6 +109,7 @@ class _Reader:
         return raised + scale * top, lowered + scale * bottom
 
     def root(self) -> Extent:
+        """Extent of a root after its command, whose index is skipped."""
         if self.at < len(self.tokens) and self.tokens[self.at] == "[":
             self.at = self.tokens.index("]", self.at) + 1
         up, down = self.argument()

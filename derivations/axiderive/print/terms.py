@@ -219,6 +219,7 @@ def is_one_group(text: str) -> bool:
 
 
 def is_scale(base: sp.Expr) -> bool:
+    """Whether a factor stands in the fraction: a symbol, number, Gamma, sum as n + 1, or tan theta."""
     if isinstance(base, TRIGONOMETRIC):
         return bool(base.args[0].is_Symbol)
     if base.is_Add:
@@ -231,10 +232,12 @@ def is_scale(base: sp.Expr) -> bool:
 
 
 def is_function(base: sp.Expr) -> bool:
+    """Whether a factor is neither such a scale nor a sum."""
     return not is_scale(base) and not base.is_Add
 
 
 def has_fraction(base: sp.Expr) -> bool:
+    """Whether a term of the sum has a denominator."""
     return any(sp.fraction(term)[1] != 1 for term in base.args)
 
 
@@ -245,6 +248,7 @@ def _rank(symbol: sp.Symbol) -> int:
 # a formula is set several times over until it fits, and the text of an expression is slow to make
 @lru_cache(maxsize=65536)
 def factor_key(factor: Factor) -> tuple[int, int, str]:
+    """Key to sort factors by: numbers, pi, symbols in the order of print, angles, then functions and integrals."""
     base = factor[0]
     if base.is_Number:
         return (0, 0, "")

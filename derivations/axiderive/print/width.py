@@ -43,6 +43,7 @@ class _Reader:
         self.tokens, self.at = tokens, 0
 
     def row(self, closing: str | None = None) -> float:
+        """Width in points of the tokens up to the closing one, or to the end."""
         total = 0.0
         while self.at < len(self.tokens):
             token = self.tokens[self.at]
@@ -53,12 +54,14 @@ class _Reader:
         return total
 
     def argument(self) -> float:
+        """Width in points of a TeX argument: a group in braces, or the next item."""
         if self.at < len(self.tokens) and self.tokens[self.at] == "{":
             self.at += 1
             return self.row("}")
         return self.item()
 
     def item(self) -> float:
+        """Width in points of the next item: a letter, group, fraction, root, scripts or function."""
         token = self.tokens[self.at]
         self.at += 1
         if token == "{":

@@ -72,6 +72,7 @@ def integrates(one: Row, base: Entries) -> bool:
 
 
 def value_of(expr: sp.Expr, values: Values) -> Any:
+    """The value at a point: integrals by quadrature, all else evaluated to 30 digits."""
     return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
 
 
@@ -227,4 +228,5 @@ def _function(text: str, env: Mapping[str, Any]) -> Any:
 
 
 def difference(got: Any, want: Any) -> Any:
+    """Relative difference of two values; absolute where the wanted one is zero."""
     return abs(got - want) / abs(want) if want else abs(got)

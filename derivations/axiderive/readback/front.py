@@ -48,6 +48,7 @@ class Reading:
     residual: Callable[[str], Any]
 
     def worst(self) -> Any:
+        """How far the formula is from what it has to say, as it is printed."""
         return self.residual(self.tex)
 
 

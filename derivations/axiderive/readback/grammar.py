@@ -37,6 +37,7 @@ class Tokens:
         self.tokens, self.at = _TOKEN.findall(_LAYOUT.sub(" ", tex.replace("{}_", r"\prescript _"))), 0
 
     def peek(self) -> str | None:
+        """The next token, which stays in place; None at the end."""
         return self.tokens[self.at] if self.at < len(self.tokens) else None
 
     def comes(self, *wanted: str) -> bool:
@@ -44,9 +45,11 @@ class Tokens:
         return tuple(self.tokens[self.at : self.at + len(wanted)]) == wanted
 
     def message(self, wanted: str) -> str:
+        """The text of an error: what was expected, at which token of the formula."""
         return f"expected {wanted} at token {self.at} ({self.peek()}) of {' '.join(self.tokens)}"
 
     def take(self, wanted: str | None = None) -> str:
+        """The next token, which is passed over; SyntaxError at the end, or if it is not the wanted one."""
         token = self.peek()
         if token is None or (wanted is not None and token != wanted):
             raise SyntaxError(self.message(wanted or "more"))
@@ -128,6 +131,7 @@ class _Parser(Tokens):
         """Variables of integration met so far, in a list for every integral that is open."""
 
     def statement(self) -> Statement:
+        """Reads sums with = between them."""
         members = [self.sum()]
         while self.peek() == "=":
             self.take()
@@ -135,6 +139,7 @@ class _Parser(Tokens):
         return Statement(tuple(members))
 
     def sum(self) -> Node:
+        """Reads products with + and - between them, up to the token that ends a sum."""
         terms: list[tuple[int, Node]] = []
         while True:
             sign = 1
@@ -145,6 +150,7 @@ class _Parser(Tokens):
                 return meaning.total(terms)
 
     def product(self) -> Node:
+        """Reads factors side by side or over slashes, each of which divides by one factor; ends at a differential."""
         factors = [(1, self.factor())]
         while factors[-1][1].name != _DIFFERENTIAL and (self.peek() == "/" or self.peek() not in {None, *_STOPS}):
             if self.peek() == "/":
@@ -155,6 +161,7 @@ class _Parser(Tokens):
         return meaning.product(factors)
 
     def factor(self) -> Node:
+        """Reads an atom with its powers and factorials."""
         base = self.atom()
         while self.peek() == "^":
             self.take()
@@ -179,6 +186,7 @@ class _Parser(Tokens):
         return inner
 
     def atom(self) -> Node:
+        """Reads a bracket, number, fraction, root, integral, sum, name or function."""
         token = self.peek() or ""
         if token in _CLOSING or token == "{":
             return Node(self.enclosed(_CLOSING.get(token, "}")).value)
@@ -225,6 +233,7 @@ class _Parser(Tokens):
         return meaning.symbol(f"d{names[0]}/d{names[1]}")
 
     def root(self) -> Node:
+        """Reads a root from its index or argument on; the index is 2 where none is printed."""
         index = 2
         if self.peek() == "[":
             self.take()
@@ -234,6 +243,7 @@ class _Parser(Tokens):
         return Node(lambda env: mp.root(inside(env), index))
 
     def limits(self) -> tuple[Node, Node, str]:
+        """Reads lower and upper limit and the variable of a sum, empty for an integral; SyntaxError without both."""
         lower = upper = None
         variable = ""
         for _ in range(2):
@@ -260,6 +270,7 @@ class _Parser(Tokens):
         return meaning.integral(lower, upper, body, found[0])
 
     def differential(self) -> Node:
+        """Reads the variable behind an upright d and notes it for the open integral; its value is 1."""
         self.differentials[-1].append(self.take().lstrip("\\"))
         self.bound.add(self.differentials[-1][-1])
         return Node(lambda env: mp.mpf(1), _DIFFERENTIAL)
@@ -320,12 +331,14 @@ class _Parser(Tokens):
         return self.function(f"{name}_{self.text()}")
 
     def struve(self, name: str) -> Node:
+        """Reads order and argument of the Struve function H or L."""
         self.take("_")
         order = self.argument()
         (argument,) = self.arguments()
         return Node(lambda env: STRUVE[name](order(env), argument(env)))
 
     def function(self, name: str) -> Node:
+        """Reads the arguments in brackets of a function that always has them."""
         arguments = self.arguments()
         return Node(lambda env: BRACKETED[name](*(x(env) for x in arguments)))
 
@@ -342,6 +355,7 @@ class _Parser(Tokens):
         return meaning.power(base, exponent)
 
     def call(self, function: Callable[..., Value]) -> Node:
+        """Reads a function of exactly one factor, with a power behind its name as in sin^2 x."""
         exponent = None
         if self.peek() == "^":
             self.take()
@@ -351,6 +365,7 @@ class _Parser(Tokens):
         return plain if exponent is None else meaning.power(plain, exponent)
 
     def arguments(self) -> list[Node]:
+        """Reads arguments in brackets, with commas or semicolons between; SyntaxError without an opening bracket."""
         opening = self.take()
         if opening not in _CLOSING:
             raise SyntaxError(self.message("an opening bracket"))

@@ -119,10 +119,12 @@ def symbol(name: str) -> Node:
 
 
 def power(base: Node, exponent: Node) -> Node:
+    """The node of base**exponent."""
     return Node(lambda env: mp.power(base(env), exponent(env)))
 
 
 def factorial(of: Node) -> Node:
+    """The node of n!."""
     return Node(lambda env: mp.factorial(of(env)))
 
 
@@ -141,6 +143,8 @@ def product(factors: list[tuple[int, Node]]) -> Node:
 
 
 def integral(lower: Node, upper: Node, body: Node, variable: str) -> Node:
+    """The node of a definite integral, evaluated by mpmath's quadrature and split at the cuts of its variable."""
+
     def value(env: Environment) -> Value:
         low, high = lower(env), upper(env)
         cuts = sorted(x for x in env.get("cuts", {}).get(variable, ()) if low < x < high)

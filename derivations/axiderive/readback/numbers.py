@@ -118,17 +118,20 @@ class Contact:
         self.given = dict(given)
 
     def at(self, suffix: str, **known: Any) -> Any:
+        """The value of a quantity by its printed formula, at the given parameters and those passed by name."""
         # an integral is split where its place says that a break is crossed
         place = {nt.r: known["r"]} if "r" in known else {}
         env = self.printed.environment(self.values | place) | self.given | known
         return self.printed.at(suffix, env)
 
     def load(self, **known: Any) -> Any:
+        """The normal force, or line load of a plane contact: by its formula, else as given."""
         suffix = "P" if self.plane else "F"
         given = {"P": "P", "F": "F_N"}[suffix]
         return self.at(suffix, **known) if suffix in self.entries else self.given[given]
 
     def depth(self, **known: Any) -> Any:
+        """The depth: as given, else by its formula."""
         return self.given["d"] if "d" in self.given else self.at("d", **known)
 
     def mean(self, radius: Any = None, load: Any = None) -> Any:
@@ -138,6 +141,7 @@ class Contact:
         return load / (2 * radius) if self.plane else load / (mp.pi * radius**2)
 
     def pressure(self, place: Any, **known: Any) -> Any:
+        """The pressure at a place r, or x in a plane contact, by its formula."""
         return self.at("p", **known, **{"x" if self.plane else "r": place})
 
     def displacement(self, place: Any, **known: Any) -> Any:

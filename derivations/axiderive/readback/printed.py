@@ -133,6 +133,7 @@ def named(values: Values) -> dict[str, Any]:
 
 
 def name_in_print(symbol: sp.Symbol) -> str:
+    """The name under which the reader finds a symbol, read from its LaTeX."""
     return read(nt.describe(symbol).latex)[0].members[0].name
 
 

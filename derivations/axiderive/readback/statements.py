@@ -152,6 +152,8 @@ def _shorthand(symbol: sp.Symbol, expr: sp.Expr) -> Callable[[str], bool]:
 
 
 def approach(symbol: sp.Symbol, value: sp.Expr) -> Callable[[str], bool]:
+    """A test of printed texts, true for those that do not say that the symbol goes to this value."""
+
     def wrong(tex: str) -> bool:
         left, arrow, right = tex.partition(r"\to ")
         if not arrow or read(left)[0].members[0].name != name_in_print(symbol):

@@ -111,6 +111,7 @@ class Approach:
 
     @property
     def holds(self) -> bool:
+        """Whether the formula was checked at a point at least, and agrees to enough digits."""
         return self.check["count"] > 0 and self.check["digits"] >= REQUIRED
 
 

@@ -47,6 +47,7 @@ def positive_parts(expr: sp.Expr) -> dict[sp.Expr, sp.Expr]:
 
 
 def chain_of(entry: Entry, expr: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The ascending lengths of the case that a formula of the entry belongs to; StopIteration if none has it."""
     return next(case.chain for case in entry.cases if any(expr == own for _, own in _sides((), case.expr)))
 
 

@@ -114,12 +114,14 @@ class Region:
 
     @property
     def tex(self) -> str:
+        """The formula as LaTeX, several lines aligned below each other."""
         if len(self.lines) == 1:
             return self.lines[0]
         return r"\begin{aligned}[t]&" + r"\\[1.5mm]&".join(self.lines) + r"\end{aligned}"
 
     @property
     def width(self) -> float:
+        """Width in points: that given, or that of the widest line."""
         return self.points or max(map(width, self.lines))
 
 
@@ -145,10 +147,12 @@ class Row:
 
     @property
     def key(self) -> str:
+        """The permanent key of its entry, as `cone.p`."""
         return self.entry.key
 
     @property
     def suffix(self) -> str:
+        """The key of its quantity, as `p`."""
         return self.entry.suffix
 
     @property

@@ -107,6 +107,7 @@ class _Composition:
             raise CommandError(message, USAGE)
 
     def result(self, typeset: Typesetter) -> Result:
+        """All files of the request and what is told of them; `typeset` gets the page before the rest is computed."""
         page: dict[str, bytes] = {}
         if {"tex", "pdf"} & set(self.request.formats):
             page = page_sources(

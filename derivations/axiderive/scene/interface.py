@@ -80,6 +80,7 @@ class Function:
 
     @property
     def name(self) -> str:
+        """What the function is called in a scene, without the material law."""
         return self.quantity.function.removesuffix(f"_{self.law}") if self.law else self.quantity.function
 
     @property
@@ -89,12 +90,14 @@ class Function:
 
     @property
     def fields(self) -> tuple[str, ...]:
+        """Names of its positional arguments; under a law the time comes first."""
         if self.law:
             return ("t", *LOADED[self.quantity.suffix.partition("_")[0]])
         return tuple(str(argument) for argument in self.quantity.arguments)
 
     @property
     def signed(self) -> bool:
+        """Whether a field may be negative: loads under adhesion, places under an eccentric load."""
         return (kind_of(self.physics) == "adhesive" and self.name in SIGNED) or self.leaning
 
     @property

@@ -49,6 +49,7 @@ class Scene:
 
     @property
     def notation(self) -> tuple[nt.Notation, ...]:
+        """The notation of the parameters of an expression; empty for a profile of the catalogue."""
         return self.own.notation if self.own else ()
 
 

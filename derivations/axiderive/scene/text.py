@@ -96,16 +96,19 @@ class SceneText:
         return found
 
     def problem(self, section: str, key: str, message: str) -> None:
+        """Collects a problem with the line of its key."""
         line = self.line_of(section, key)
         self.problems.append((line, self.at(line, message)))
 
     def at(self, line: int, message: str) -> str:
+        """A message with file, line number and the line itself."""
         lines = self.text.splitlines()
         where = f"{self.name}:{line}" if line else self.name
         source = f"\n  {line:4} | {_shown(lines[line - 1])}" if 0 < line <= len(lines) else ""
         return f"{where}: {message}{source}"
 
     def unknown(self, section: str, key: str, kind: str, known: Iterable[str]) -> None:
+        """Collects an unknown word as a problem, with the known one most like it."""
         self.problem(section, key, f"unknown {kind} {key[:40]!r}{near(key, known)}")
 
     def table(self, section: str, known: Iterable[str] | None = None) -> dict[str, Any]:
@@ -132,6 +135,7 @@ class SceneText:
 
 
 def near(word: str, known: Iterable[str]) -> str:
+    """The end of a message: the known word most like this one, else the known ones."""
     options = list(known)
     found = difflib.get_close_matches(word, options, n=1, cutoff=0.5)
     return f"; did you mean {found[0]!r}?" if found else f"; there are {', '.join(options[:30])}"

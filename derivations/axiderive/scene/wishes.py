@@ -37,6 +37,7 @@ FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
 
 
 def want(text: SceneText, scene: Scene) -> None:
+    """Reads the section [want] into the scene: functions and worked example; problems go to the text."""
     table = text.table("want", ("quantities", "at"))
     contact = interface.contact_of(scene.profile) if scene.profile else "compact"
     known = available(scene.physics, contact)
@@ -114,6 +115,7 @@ def available(physics: str, contact: str) -> list[str]:
 
 
 def output(text: SceneText, scene: Scene) -> None:
+    """Reads the section [output] into the scene: folder, module and formats; problems go to the text."""
     table = text.table("output", ("folder", "module", "formats"))
     stem = _stem(scene.name)
     scene.module = table.get("module", f"{stem[:60]}.py")

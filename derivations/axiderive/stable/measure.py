@@ -76,6 +76,7 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
 
 
 def value(function: Callable[..., float], point: Sample) -> float:
+    """The result of a call as a float; NaN where a number overflows."""
     try:
         return float(function(*point.arguments, **point.keywords))
     except OverflowError:
@@ -197,14 +198,17 @@ class Texts(abc.MetaPathFinder, abc.InspectLoader):
     def find_spec(
         self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> machinery.ModuleSpec | None:
+        """The specification of a module that is among the texts, else None."""
         if fullname.partition(".")[0] != self.name or self._path(fullname) is None:
             return None
         return machinery.ModuleSpec(fullname, self, is_package=self.is_package(fullname))
 
     def is_package(self, fullname: str) -> bool:
+        """Whether the text of a name is that of a package."""
         return str(self._path(fullname)).endswith("__init__.py")
 
     def get_source(self, fullname: str) -> str:
+        """The text of a module; KeyError if there is none."""
         return self.texts[str(self._path(fullname))]
 
     def _path(self, fullname: str) -> str | None:

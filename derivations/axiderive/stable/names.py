@@ -43,6 +43,7 @@ class Names:
         return tuple(needed)
 
     def root(self, x: sp.Expr, y: sp.Expr) -> sp.Symbol:
+        """The symbol of sqrt(x**2 - y**2), made where there is none yet; it is known to be below x."""
         for name, expr in self.definitions.items():
             if expr == Root(x, y):
                 return name
@@ -59,6 +60,7 @@ class Names:
         return f"root_{x}{y}" if x.is_Symbol and y.is_Symbol else f"root_{len(names)}"
 
     def plain_root(self, radicand: sp.Expr) -> sp.Symbol:
+        """The symbol of the root of this radicand, made where there is none yet."""
         for name, square in self.square.items():
             if square == radicand:
                 return name
@@ -67,6 +69,7 @@ class Names:
         return symbol
 
     def angle(self, y: sp.Expr, x: sp.Expr) -> sp.Symbol:
+        """The symbol of atan(y/x), made where there is none yet."""
         definition = sp.atan(y / x) if self.variant.quotients else Arctan2(y, x)
         for name, expr in self.definitions.items():
             if expr == definition:

@@ -10,6 +10,7 @@ class Named(sp.Symbol):
 
 
 def named(label: str) -> Named:
+    """A positive symbol for an intermediate of the code."""
     return Named(label, positive=True)
 
 

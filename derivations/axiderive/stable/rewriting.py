@@ -48,6 +48,7 @@ class Rewriting(Names):
         }
 
     def with_named_logarithms(self, value: sp.Expr) -> sp.Expr:
+        """The value with ln(X/Y) for X > Y as a named log1p; unchanged where the variant leaves that out."""
         if "log1p" not in self.variant.rules:
             return value
         return value.replace(lambda e: isinstance(e, sp.log), self._logarithm)

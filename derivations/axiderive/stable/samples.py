@@ -193,6 +193,7 @@ class Draw:
         return 10**decades if abs(decades) < 308 else 0.0
 
     def allowed(self) -> bool:
+        """Whether all numbers are normal doubles, the contact is within its largest radius, and the rules hold."""
         sizes = [value for symbol, value in self.values.items() if symbol not in (nt.k, nt.sigma)]
         numbers = [x for value in sizes for x in (value if isinstance(value, tuple) else (value,))]
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles

@@ -17,6 +17,7 @@ def canonical(value: object) -> str:
 
 
 def digest(value: object) -> str:
+    """SHA-256 of a value that JSON can hold, in hexadecimal."""
     return hashlib.sha256(canonical(value).encode()).hexdigest()
 
 
@@ -28,6 +29,7 @@ class Cache:
     fresh: bool = False
 
     def path(self, key: str) -> Path:
+        """Where the value of a key is stored: a folder by its first two characters."""
         return self.folder / key[:2] / f"{key}.json"
 
     def get(self, key: str) -> Any | None:
@@ -43,5 +45,6 @@ class Cache:
         return value if intact else None
 
     def put(self, key: str, value: object) -> None:
+        """Stores a value under a key, with its checksum; the file is replaced as a whole."""
         record = {"key": key, "sha256": digest(value), "value": value}
         write_atomic(self.path(key), (json.dumps(record, ensure_ascii=False, indent=1) + "\n").encode())

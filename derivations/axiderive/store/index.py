@@ -91,6 +91,7 @@ class NoCatalogueError(CommandError):
 
 
 def nearest(name: str, kind: str, known: Iterable[str]) -> UnknownNameError:
+    """The error for an unknown name, with the known one most like it; it is returned, not raised."""
     near = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
     return _unknown(kind, name, near)
 
@@ -137,15 +138,18 @@ class Index:
 
     @property
     def profiles(self) -> list[Row]:
+        """The rows of all profiles."""
         rows: list[Row] = self.data["profiles"]
         return rows
 
     @property
     def entries(self) -> list[Row]:
+        """The rows of all formulas."""
         rows: list[Row] = self.data["entries"]
         return rows
 
     def profile(self, name: str) -> Row:
+        """The row of a profile by its name; UnknownNameError with the nearest name if there is none."""
         for row in self.profiles:
             if row["name"] == name:
                 return row
@@ -234,6 +238,7 @@ FORMS = ("text", "latex", "python", "json")
 
 
 def listing(index: Index, topic: str, *, as_json: bool = False) -> str:
+    """What `axicontact list TOPIC` prints: a table, or rows of JSON."""
     rows = _rows(index, topic)
     if as_json:
         return json.dumps(rows, indent=1, ensure_ascii=False)

@@ -164,6 +164,7 @@ def profile_record(profile: Profile) -> Record:
 
 
 def entry_record(entry: Entry) -> Record:
+    """The entry as plain data; its own profile is referred to by name."""
     return _encode(entry, {entry.profile.name: entry.profile})
 
 

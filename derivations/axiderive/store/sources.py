@@ -69,6 +69,7 @@ class _Statement:
 
     @cached_property
     def code(self) -> str:
+        """SHA-256 of what the statement computes, without docstrings and own imports."""
         return hashlib.sha256(_code(self.node).encode()).hexdigest()
 
 
@@ -86,6 +87,7 @@ class _Module:
         return [name for name in self.imported if name not in used]
 
     def needs(self, statement: _Statement) -> Iterator[Place]:
+        """The places a statement uses: module and name, the name empty where all of a module is meant."""
         for name, attribute in statement.uses:
             if name not in self.imported:
                 yield self.name, name

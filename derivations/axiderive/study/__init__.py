@@ -45,6 +45,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `axicontact study corpus` to its parser."""
     parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
     parser.add_argument("--sympy", action="store_true", help="run SymPy's integrate beside, in processes of its own")
     parser.add_argument(
@@ -53,6 +54,7 @@ def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def add_record_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds --quick, --json and --write to the parser of a study that keeps a record."""
     parser.add_argument("--quick", action="store_true", help="few points and settings")
     parser.add_argument("--json", action="store_true", help="for programs")
     parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")

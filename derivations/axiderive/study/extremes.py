@@ -85,26 +85,31 @@ def _joined(*parts: str) -> str:
 
 
 def small_breaks(quick: bool) -> Iterator[Case]:
+    """Cases with a break that vanishes beside the contact radius; fewer in the quick mode."""
     yield from _breaks(_some(FAR, quick), lambda step: RADIUS * _near(step), "b -> 0", "b/a")
 
 
 def close_breaks(quick: bool) -> Iterator[Case]:
+    """Cases with a break just below the contact radius."""
     yield from _breaks(_some(NEAR, quick), lambda step: RADIUS * (1 - _near(step)), "b -> a", "1 - b/a")
 
 
 def large_spheres(quick: bool) -> Iterator[Case]:
+    """Cases of a sphere much larger than its contact."""
     for step in _some(FAR, quick):
         for suffix, where, point in _places(_base("sphere", R=RADIUS / _near(step))):
             yield Case("R -> infinity", "sphere", suffix, _joined(f"a/R = 1e-{step}", where), point)
 
 
 def hemispheres(quick: bool) -> Iterator[Case]:
+    """Cases of a sphere whose contact radius is almost its own radius."""
     for step in _some(NEAR, quick):
         for suffix, where, point in _places(_base("sphere", R=RADIUS / (1 - _near(step)))):
             yield Case("a -> R", "sphere", suffix, _joined(f"1 - a/R = 1e-{step}", where), point)
 
 
 def exponents(quick: bool) -> Iterator[Case]:
+    """Cases of a power law with very small and very large exponents."""
     for n in _some(EXPONENTS, quick):
         limit = "n -> 0" if n < 1 else "n large"
         for suffix, where, point in _places(_base("power_law", n=n, a=1.0)):

@@ -77,6 +77,7 @@ class _Counter:
         self.bodies = bodies
 
     def function(self, node: ast.FunctionDef, varying: frozenset[str]) -> tuple[int, bool]:
+        """Cost of a function whose arguments in `varying` depend on a field, and True, as its value does."""
         total, names, own = 0, set(varying), dict(self.bodies)
         inner = _Counter(own)
         for line in node.body:
@@ -89,6 +90,7 @@ class _Counter:
         return total, True
 
     def value(self, node: ast.AST, names: Collection[str]) -> tuple[int, bool]:
+        """Cost of an expression, and whether it depends on a field; what does not costs nothing."""
         if isinstance(node, ast.Name):
             return 0, node.id in names
         if isinstance(node, ast.Call):
@@ -177,15 +179,18 @@ class Candidate:
     """By domain, at the points that are recorded."""
 
     def measure(self, points: Points) -> dict[str, list[float]]:
+        """The errors at these points by domain, in units of the last place; they count for `worst`."""
         return self.met(
             {domain: [ulps(self.call(point), point.exact) for point in some] for domain, some in points.items()}
         )
 
     def met(self, errors: dict[str, list[float]]) -> dict[str, list[float]]:
+        """The same errors, once the largest of them counts for `worst`."""
         self.worst = max(self.worst, *(error for some in errors.values() for error in some), 0.0)
         return errors
 
     def keeps(self, tolerance: float) -> bool:
+        """Whether no error so far exceeds the tolerance, in units of the last place."""
         return self.worst <= tolerance
 
 

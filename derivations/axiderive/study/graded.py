@@ -70,6 +70,7 @@ def quad_weighted_pressure(subject: Subject, r: Array) -> Array:
 
 
 def quad_displacement(subject: Subject, r: Array, *, weighted: bool) -> Array:
+    """Displacement at radii r > a by scipy's quad; `weighted` gives it the power x**k as a weight."""
     k, depth = subject.exponent, _depth(subject)
 
     def one(r: float) -> float:
@@ -118,6 +119,7 @@ def mpmath_pressure(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
 
 
 def mpmath_displacement(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
+    """Displacement at radii r > a by mpmath's quadrature at this many digits."""
     with mp.workdps(digits):
         k, edge = mp.mpf(subject.exponent), mp.mpf(subject.edge)
         depth = subject.depth_mp(mp.mpf(a)) + subject.excess_mp()

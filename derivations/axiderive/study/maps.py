@@ -46,6 +46,7 @@ class Axis:
 
     @property
     def name(self) -> str:
+        """The ratio or exponent in text: b/a, a/R or n."""
         return {"below": f"{self.symbol}/a", "above": f"a/{self.symbol}", "exponent": str(self.symbol)}[self.kind]
 
     def place(self, u: float) -> float:
@@ -57,6 +58,7 @@ class Axis:
         return ratio if self.kind == "below" else 1.0 / ratio
 
     def edge(self, u: float) -> float:
+        """The number at a position 0 < u < 1 of the axis: a ratio, or the exponent."""
         return self.place(u) if self.kind == "exponent" else _ratio(u)
 
 

@@ -199,10 +199,12 @@ class _Setup:
         return self.affordable(self._emitted)
 
     def gridded(self, name: str, function: Callable[..., Any], counts: tuple[int, ...]) -> Iterator[Method]:
+        """One method for every number of nodes, with radii of its own."""
         for count in counts:
             yield self.on_grid(name, f"N = {count}", partial(function, self.subject, count))
 
     def closed(self) -> Iterator[Method]:
+        """The emitted function, and where the formula is printed in closed form also its `lambdify`."""
         entry = self.subject.printed(self.suffix)
         yield self.over("emitted", "", self._emitted, self.own)
         if printed(entry):
@@ -229,6 +231,7 @@ class _Setup:
             yield self.over("generated rule", f"N = {count}", run, self.own)
 
     def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
+        """One method for every number of digits, at few points because each takes long."""
         for digits in self.plan.digits:
             run = partial(_with_count, function, self.subject, digits)
             yield self.over(name, f"{digits} digits", run, self.few)

@@ -113,6 +113,7 @@ class Judged:
 
     @property
     def lost(self) -> bool:
+        """Whether the value was NaN or infinite."""
         return math.isinf(self.ulps)
 
 
@@ -177,6 +178,7 @@ def _values(function: Function, points: Sequence[Point]) -> Array:
 
 
 def judge(got: float, exact: mp.mpf) -> Judged:
+    """Relative error and error in units of the last place of a double against the exact value."""
     error = relative(got, exact)
     ulp = float(np.spacing(abs(float(exact))))
     with mp.workdps(2 * DIGITS):

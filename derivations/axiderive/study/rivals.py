@@ -39,6 +39,7 @@ def punch_pressure(subject: Subject, r: Array) -> Array:
 
 
 def punch_displacement(subject: Subject, r: Array) -> Array:
+    """Displacement at r > a of the excess depth of a complete contact, as of a flat punch; 0 without one."""
     return subject.excess * 2 / np.pi * np.arcsin(a / r) if subject.excess else 0.0
 
 
@@ -111,6 +112,8 @@ def quad_pressure(subject: Subject, r: Array, *, substituted: bool) -> Array:
 
 
 def quad_displacement(subject: Subject, r: Array) -> Array:
+    """Displacement at radii r > a by scipy's quad over g', from break to break."""
+
     def one(r: float) -> float:
         return sum(quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), *span) for span in spans(subject, a))
 
@@ -153,6 +156,7 @@ def mpmath_pressure(subject: Subject, r: Array, digits: int, *, substituted: boo
 
 
 def mpmath_displacement(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
+    """Displacement at radii r > a by mpmath's quadrature at this many digits."""
     with mp.workdps(digits):
         radii = [mp.mpf(float(x)) for x in r]
         return [
@@ -217,6 +221,7 @@ def table_radius(subject: Subject, d: Array, count: int) -> Array:
 
 
 def mpmath_radius(subject: Subject, d: Array, digits: int) -> list[mp.mpf]:
+    """Contact radius with adhesion at each depth: mpmath's quadrature and secant method at this many digits."""
     with mp.workdps(digits):
         dgamma, modulus = (mp.mpf(x) for x in (subject.values[nt.dgamma], subject.modulus))
 

@@ -206,10 +206,12 @@ class Subject:
 
     @property
     def profile(self) -> Profile:
+        """The profile of the problem."""
         return systems.problem(self.name).profile
 
     @property
     def entries(self) -> dict[str, Entry]:
+        """The entries of the problem by suffix."""
         return entries(self.name)
 
     @property
@@ -250,6 +252,7 @@ class Subject:
 
     @property
     def plane(self) -> bool:
+        """Whether it is a plane contact."""
         return systems.problem(self.name).system.name == "plane"
 
     @property
@@ -259,6 +262,7 @@ class Subject:
 
     @property
     def graded(self) -> bool:
+        """Whether the half-space is graded."""
         return nt.k in self.values
 
     @property
@@ -268,6 +272,7 @@ class Subject:
 
     @property
     def free(self) -> sp.Symbol:
+        """What a complete contact is loaded by: the depth d, or the line load P in the plane."""
         return nt.P if self.plane else nt.d
 
     @property
@@ -282,6 +287,7 @@ class Subject:
 
     @property
     def modulus(self) -> float:
+        """The value of E_star, on the graded half-space that of H."""
         return float(self.values[nt.H if self.graded else nt.E_star])
 
     @property
@@ -327,6 +333,7 @@ class Subject:
 
     @cached_property
     def slope_mp(self) -> Function:
+        """f'(r) of a number of mpmath."""
         return self._slope.mpmath()
 
     @cached_property
@@ -346,10 +353,12 @@ class Subject:
 
     @cached_property
     def rate_mp(self) -> Function:
+        """g'(t) beyond the edge, of a number of mpmath."""
         return self._depth.rate.mpmath()
 
     @cached_property
     def depth_mp(self) -> Function:
+        """g(t) beyond the edge, of a number of mpmath; P(t)/E_star in the plane."""
         return self._depth.mpmath()
 
     @cached_property
@@ -398,4 +407,5 @@ class Subject:
 
 @cache
 def subject(name: str) -> Subject:
+    """The subject of a problem, made once; its name is the key of the problem."""
     return Subject(name)

@@ -37,9 +37,11 @@ class Scale:
     y: float
 
     def at(self, x: float, y: float) -> tuple[float, float]:
+        """The place of a point in units of the SVG, to one decimal."""
         return round(self.x0 + self.x * x, 1), round(self.y0 - self.y * y, 1)
 
     def points(self, rows: Iterable[tuple[float, float]]) -> str:
+        """The points in units of the SVG as the text of a `points` attribute."""
         return " ".join("{:g},{:g}".format(*self.at(x, y)) for x, y in rows)
 
 
@@ -94,18 +96,22 @@ class Figure:
     """Id of the figure on its page; its caption has the same with .caption behind it."""
 
     def add(self, element: str, kind: str, **attributes: Any) -> None:
+        """Adds a shape; an attribute whose name is a word of Python has an underscore behind it."""
         self.shapes.append((element, kind, {name.rstrip("_"): f"{value}" for name, value in attributes.items()}))
 
     def curve(self, kind: str, name: str, points: Iterable[tuple[float, float]]) -> None:
+        """Adds a curve to the window, in the units of its axes."""
         self.curves.append((kind, name, " ".join(f"{x:.5g},{y:.5g}" for x, y in points)))
 
     def line(self, kind: str, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Adds a straight line from one place to another, in units of the SVG."""
         (x1, y1), (x2, y2) = start, end
         self.add("line", kind, x1=x1, y1=y1, x2=x2, y2=y2)
 
     def label(
         self, text: str, place: tuple[float, float], side: str = "middle", kind: str = "", plain: bool = False
     ) -> None:
+        """Adds a label at a place in units of the SVG, which is kept in percent of the figure."""
         x, y = place
         left, top = round(100 * x / self.width, 2), round(100 * y / self.height, 2)
         self.labels.append(Label(text, left, top, side, kind, plain))

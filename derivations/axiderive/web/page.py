@@ -85,6 +85,7 @@ class Known:
     values: Calls
 
     def formula(self, entry: Entry) -> Formula:
+        """One formula with its evidence in words and its call in Python."""
         suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
         lines = imported(self.problem), assigned(entry, self.values), called(self.problem, entry, self.functions)
         python = "\n\n".join(lines)
@@ -98,6 +99,7 @@ class Known:
         return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
 
     def row(self, one: Row) -> WebRow:
+        """A row of the book as the page shows it, its formulas as LaTeX in HTML."""
         label, small = one.label
         return WebRow(
             label,

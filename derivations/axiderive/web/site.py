@@ -124,6 +124,7 @@ class Site:
     studied: bool = False
 
     def render(self, name: str, model: Model, profile_id: str = "") -> str:
+        """The HTML of a page from the template of this name; links follow what the site has pages for."""
         environment = _environment()
 
         def link(label: str, text: str) -> Markup:

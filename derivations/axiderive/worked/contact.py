@@ -27,6 +27,7 @@ def parameters(profile: Profile, case: Case) -> Values:
 
 
 def number(value: sp.Rational) -> Any:
+    """The rational as an mpmath number at the precision in force."""
     return mp.mpf(int(value.p)) / int(value.q)
 
 

@@ -59,6 +59,7 @@ class Line:
 
     @property
     def coordinates(self) -> str:
+        """The points as pairs `(x,y)` of TikZ in millimetres, to two decimals."""
         return " ".join(f"({x:.2f},{y:.2f})" for x, y in self.points)
 
 
@@ -109,6 +110,7 @@ def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
 
 
 def problem_of(key: str) -> str:
+    """The key of the problem in the key of a formula: `cone` of `cone.p`, `cone.adh` of `cone.adh.F`."""
     return key.rpartition(".")[0]
 
 
@@ -145,9 +147,11 @@ class Scale:
     height: float
 
     def x(self, ratio: float) -> float:
+        """Place in millimetres of a ratio of times on the logarithmic horizontal axis."""
         return self.width * (math.log10(ratio) - self.first) / (self.last - self.first)
 
     def y(self, error: float) -> float:
+        """Place in millimetres of an error on the logarithmic vertical axis; errors off the axis stand at its ends."""
         power = min(max(math.log10(error), LOWEST), 0.0)
         return self.height * (power - LOWEST) / -LOWEST
 

@@ -48,6 +48,8 @@ class Map:
 
 @dataclass(frozen=True)
 class Figure:
+    """All maps of the study, those of one ratio and those of two, with colour and words of each level."""
+
     plain: tuple[Map, ...]
     """Maps of one ratio."""
     square: tuple[Map, ...]

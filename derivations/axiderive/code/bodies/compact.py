@@ -125,6 +125,7 @@ class Lumped(Regimes):
         return python(reach) if isinstance(reach, SineRoot) else f"difference_root(a, {self.b})"
 
     def stiffness(self, form: EvaluationForm) -> Private:
+        """Adds and returns `_stiffness`, dF/dd at a contact radius; NaN beyond the largest one."""
         lines = [*self.functions.steps(form), f"return {python(form.value)}"]
         return self._limited("stiffness", lines, self.functions.needs(form, ("a",)))
 
@@ -133,6 +134,7 @@ class Compact(Lumped):
     """The private functions behind the entries of one compact profile."""
 
     def pressure(self) -> Private:
+        """Adds and returns `_pressure` of (r, a): the closed tip, or rules over g', before and beyond the break."""
         lines: list[str] = []
         needs, parts = {"E_star"}, []
         scale = python(HOMOGENEOUS.pressure_scale)
@@ -232,6 +234,7 @@ class Compact(Lumped):
         return f"{python(sunk)} * {beside(radius, exponent)}"
 
     def displacement(self) -> Private:
+        """Adds and returns `_displacement` of (r, a): d - f(r) under the contact, outside a closed form or a rule."""
         lines: list[str] = []
         needs, parts, terms = set(), [], []
         scale = python(HOMOGENEOUS.displacement_scale)

@@ -34,6 +34,7 @@ class Complete:
         self.concave = "dmin" in self.entries
 
     def add_all(self) -> None:
+        """Adds the private functions of all its entries; those of a concave face give NaN below their thresholds."""
         if self.concave:
             self._thresholds()
         if self.partial:

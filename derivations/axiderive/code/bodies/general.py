@@ -75,11 +75,13 @@ def _far(power: sp.Expr) -> float:
 
 
 def text(expr: sp.Expr) -> str:
+    """The expression as Python code, in its stable form where that is one expression and does not cancel."""
     form = evaluation_form(expr, facts_of(()))
     return python(expr) if form.cancels or form.steps else python(form.value)
 
 
 def radius_text(start: sp.Expr) -> str:
+    """A radius as Python code, zero as a float."""
     return "0.0" if start == 0 else str(start)
 
 
@@ -162,6 +164,7 @@ class _General:
         self.start = self.profile.breaks[0] if self.profile.truncated else None
 
     def add_all(self, exponents: tuple[float, float]) -> None:
+        """Adds all private functions; `exponents` bound the logarithmic slopes of depth and force from below."""
         self.steep = [self._steepness(i, piece) for i, piece in enumerate(self.profile.pieces)]
         self.growths = [self._growth(i, layer) for i, layer in enumerate(self.layers)]
         self.bends = [

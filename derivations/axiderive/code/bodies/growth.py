@@ -172,6 +172,7 @@ class Growth:
         return [mp.mpf(10) ** (mp.mpf(k) / 4) for k in range(-24, last + 1)]
 
     def number(self, expr: sp.Expr) -> mp.mpf:
+        """The expression at the parameters of the sketch, as an mpmath number."""
         return mp.mpf(str(sp.N(expr.subs(self.known), DIGITS)))
 
     def __call__(self, t: mp.mpf) -> mp.mpf:
@@ -255,6 +256,7 @@ class Start:
     """The curve at t = 1, with the parameters of the sketch."""
 
     def text(self, rest: str) -> str:
+        """The arguments of `between` as Python code; `rest` is the text of the correcting polynomial."""
         return f"{self.small}, {self.large}, {self.blend}, {rest}"
 
 

@@ -44,9 +44,11 @@ class Regimes:
             self._summed_slope(depth["tip"].expr)
 
     def rules(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """Both sides of every rule left <= right between the parameters of the profile."""
         return tuple((rule.left, rule.right) for rule in self.profile.rules)
 
     def facts(self, case: Case) -> Facts:
+        """What is known of signs in a case: the order of its lengths and the rules of the profile."""
         return facts_of(case.chain, *self.rules())
 
     def regimes(self, suffix: str) -> dict[str, Case]:
@@ -58,6 +60,7 @@ class Regimes:
         return found
 
     def form(self, suffix: str, key: str) -> EvaluationForm:
+        """The evaluation form of a quantity in the regime `tip` or `beyond`; KeyError where it has no such regime."""
         case = self.regimes(suffix)[key]
         return self.functions.form(self.entries[suffix], case.expr, self.facts(case))
 
@@ -105,6 +108,7 @@ class Regimes:
         )
 
     def root_pair(self) -> tuple[str, str]:
+        """The texts of x and y in sqrt(x**2 - y**2), the root that depth and force are written in."""
         return ("a", str(self.b)) if self.profile.truncated else (str(self.scale("tip")[1]), "a")
 
     def domain(self) -> tuple[str, set[str]]:

@@ -52,6 +52,7 @@ class _Adhesive:
         self.keywords = [name_of(symbol) for symbol in self.symbols]
 
     def source(self) -> str:
+        """The text of the whole module: public functions, pull-off, and the private rules below them."""
         for suffix in SUMMARY:
             self.public(suffix)
         self.pull_off()
@@ -63,6 +64,7 @@ class _Adhesive:
         return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
+        """Adds the public function of one quantity to the module."""
         entry, writer = self.entries[suffix], self.writer
         keywords = [name for name in self.keywords if suffix != "Dl" or name in ("H", "k", "dgamma")]
         symbols = [symbol for symbol in self.symbols if name_of(symbol) in keywords]
@@ -82,6 +84,7 @@ class _Adhesive:
         writer.add(entry, SUMMARY[suffix], notes, body, keywords)
 
     def order(self) -> list[str]:
+        """The lines that check a free exponent of a power law; none for any other profile."""
         return ORDER if self.power is not None and self.power.lengths[0] == n else []
 
     def rules(self) -> None:
@@ -159,6 +162,7 @@ class _Adhesive:
             writer.rule(f"_radius_from_{quantity}", [field], needs, lines)
 
     def pull_off(self) -> None:
+        """Adds the public function `pull_off` under control of force or depth."""
         writer = self.writer
         named = ", ".join(f"{name}={name}" for name in self.keywords if not (writer.summed and name == "A"))
         fixed = "A=A, " if writer.summed else ""
@@ -179,6 +183,7 @@ class _Adhesive:
         )  # fmt: skip
 
     def document(self) -> list[str]:
+        """The lines of the docstring of `pull_off`, with the equation of its radius."""
         lines = ["At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and", ""]
         lines += ["    a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))", ""]
         lines += text.wrapped("where xi = 3 + k under control of the force and 1 - k under control of the depth.")

@@ -45,6 +45,7 @@ class _Complete:
         self.order = order_of(self.profile)
 
     def source(self) -> str:
+        """The text of the whole module."""
         self.writer.profile_function()
         for suffix in COMPLETE:
             if suffix in self.entries:
@@ -58,6 +59,7 @@ class _Complete:
         return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
+        """Adds the public function of one quantity to the module."""
         entry, writer = self.entries[suffix], self.writer
         names = [name_of(symbol) for symbol in entry.parameters]
         body = [f"require({', '.join(f'{name}={name}' for name in names)})", *(ORDER if "n" in names else [])]
@@ -72,9 +74,11 @@ class _Complete:
         writer.add(entry, SUMMARY[suffix], notes, body)
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
+        """Adds a private function of these lines; `needs` are the parameters it takes behind its fields."""
         self.writer.rule(name, fields, needs, lines)
 
     def flat_rules(self) -> None:
+        """Adds the private functions of the flat punch, all in closed form."""
         self.rule("_force", ["d"], ["a", "H", "k"], "return punch_stiffness(a, H, k) * d")
         pressure = "return np.where(d > 0.0, d * punch_pressure(r, a, H, k), 0.0)"
         self.rule("_pressure", ["r", "d"], ["a", "H", "k"], pressure)

@@ -62,6 +62,7 @@ class Family:
         return self.terms[0] if len(self.terms) == 1 and self.terms[0].shape == "power" and not self.summed else None
 
     def has(self, *shapes: str) -> bool:
+        """Whether any term has one of these shapes."""
         return any(term.shape in shapes for term in self.terms)
 
     def total(self, quantity: str, *fields: str) -> str:

@@ -131,18 +131,22 @@ class Writer:
 
     @property
     def geometry(self) -> list[str]:
+        """Names of the parameters of the profile, as the interface has them."""
         return [name_of(symbol) for symbol in self.profile.parameters]
 
     @property
     def summed(self) -> bool:
+        """Whether the profile is a polynomial, whose coefficients are passed as one tuple A."""
         return coefficients in self.profile.parameters
 
     @property
     def own_check(self) -> str:
+        """Name under which the module calls the check of the rules between parameters."""
         return "_check" if self.group == "normal" else "normal._check"
 
     @cached_property
     def example(self) -> Example:
+        """The doctests of this module."""
         return Example(self.profile, self.entries, self.group, self.plain)
 
     def checks(self, symbols: Sequence[sp.Symbol], reach: bool = False) -> list[str]:
@@ -217,10 +221,12 @@ class Writer:
     def evaluated(
         self, function: str, fields: Sequence[str], names: Sequence[str], apart: Sequence[str] = (), **signed: str
     ) -> str:
+        """The code of a call of `elementwise`; names `apart` have a say in the shape alone, `signed` go by keyword."""
         apart = [name for name in apart if not (self.summed and name == "A")]
         return evaluate(function, fields, names, self.summed and "A" in names, apart, **signed)
 
     def source(self, title: str) -> str:
+        """The text of the module: header, the imports its code needs, public and private functions."""
         body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)
         if self.group == "normal":
             body = body.replace(f"from ..normal import {text.NORMAL} as normal\n", "", 1)

@@ -39,6 +39,7 @@ class _Normal:
         self.material = [*self.writer.geometry, "H", "k"]
 
     def source(self) -> str:
+        """The text of the whole module."""
         self.writer.profile_function()
         for suffix in COMPACT:
             if suffix in self.entries:
@@ -51,6 +52,7 @@ class _Normal:
         return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
 
     def public(self, suffix: str) -> None:
+        """Adds the public function of one quantity to the module."""
         entry, writer, profile = self.entries[suffix], self.writer, self.profile
         at_radius = a in entry.quantity.arguments
         body = writer.checks(entry.parameters, reach=profile.truncated and at_radius)
@@ -103,6 +105,7 @@ class _Normal:
         return ""
 
     def limited(self, value: str) -> str:
+        """The code of a value, NaN outside the range of the contact radius if that has one."""
         return f"np.where({self.domain()}, {value}, np.nan)" if self.domain() else value
 
     def growth(self) -> None:
@@ -143,6 +146,7 @@ class _Normal:
         writer.rule("_displacement", ["r", "a"], self.geometry, displacement)
 
     def inverses(self) -> None:
+        """Adds the private functions for a(d), a(F), F(d) and d(F)."""
         needs = {"depth": self.geometry, "force": self.material}
         for quantity, field in (("depth", "d"), ("force", "F")):
             lines, name = self.inverse(quantity, field, needs[quantity]), f"_radius_from_{quantity}"
@@ -179,6 +183,7 @@ class _Normal:
         ]
 
     def inverse(self, quantity: str, field: str, needs: list[str]) -> list[str]:
+        """The lines of a(d) or a(F): in closed form for one power of r, else a safeguarded iteration."""
         own, passed = self.family, f"({', '.join(needs)})"
         rate = "rate" if quantity == "depth" else "force_rate"
         if own.power is not None:

@@ -123,6 +123,7 @@ class _Adhesive:
         self.example = Example(self.profile, entries, "adhesive")
 
     def source(self, *, interface: bool) -> str:
+        """The text of the module; without `interface` the private functions alone."""
         inverse = (
             branch_functions(self.module)
             if self.power is None
@@ -134,6 +135,7 @@ class _Adhesive:
         return body.replace(text.NORMAL, self.profile.name)
 
     def public(self, suffix: str) -> Function:
+        """The public function of one quantity, with its checks, docstring and doctest."""
         entry = self.entries[suffix]
         fields = [str(argument) for argument in entry.quantity.arguments]
         symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
@@ -176,6 +178,7 @@ class _Adhesive:
         ]
 
     def notes_of_inverse(self) -> str:
+        """The sentences below an inverse: its validity, and which radius is meant where several are stable."""
         notes = f"Valid for {self.profile.validity}. NaN below pull-off."
         if self.power == n:
             notes += f" {text.capital(self.entries['ad'].note)}."
@@ -198,6 +201,7 @@ class _Adhesive:
         ]
 
     def pull_off(self) -> Function:
+        """The public function `pull_off` under control of force or depth."""
         named = ", ".join(f"{name}={name}" for name in self.keywords if not (self.module.summed and name == "A"))
         fixed = "A=A, " if self.module.summed else ""
         body = [*self.module.check(self.symbols), "require_control(control)"]
@@ -215,6 +219,7 @@ class _Adhesive:
         )  # fmt: skip
 
     def pull_off_document(self) -> list[str]:
+        """The lines of the docstring of `pull_off`, with the formulas under either control."""
         lines = ["Under control of the force:", "", *self.pull_off_formulas(("ac", "Fc", "dc"))]
         lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(("am", "Fm", "dm"))]
         note = f" {text.capital(self.entries['ac'].note)}." if self.power == n else ""
@@ -222,6 +227,7 @@ class _Adhesive:
         return text.pull_off(lines, self.keywords, self.entries["ac"].parameters, self.entries, note)
 
     def pull_off_formulas(self, names: tuple[str, str, str]) -> list[str]:
+        """Radius, force and depth at pull-off as indented lines: closed, or the equation of the radius."""
         radius = self.entries[names[0]]
         if radius.status == "closed":
             return [f"    {line}" for suffix in names for line in text.formula(self.entries[suffix])]

@@ -40,12 +40,14 @@ class _Detachment:
         self.example = Example(self.profile, entries, "adhesive")
 
     def source(self) -> str:
+        """The text of the whole module."""
         title = f"{self.profile.title} with adhesion"
         public = [self.retraction(), self.pull_off()]
         source = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules())
         return source.replace(text.NORMAL, self.profile.name)
 
     def rules(self) -> list[str]:
+        """The texts of the private functions: depth and force at which the edge peels off."""
         needs = self.keywords
         form = evaluation_form(complete.edge_depth(self.profile), facts_of((a,)))
         steps = [f"{name} = {python(expr)}" for name, expr in form.steps]
@@ -59,6 +61,7 @@ class _Detachment:
         ]
 
     def retraction(self) -> Function:
+        """The public function of the retraction of the edge."""
         keywords = [name_of(symbol) for symbol in EDGE]
         notes = f"Valid for {self.profile.validity}."
         return Function(
@@ -69,6 +72,7 @@ class _Detachment:
         )  # fmt: skip
 
     def pull_off(self) -> Function:
+        """The public function `pull_off`, whose state is the same under control of force and depth."""
         named = ", ".join(f"{name}={name}" for name in self.keywords)
         body = [
             *self.module.check(self.symbols),

@@ -75,9 +75,11 @@ class Example:
         return {nt.d: sp.Rational(str(drawn)) if drawn else sp.Rational(1, 5), nt.F: sp.Rational(1, 5)}
 
     def head(self) -> list[str]:
+        """The first line of a doctest: the import of the module."""
         return [f">>> from {PACKAGE}.{self.group} import {self.profile.name}"]
 
     def keyword(self, symbol: sp.Symbol | sp.IndexedBase, at: Values) -> str:
+        """A keyword argument with its value as Python code, a polynomial as the tuple A."""
         if symbol == nt.coefficients:
             return f"A=({', '.join(example.literal(c) for c in example.POLYNOMIAL)})"
         return f"{name_of(symbol)}={example.literal(at[symbol])}"
@@ -92,6 +94,7 @@ class Example:
         return _closed(entry, at)
 
     def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> sp.Float:
+        """The unknown that solves the equation of an entry, to 30 digits; searched from its drawn value."""
         equations = _Numeric(entry, unknown, at, lambda expr: expr.lhs - expr.rhs)
         with mp.workdps(30):
             start = mp.mpf(str(sp.N(self.known[unknown], 30)))
@@ -107,6 +110,7 @@ class Example:
         return [*lines, example.result(self.least_force())]
 
     def least_force(self) -> sp.Float:
+        """The least of F(a) up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
         force = _Numeric(self.entries["F"], nt.a, self.known, lambda expr: expr)
         with mp.workdps(30):
             low = mp.mpf(str(sp.N(self.known[self.profile.breaks[0]], 30))) if self.profile.truncated else mp.mpf(0)

@@ -64,6 +64,7 @@ def __dir__() -> list[str]:
 
 
 def package_source(title: str, names: Sequence[str]) -> str:
+    """The text of a package that imports each of its modules when it is first asked for."""
     return PACKAGE.format(title=title, names="\n".join(f'    "{name}",' for name in names))
 
 

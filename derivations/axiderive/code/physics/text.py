@@ -49,6 +49,7 @@ class NormalModule:
 
     @property
     def geometry(self) -> list[str]:
+        """Names of the parameters of the profile, as the interface has them."""
         return [name_of(symbol) for symbol in self.profile.parameters]
 
     @property
@@ -87,6 +88,7 @@ class Function:
     example: list[str] = field(default_factory=list)
 
     def text(self) -> str:
+        """The function as Python code, with signature, docstring and body."""
         typed = [*([self.leading] if self.leading else []), *(f"{name}: ArrayLike" for name in self.fields)]
         typed += ["*", *(f"{name}: ArrayLike" for name in self.keywords)] if self.keywords else []
         head = fit(f"def {self.name}({', '.join(typed)}) -> {self.returns}:", 0)
@@ -225,6 +227,7 @@ def evaluate(
 
 
 def wrapped(text: str, indent: int = 0) -> list[str]:
+    """The text in lines of at most 106 characters, each indented by this many spaces."""
     space = " " * indent
     return textwrap.wrap(
         text, 106, initial_indent=space, subsequent_indent=space, break_long_words=False, break_on_hyphens=False
@@ -232,4 +235,5 @@ def wrapped(text: str, indent: int = 0) -> list[str]:
 
 
 def capital(text: str) -> str:
+    """The text with its first letter as a capital, the rest unchanged."""
     return text[:1].upper() + text[1:]

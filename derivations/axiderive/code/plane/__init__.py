@@ -93,6 +93,7 @@ class _Module:
         self.quantities = shape + [quantity for suffix, quantity in known.items() if suffix in self.entries]
 
     def public(self, quantity: Quantity) -> text.Function:
+        """The public function of one quantity; without an entry that of the shape f(x)."""
         entry = self.entries.get(quantity.suffix)
         symbols = entry.parameters if entry else self.profile.parameters
         fields, keywords = [str(field) for field in quantity.arguments], [str(symbol) for symbol in symbols]
@@ -133,6 +134,7 @@ class _Module:
         return used
 
     def reached(self, own: Private, public: list[text.Function]) -> bool:
+        """Whether a public function calls this private one, directly or through others."""
         called = [
             other
             for other in self.functions.functions.values()

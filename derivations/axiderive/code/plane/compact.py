@@ -30,6 +30,7 @@ class Compact:
         self.b = self.profile.breaks[0] if self.profile.breaks else None
 
     def add_all(self) -> None:
+        """Adds the private functions of profile, growth, load, pressure, slope, depth and half-width."""
         add_profile(self.functions)
         self._growths()
         self._load()

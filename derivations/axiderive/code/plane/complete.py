@@ -37,6 +37,7 @@ class Complete:
         self.concave = "Pmin" in self.entries
 
     def add_all(self) -> None:
+        """Adds the private functions of profile, pressure, slope and depth, and of the least load if concave."""
         add_profile(self.functions)
         if self.concave:
             self._zero_distance()

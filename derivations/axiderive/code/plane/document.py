@@ -69,6 +69,7 @@ def text(
 
 
 def meaning(profile: Profile, symbol: sp.Symbol) -> str:
+    """What a symbol means in a plane contact, in words; a punch has its own for half-width and face."""
     own = MEANING | (OF_PUNCH if profile.contact == "complete" else {})
     return own.get(symbol) or profile.meaning(symbol)
 

@@ -77,6 +77,7 @@ class Assembled:
 
     @property
     def key(self) -> Key:
+        """Its place in the module of the scene."""
         return OWN, self.name
 
 

@@ -33,14 +33,17 @@ class _Text:
             self.starts.append(self.starts[-1] + len(line.encode()))
 
     def span(self, node: ast.expr | ast.stmt | ast.arg | ast.alias) -> tuple[int, int]:
+        """First byte of a node, and the byte behind its last."""
         assert node.end_lineno is not None and node.end_col_offset is not None
         return self.starts[node.lineno - 1] + node.col_offset, self.starts[node.end_lineno - 1] + node.end_col_offset
 
     def source(self, node: ast.expr) -> str:
+        """The text of a node."""
         start, end = self.span(node)
         return self.data[start:end].decode()
 
     def edited(self, edits: list[Edit]) -> str:
+        """The text with new words in place of spans, given as (first byte, byte behind the last, words)."""
         out, place = [], 0
         for start, end, new in sorted(edits):
             out += [self.data[place:start], new.encode()]

@@ -34,14 +34,17 @@ class Definition:
 
     @property
     def key(self) -> Key:
+        """Names of its module and of itself."""
         return self.module.name, self.name
 
     @property
     def function(self) -> ast.FunctionDef | None:
+        """The syntax tree if this is a function, else None."""
         return self.node if isinstance(self.node, ast.FunctionDef) else None
 
     @property
     def parameters(self) -> list[str]:
+        """Names of the positional parameters of a function; none for anything else."""
         return [arg.arg for arg in self.function.args.args] if self.function else []
 
     @cached_property
@@ -118,6 +121,7 @@ class Module:
                     self.imported[alias.asname or alias.name] = (source, alias.name)
 
     def resolve(self, name: str) -> Key | None:
+        """The key of what a name means at the top of the module, defined or imported; None for any other name."""
         if name in self.definitions:
             return self.name, name
         return self.imported.get(name)
@@ -130,6 +134,7 @@ class Module:
         return self.starts[first.lineno - 1] + column, end
 
     def source(self, node: Any) -> str:
+        """The text of a node, decorators included."""
         start, end = self.span(node)
         return self.bytes[start:end].decode()
 
@@ -205,6 +210,7 @@ class Linker:
         self._name()
 
     def definition(self, key: Key) -> Definition:
+        """The definition behind a key, followed through imports; KeyError if there is none."""
         module, name = key
         found = self.modules[module].definitions.get(name)
         if found is None:
@@ -285,6 +291,7 @@ class Linker:
         return arguments(call, callee.parameters)
 
     def text(self, key: Key, doc: str = "") -> str:
+        """The text of a reached definition with its new names and fewer parameters; `doc` replaces its docstring."""
         return rewritten(self, self.reached[key], doc)
 
 

@@ -228,6 +228,7 @@ class _Checks:
     order: tuple[str, ...]
 
     def lines(self, keywords: Sequence[str]) -> list[str]:
+        """The lines that check these keywords: their domains, and their order where all it concerns are keywords."""
         if not keywords:
             return []
         found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]

@@ -64,6 +64,7 @@ class _Rewriting:
         self.keys: dict[int, Key] = {id(node): key for node, key in definition.references()}
 
     def text(self, doc: str) -> str:
+        """The new text of a function, constant or class, the last as a namedtuple; `doc` replaces a docstring."""
         node = self.definition.node
         name = self.linker.names[self.definition.key]
         if isinstance(node, ast.Assign):

@@ -71,6 +71,7 @@ class _Runtime(dict[str, Module]):
 
 @cache
 def runtime() -> dict[str, Module]:
+    """The modules of the runtime by name, parsed when they are asked for; KeyError for a name that is none."""
     return _Runtime()
 
 

@@ -35,6 +35,7 @@ class Value:
     wanted: float
 
     def record(self) -> dict[str, Any]:
+        """The call and its value as plain data."""
         return {
             "function": self.function,
             "fields": list(self.fields),

@@ -142,6 +142,7 @@ class Contact:
         return [0.5 * (inner[-1] + a)] if inner else []
 
     def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
+        """A quantity without adhesion at contact radius a [SI], by its definition; fields at the radius `at`."""
         assert self.definition is not None
         with mp.workdps(DIGITS + 10):
             if suffix == "w" and at is not None and at <= a:
@@ -162,6 +163,7 @@ class Contact:
             return mp.mpf(self.all["E_star"]) * found, place
 
     def height(self, at: float) -> mp.mpf:
+        """f(r) at a radius, to 30 digits."""
         known = self.given() | {nt.r: sp.Rational(at)}
         return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
 
@@ -172,9 +174,11 @@ class Contact:
         return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
 
     def depth(self, a: float) -> mp.mpf:
+        """The depth at a contact radius [m], less the retraction under adhesion."""
         return self.normal("d", a) - self.moved(a)
 
     def force(self, a: float) -> mp.mpf:
+        """The force at a contact radius [N], less that of the retracted punch under adhesion."""
         return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
 
     @cached_property

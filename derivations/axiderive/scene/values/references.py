@@ -65,6 +65,7 @@ class _Radius:
         self.contact, self.a, self.adhesive = contact, a, adhesive
 
     def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
+        """The graded half-space under this profile at the values of the scene; `places` are fields by name."""
         contact = self.contact
         known = {symbol: mp.mpf(contact.all[name]) for name, symbol in MATERIAL.items() if name in contact.all}
         fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
@@ -150,6 +151,7 @@ class Edged:
         return mp.mpf(self.contact.all["a"])
 
     def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
+        """The half-space, graded or not, under this punch at the values of the scene; `places` are fields by name."""
         own, known = self.contact, {nt.E_star: mp.mpf(self.contact.all.get("E_star", 1.0))}
         known |= {symbol: mp.mpf(own.all[name]) for name, symbol in MATERIAL.items() if name in own.all}
         fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
@@ -326,11 +328,13 @@ class _Strip:
         self.other = a if contact.compact else self.load()
 
     def load(self) -> float:
+        """A line load [N/m] well above that of complete contact, in few digits."""
         known, n = self.contact.all, self.contact.all.get("n", 2.0)
         whole = known["E_star"] * known.get("h", known["a"] / 100)
         return short(8.0 * whole * n / (n - 1.0))
 
     def value(self, suffix: str, **places: float) -> Any:
+        """A quantity by its definition at this half-width, or this load; `places` are fields by name."""
         fields = {getattr(nt, name): sp.Rational(value) for name, value in places.items()}
         load = {} if self.contact.compact else {nt.P: sp.Rational(self.other)}
         return defined(self.contact.profile, suffix, {**self.known, **load, **fields}, DIGITS)
@@ -359,6 +363,7 @@ class _Strip:
         return stationary(missing, a * rough, a)
 
     def rows(self, function: interface.Function) -> Rows:
+        """Calls of a function with their results: positional arguments, and the value by the definition."""
         a, other = self.a, self.other
         places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
         outside = short(1.6 * a)
