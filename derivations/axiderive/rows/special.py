@@ -41,7 +41,7 @@ MEMBERS: dict[str, dict[int, str]] = {
 COLUMNS = {
     "power_law": (("d", "F", "aF", "p"), ("w",)),
     "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
-    "concave_power": (("F", "dmin", "Fmin", "rz", "w"), ("p",)),
+    "concave_power": (("F", "dmin", "Fmin", "rz"), ("p", "w")),
     "plane.concave_power": (("Pmin", "xz", "p"), ("s", "d")),
 }
 """What each of the tables of a host gives."""
