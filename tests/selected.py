@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
+from functools import wraps
+from inspect import signature
 from typing import Any
 
 import pytest
@@ -13,6 +15,22 @@ def few(every: Iterable[Any], always: Collection[Any], mark: pytest.MarkDecorato
     found = list(every)
     assert set(always) <= set(found)
     return [one if one in always else _marked(one, mark) for one in found]
+
+
+def each_result(function: Callable[..., Any]) -> list[Callable[..., Any]]:
+    """The function, or one for each of the numbers that it gives at once, which `result` names."""
+    if signature(function).return_annotation != "PeakPressure":
+        return [function]
+    return [_one(function, name) for name in ("pressure", "radius")]
+
+
+def _one(function: Callable[..., Any], name: str) -> Callable[..., Any]:
+    @wraps(function)
+    def alone(*fields: Any, **keywords: Any) -> Any:
+        return getattr(function(*fields, **keywords), name)
+
+    alone.result = name  # type: ignore[attr-defined]
+    return alone
 
 
 def _marked(one: Any, mark: pytest.MarkDecorator) -> Any:

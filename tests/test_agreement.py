@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from selected import few
+from selected import each_result, few
 from test_interface import PARAMETERS
 
 from axicontact._along import LEAST
@@ -41,7 +41,7 @@ def functions(group: str) -> list[tuple[str, Callable[..., Any], list[str], dict
             fields = [p.name for p in kinds if p.kind is p.POSITIONAL_OR_KEYWORD]
             given = {p.name: (PARAMETERS[name] | NUMBERS)[p.name] for p in kinds if p.kind is p.KEYWORD_ONLY}
             if fields and own != "pull_off":
-                found.append((f"{name}.{own}", function, fields, given))
+                found += [(f"{name}.{own}", one, fields, given) for one in each_result(function)]
     return found
 
 

@@ -30,6 +30,7 @@ COMPACT = {
 }  # fmt: skip
 COMPLETE = {"profile", "force", "pressure", "displacement", "stiffness", "depth_from_force"}
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
+PEAKED = ("quartic", "sextic", "rounded_punch")
 ADHESIVE = {
     "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",
 }  # fmt: skip
@@ -49,7 +50,8 @@ def interface(problem: Problem) -> set[str]:
     profile, family = problem.profile, problem.system.name.rpartition(".")[2]
     compact = profile.contact == "compact"
     if family == "normal":
-        return COMPACT if compact else COMPLETE | (CONCAVE if "concave" in problem.name else set())
+        peak = {"peak_pressure"} if problem.key in PEAKED else set()
+        return COMPACT | peak if compact else COMPLETE | (CONCAVE if "concave" in problem.name else set())
     if family == "adhesive":
         return ADHESIVE if compact else {"retraction", "pull_off"}
     if family == "tangential":

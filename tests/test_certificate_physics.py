@@ -62,7 +62,7 @@ def test_the_homogeneous_half_space_is_the_limit(derive: Callable[..., Entries],
     profile = profiles.load(name)
     soft, plain = derive(profile, GRADED), derive(profile)
     below = statements(profile)
-    for suffix in plain:
+    for suffix in soft:
         statuses = {soft[suffix].status, plain[suffix].status}
         if statuses in ({"closed"}, {"root"}):
             assert graded.homogeneous_limit(suffix, soft, plain, below)

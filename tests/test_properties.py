@@ -42,7 +42,10 @@ def units(function: Callable[..., Any], n: float, k: float) -> Units | None:
     before, _, after = text.partition("Returns\n")
     found = re.findall(r"^(\w+) : array_like\n((?: {4}.*\n)+)", before, re.MULTILINE)
     known = {name: re.search(r"\[([^\]]*)\][.,]", " ".join(meaning.split())) for name, meaning in found}
-    result = re.search(r"\[([^\]]*)\]\.", " ".join(after.split("Raises")[0].split()))
+    name = getattr(function, "result", None)
+    result = re.search(
+        rf"{name} \[([^\]]*)\]" if name else r"\[([^\]]*)\]\.", " ".join(after.split("Raises")[0].split())
+    )
     read = {name: of.get(unit[1]) for name, unit in known.items() if unit}
     if result is None or None in read.values() or len(read) != len(known) or result[1] not in of:
         return None

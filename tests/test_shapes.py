@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from selected import each_result
 
 from axicontact import _rules
 from axicontact.normal import hyperboloid, rounded_punch
@@ -50,7 +51,7 @@ def public(name: str, at_a_point: bool = True) -> Iterator[tuple[Callable[..., A
         if function.__module__ == module.__name__ and not key.startswith("_"):
             own = example(function)
             if own[0] or not at_a_point:
-                yield function, own
+                yield from ((one, own) for one in each_result(function))
 
 
 def modules(package: str) -> Iterator[str]:

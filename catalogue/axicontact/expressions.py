@@ -68,6 +68,9 @@ def expression(function: Callable[..., Any], xp: Any) -> Callable[..., Any]:
     if private is None:
         message = f"{name} is no function with a formula of its own; take one of axicontact.normal, as cone.pressure"
         raise TypeError(message)
+    if public.__annotations__.get("return") != "Result":
+        message = f"{public.__module__}.{name} gives several numbers; take one that gives one, as cone.pressure"
+        raise TypeError(message)
     names = private.__code__.co_varnames[: private.__code__.co_argcount]
     result = trace(private, names, ())
     if result is None or any(node.name in RULES for node in needed(result)):

@@ -40,21 +40,27 @@ class Atom(Protocol):
 
     def shape(self, order: Order) -> sp.Expr:
         """f(r) on this order of the lengths, zero up to the break."""
+        ...
 
     def depth(self, order: Order, k: sp.Expr) -> Form | None:
         """g(a), or None where no closed form is known; empty where the contact does not reach the break."""
+        ...
 
     def primitives(self, order: Order, k: sp.Expr) -> tuple[Primitive, ...]:
         """Antiderivatives in x of the integrand of the depth; empty where none is known or needed."""
+        ...
 
     def force(self, order: Order, k: sp.Expr) -> Form | None:
         """F^(a), or None where no closed form is known."""
+        ...
 
     def pressure(self, order: Order, k: sp.Expr) -> Form | None:
         """P^(r) for r < a, or None where no closed form is known."""
+        ...
 
     def displacement(self, order: Order, k: sp.Expr) -> Form | None:
         """W^(r) for r > a, or None where no closed form is known."""
+        ...
 
 
 def depth_kernel(slope: sp.Expr, k: sp.Expr) -> sp.Expr:

@@ -32,19 +32,24 @@ class Kernel(Protocol):
     @property
     def z(self) -> sp.Expr:
         """The coordinate of the point."""
+        ...
 
     @property
     def sign(self) -> int:
         """1 where the kernel is 1/sqrt(t^2 - z^2), -1 where it is 1/sqrt(z^2 - t^2)."""
+        ...
 
     def root(self) -> sp.Expr:
         """sqrt(|a^2 - z^2|), the inverse of the kernel at t = a."""
+        ...
 
     def ends(self, b: sp.Expr) -> tuple[Form, Form]:
         """Integrals of t/sqrt(t^2 - b^2) and of 1/(t sqrt(t^2 - b^2)) times the kernel."""
+        ...
 
     def power(self, s: sp.Expr) -> Form:
         """Integral of t**s times the kernel, without a break."""
+        ...
 
 
 @dataclass(frozen=True)
