@@ -17,8 +17,8 @@ from axiderive import profiles
 
 NORMAL = """
 from axiderive import profiles
-from axiderive.contact import normal
-from axiderive.contact.medium import GRADED, HOMOGENEOUS
+from axiderive.physics import normal
+from axiderive.physics.medium import GRADED, HOMOGENEOUS
 
 for profile in profiles.catalogue():
     for medium in (HOMOGENEOUS, GRADED):
@@ -28,7 +28,7 @@ for profile in profiles.catalogue():
 EVERYTHING = (
     NORMAL
     + """
-from axiderive.contact import adhesive, plane, tangential, viscoelastic
+from axiderive.physics import adhesive, plane, tangential, viscoelastic
 from axiderive.profiles import plane as plane_profiles
 
 for profile in profiles.catalogue():
