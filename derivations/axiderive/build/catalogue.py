@@ -161,23 +161,19 @@ def _measured(
     from ..stable.measure import closure
     from ..stable.records import SYSTEMS
 
-    tasks = [
-        (
-            own.key,
-            outcome.entries,
-            closure(package, own.module),
-            str(cache.folder),
-            cache.fresh,
-            standing.get(own.key, {}),
-        )
-        for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True)
-        if own.system.name in SYSTEMS
-    ]
-    errors, inputs, kept = {}, {}, 0
-    for key, found, made_of, taken in pool.run(work.evaluation, tasks, jobs):
-        errors[key] = settled(standing.get(key, {}).get("evaluation") or {}, found)
-        inputs[key] = made_of
-        kept += taken
+    errors, inputs, kept, tasks = {}, {}, 0, []
+    for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True):
+        if own.system.name in SYSTEMS:
+            sources = closure(package, own.module)
+            inputs[own.key] = work.evaluation_key(own, outcome.entries, sources)
+            found, taken = work.measured(inputs[own.key], cache, standing.get(own.key, {}))
+            kept += taken
+            if found is None:
+                tasks.append((own.key, outcome.entries, sources, str(cache.folder), inputs[own.key]))
+            else:
+                errors[own.key] = found
+    errors |= pool.run(work.evaluation, tasks, jobs)
+    errors = {key: settled(standing.get(key, {}).get("evaluation") or {}, found) for key, found in errors.items()}
     whole = [
         (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": errors[problem.key]}))
         if problem.key in errors

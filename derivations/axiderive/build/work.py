@@ -186,32 +186,30 @@ def kept_checks(
     return list(checks)
 
 
-def evaluation(
-    key: str,
-    entries: dict[str, Any],
-    sources: dict[str, str],
-    folder: str,
-    fresh: bool,
-    standing: Mapping[str, Any],
-) -> tuple[str, dict[str, Any], str, bool]:
-    """Measure the emitted functions of one problem unless that has been done for the same texts.
+def measured(made_of: str, cache: Cache, standing: Mapping[str, Any]) -> tuple[dict[str, Any] | None, bool]:
+    """The errors that were measured of the same inputs, or None, and whether the catalogue holds them.
 
-    `sources` are those of the package that the module of the problem rests on, `standing` is what the catalogue holds.
-    Returns the key, the measured errors, the key of their inputs, and whether they were taken from the catalogue.
+    `made_of` is their `evaluation_key`, `standing` what the catalogue holds of the problem.
+    """
+    errors, known = standing.get("evaluation"), standing.get("receipts", {}).get("evaluation")
+    if not cache.fresh and errors is not None and known == receipt(made_of, errors):
+        return dict(errors), True
+    return cache.get(made_of), False
+
+
+def evaluation(
+    key: str, entries: dict[str, Any], sources: dict[str, str], folder: str, made_of: str
+) -> tuple[str, dict[str, Any]]:
+    """The key of a problem and the measured errors of its emitted functions; they are stored under `made_of`.
+
+    `sources` are those of the package that the module of the problem rests on.
     """
     from ..physics import systems
     from ..stable.records import record
 
-    problem, cache = systems.problem(key), Cache(Path(folder), fresh)
-    kept = evaluation_key(problem, entries, sources)
-    errors = standing.get("evaluation")
-    if not fresh and errors is not None and standing.get("receipts", {}).get("evaluation") == receipt(kept, errors):
-        return key, dict(errors), kept, True
-    found = cache.get(kept)
-    if found is None:
-        found = record(key, sources, read_entries(problem, entries))
-        cache.put(kept, found)
-    return key, dict(found), kept, False
+    found = record(key, sources, read_entries(systems.problem(key), entries))
+    Cache(Path(folder)).put(made_of, found)
+    return key, found
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
@@ -255,6 +253,7 @@ def _verified(
     return dict(found["evidence"])
 
 
+@remember
 def installed(package: str) -> str:
     """The version of a package, for the keys of the cache."""
     try:

@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from hashlib import sha256
 from importlib import abc, import_module, machinery
 from pathlib import PurePosixPath
@@ -280,24 +281,31 @@ def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
 
 
 def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:
-    tree = ast.parse(sources[path])
+    imports, asked = _imports(sources[path])
+    for level, module, names in imports:
+        folder = PurePosixPath(path).parents[level - 1]
+        base = folder.joinpath(*module.split(".")) if module else folder
+        for target in (base, *(base / name for name in names)):
+            if f"{target}.py" in sources:
+                yield f"{target}.py"
+        for name in names:
+            if f"{base}/{name}/__init__.py" in sources:
+                yield f"{base}/{name}/__init__.py"
+                modules = (f"{base}/{name}/{attribute}.py" for owner, attribute in asked if name == owner)
+                yield from sorted(module for module in modules if module in sources)
+
+
+@cache
+def _imports(text: str) -> tuple[list[tuple[int, str, list[str]]], set[tuple[str, str]]]:
+    """The relative imports of a module, and which attributes it takes of which names; the run time is read often."""
+    nodes = list(ast.walk(ast.parse(text)))
     asked = {
         (node.value.id, node.attr)
-        for node in ast.walk(tree)
+        for node in nodes
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
     }
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and node.level:
-            folder = PurePosixPath(path).parents[node.level - 1]
-            base = folder.joinpath(*(node.module or "").split(".")) if node.module else folder
-            for target in (base, *(base / alias.name for alias in node.names)):
-                if f"{target}.py" in sources:
-                    yield f"{target}.py"
-            for alias in node.names:
-                if f"{base}/{alias.name}/__init__.py" in sources:
-                    yield f"{base}/{alias.name}/__init__.py"
-                    modules = (f"{base}/{alias.name}/{attribute}.py" for name, attribute in asked if name == alias.name)
-                    yield from sorted(module for module in modules if module in sources)
+    imports = [node for node in nodes if isinstance(node, ast.ImportFrom) and node.level]
+    return [(node.level, node.module or "", [alias.name for alias in node.names]) for node in imports], asked
 
 
 ELEMENTARY = (
