@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 from stored_book import stored
 
-from axiderive.figures.graded import BESIDE, EXPONENTS, SHOWN, frames
+from axiderive.figures.plots import BESIDE, EXPONENTS, SHOWN, frames
 from axiderive.profiles import load
-from axiderive.web.figures import pairs
 
 
 @pytest.mark.parametrize("name", SHOWN)
@@ -16,7 +15,7 @@ def test_the_surface_goes_on_from_the_edge_of_the_contact(name: str) -> None:
     _, surface = frames(load(name), stored(name), stored(f"{name}.fgm"))
     at_the_end = []
     for curve in surface.curves:
-        rows = pairs(curve.coordinates)
+        rows = curve.rows
         assert (rows[0], rows[-1][0]) == ((BESIDE[0], 1.0), BESIDE[1])
         falls = [upper - lower for (_, upper), (_, lower) in zip(rows, rows[1:], strict=False)]
         assert all(fall > 0 for fall in falls)
@@ -30,5 +29,5 @@ def test_the_surface_goes_on_from_the_edge_of_the_contact(name: str) -> None:
 @pytest.mark.parametrize("name", SHOWN)
 def test_the_middle_carries_more_where_the_depth_is_stiffer(name: str) -> None:
     pressure, _ = frames(load(name), stored(name), stored(f"{name}.fgm"))
-    halfway = [dict(pairs(curve.coordinates))[0.25] for curve in pressure.curves]
+    halfway = [dict(curve.rows)[0.25] for curve in pressure.curves]
     assert halfway == sorted(halfway)

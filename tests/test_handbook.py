@@ -19,7 +19,7 @@ from axiderive.book.page import spaced
 from axiderive.book.references import WORKS, label
 from axiderive.build import pdf
 from axiderive.entry import Entry
-from axiderive.figures.sketch import sketch
+from axiderive.figures.sketch import DEEPEST, RADIUS, sketch
 from axiderive.oracle.values import Numbers, sketch_values
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
@@ -191,19 +191,15 @@ def test_the_sketch_is_the_solution(name: str) -> None:
     """The drawn surface leaves the drawn indenter at the edge of contact: w(a) = d - f(a)."""
     profile = load(name)
     numbers = Numbers(profile, derive(profile), sketch_values(profile))
-    picture = sketch(profile, numbers)
-    contact = _points(picture.contact)
-    surface = _points(picture.surface)
-    assert contact[-1][0] == pytest.approx(picture.a, abs=2e-4)
+    picture = sketch(profile, numbers, "P", "r")
+    contact, surface = picture.of("contact"), picture.of("surface")
+    scale = contact[-1][0] / float(numbers["a"])
+    assert scale == pytest.approx(min(RADIUS / float(numbers["a"]), DEEPEST / float(numbers.depth)))
     # the displacement leaves the edge like a square root where the edge is sharp
     assert surface[0][1] == pytest.approx(contact[-1][1], abs=2e-3)
-    assert contact[len(contact) // 2] == pytest.approx((0.0, -picture.depth), abs=2e-4)
+    assert contact[len(contact) // 2] == pytest.approx((0.0, -scale * float(numbers.depth)), abs=1e-12)
     heights = [y for _, y in surface]
     assert heights == sorted(heights)
-
-
-def _points(text: str) -> list[tuple[float, float]]:
-    return [(float(x), float(y)) for x, y in re.findall(r"\(([-\d.]+),([-\d.]+)\)", text)]
 
 
 @pytest.mark.slow

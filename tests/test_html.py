@@ -17,10 +17,11 @@ from web_page import Page
 
 from axiderive.book.guide import TITLE
 from axiderive.entry import Entry
+from axiderive.figures.drawing import Drawing
+from axiderive.figures.svg import svg
 from axiderive.physics.systems import problems
 from axiderive.rows.blocks import rows_of
 from axiderive.web import html_sources
-from axiderive.web.figures import Scale, pairs
 from axiderive.web.words import words
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
@@ -252,10 +253,15 @@ def test_a_macro_without_words_is_an_error() -> None:
 
 
 def test_figures_keep_the_coordinates() -> None:
-    """A point of a plot is where the axes say it is, and y points up."""
-    scale = Scale(46, 228, 346, 200 / 3.2)
-    assert pairs("(0,1.5) (0.5,-2e-3)") == [(0.0, 1.5), (0.5, -0.002)]
-    assert scale.points([(0, 0), (1, 3.2), (0.5, 1.6)]) == "46,228 392,28 219,128"
+    """A point of a figure is as far from its upper left corner as its units say, and y points up."""
+    figure = Drawing("plot", (-1.0, -2.0), (3.0, 2.0))
+    figure.line("axis", (0.0, 0.0), (1.0, 2.0), (3.0, -2.0))
+    figure.label("$a$", (1.0, 1.0), "north west")
+    shown = svg(figure, 100.0)
+    assert (shown.width, shown.height) == (400.0, 400.0)
+    assert shown.below == [("polyline", "axis", {"points": "100,200 200,0 400,400"})]
+    (label,) = shown.labels
+    assert (label.left, label.top, label.kind) == (50.0, 25.0, "below-left")
 
 
 def test_an_entry_shows_itself_in_a_notebook(derived: dict[str, dict[str, Entry]]) -> None:

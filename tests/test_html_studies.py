@@ -18,11 +18,12 @@ from web_page import Page
 from axiderive.book import study as studies_of_book
 from axiderive.book.handbook import page_models
 from axiderive.book.study import error
-from axiderive.figures.graded import frames
+from axiderive.figures.plots import frames
+from axiderive.figures.svg import Picture
 from axiderive.profiles import load
 from axiderive.study.problems import NAMES, OTHERS
 from axiderive.web import html_sources, study
-from axiderive.web.figures import Figure, figures, pairs
+from axiderive.web.page import figures
 
 SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
 WIDELY = {*NAMES, *OTHERS}
@@ -109,12 +110,12 @@ def _shown() -> dict[str, Any]:
     return study.model(studies_of_book.figures(STUDIES, frozenset({"cone.p"})))
 
 
-def _decade(figure: Figure, upwards: bool) -> tuple[float, float]:
+def _decade(figure: Picture, upwards: bool) -> tuple[float, float]:
     """Place of 10^0 and length of a decade in SVG units, from the labels of an axis."""
     ticks = {}
     for label in figure.labels:
-        power = re.fullmatch(r"10\^\{(-?\d+)\}", label.text)
-        if power and (label.side == "right") == upwards:
+        power = re.fullmatch(r"\$10\^\{(-?\d+)\}\$", label.text)
+        if power and label.kind.startswith("right") == upwards:
             place = (label.top * figure.height if upwards else label.left * figure.width) / 100
             ticks[int(power[1])] = place
     (first, start), (last, end) = min(ticks.items()), max(ticks.items())
@@ -124,12 +125,12 @@ def _decade(figure: Figure, upwards: bool) -> tuple[float, float]:
 
 def test_the_points_of_a_panel_are_what_was_measured() -> None:
     """Against the labels of its axes: every method of every formula, in the order of the record."""
-    panels = {figure.anchor: figure for figure in _shown()["error"]["panels"]}
+    panels = {figure.drawing.anchor: figure for figure in _shown()["error"]["panels"]}
     plots = {key: plot for key, plot in error.plots(STUDIES["error"]).items() if error.problem_of(key) in WIDELY}
     assert list(panels) == [f"error.{key}" for key in plots]
     for key, methods in plots.items():
         figure = panels[f"error.{key}"]
-        lines = [values["points"] for element, _, values in figure.shapes if element == "polyline"]
+        lines = [values["points"] for _, look, values in figure.below if look in ("own", "rival")]
         (x0, decade_x), (y0, decade_y) = _decade(figure, upwards=False), _decade(figure, upwards=True)
         assert decade_y < 0 < decade_x
         for text, points in zip(lines, methods.values(), strict=True):
@@ -142,11 +143,13 @@ def test_the_points_of_a_panel_are_what_was_measured() -> None:
 @pytest.mark.parametrize("side", ["naive", "emitted"])
 def test_the_cells_of_a_map_have_the_level_of_their_error(side: str) -> None:
     for figure, one in zip(_shown()["maps"]["figures"], _maps_in_order(), strict=True):
-        frames = [values for element, _, values in figure.shapes if element == "rect"]
-        left, top, width, height = (float(frames[side == "emitted"][name]) for name in ("x", "y", "width", "height"))
+        frames = [values["points"].split() for _, look, values in figure.below if look == "frame"]
+        corners = [tuple(map(float, pair.split(","))) for pair in frames[side == "emitted"]]
+        (left, bottom), _, (right, top), _ = corners
+        width, height = right - left, bottom - top
         squares = [
             (level, tuple(map(float, numbers)))
-            for element, level, values in figure.shapes
+            for element, level, values in figure.below
             if element == "path"
             for numbers in re.findall(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H[\d.]+z", values["d"])
         ]
@@ -231,13 +234,16 @@ def test_graded_plots_stand_with_the_graded_contact(models: Any) -> None:
     """Of the paraboloid and the cone; what grading does to them it does to the others."""
     assert models["loads.power"]["graded"] == models["power_law"]["graded"] == ()
     drawn = frames(load("paraboloid"), stored("paraboloid"), stored("paraboloid.fgm"))
-    shown = figures({"plots": (), "curves": None, "axes": (), "graded": drawn, "first": "normal"})
-    assert [figure.anchor for figure in shown["graded.normal"]] == ["plot.graded-pressure", "plot.graded-displacement"]
+    shown = figures({"plots": (), "curves": (), "axes": (), "graded": drawn, "first": "normal"})
+    assert [figure.drawing.anchor for figure in shown["graded.normal"]] == [
+        "plot.graded-pressure",
+        "plot.graded-displacement",
+    ]
     pressure, _ = drawn
     assert [curve.label for curve in pressure.curves] == ["-0.5", "0", "0.5"]
     # the mean of p over the circle is its mean: the trapezoidal rule in r^2, coarse beside the tip and the edge
     for curve in pressure.curves:
-        points = pairs(curve.coordinates)
+        points = curve.rows
         steps = itertools.pairwise([(0.0, points[0][1]), *points, (1.0, points[-1][1])])
         mean = sum((y0 + y1) / 2 * (x1 * x1 - x0 * x0) for (x0, y0), (x1, y1) in steps)
         assert mean == pytest.approx(1.0, abs=0.02)

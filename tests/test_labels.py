@@ -11,7 +11,6 @@ from test_pictures import profile_of
 from axiderive.figures.axes import Axes
 from axiderive.figures.given import axes_of
 from axiderive.figures.labels import Curve, Rows, labelled
-from axiderive.web.figures import pairs
 
 WIDE, TALL = 67.0, 27.0
 """Millimetres of a frame."""
@@ -33,9 +32,7 @@ def box_of(label: Curve, axes: Axes) -> Box:
 
 def crossed(box: Box, curve: Curve, axes: Axes) -> bool:
     """Whether a curve, drawn as dots, comes into a box."""
-    points = [
-        (WIDE * (x - axes.x[0]) / (axes.x[1] - axes.x[0]), TALL * y / axes.y[1]) for x, y in pairs(curve.coordinates)
-    ]
+    points = [(WIDE * (x - axes.x[0]) / (axes.x[1] - axes.x[0]), TALL * y / axes.y[1]) for x, y in curve.rows]
     for (x0, y0), (x1, y1) in itertools.pairwise(points):
         for i in range(50):
             x, y = x0 + (x1 - x0) * i / 50, y0 + (y1 - y0) * i / 50
@@ -74,7 +71,7 @@ def test_a_label_gives_way_to_one_that_stands_already(taken: bool) -> None:
     """Over one half of the gap stands another label: the own one comes to the other half, and else to the middle."""
     family = [level(1.0), [(0.0, 2.2), (1.0, 1.2)]]
     free = labelled(family, 0, "one label", [])
-    others = [Curve("", "another label", free.x, free.y + 0.1)] if taken else []
+    others = [Curve([], "another label", free.x, free.y + 0.1)] if taken else []
     place = labelled(family, 0, "one label", others)
     assert (place == free) is not taken
     assert not taken or abs(place.x - free.x) > 0.1 or place.anchor != free.anchor

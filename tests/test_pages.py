@@ -18,7 +18,7 @@ from axiderive.book import readme
 from axiderive.book.handbook import templates
 from axiderive.book.page import panel as panel_of
 from axiderive.book.spread import pool_of
-from axiderive.book.study import error, extremes, figures, maps, spread
+from axiderive.book.study import error, figures, maps, spread, tables
 from axiderive.build.pdf import problems
 from axiderive.print.words import domain, prose
 from axiderive.study.problems import NAMES, OTHERS
@@ -99,26 +99,23 @@ def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> N
     assert figures({}, frozenset()) == {"error": None, "speed": None, "maps": None, "extremes": None}
 
 
-RECTANGLE = re.compile(r"\(([\d.]+),([\d.]+)\) rectangle \+\(([\d.]+),([\d.]+)\)")
-
-
 def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -> None:
     record = records["maps"]
     figure = maps.figure(record, frozenset())
     shown = {one.key: one for one in (*figure.plain, *figure.square)}
     assert set(shown) == {one["key"] for one in record["maps"]}
-    bounds = dict(zip(maps.COLOURS, (*maps.LEVELS, math.inf, -1.0), strict=True))
+    bounds = {f"level{i}": bound for i, bound in enumerate((*maps.LEVELS, math.inf, -1.0))}
     for one in record["maps"]:
         for way in ("naive", "emitted"):
             cells = one[way]["worst"]
             coloured = 0
             for level in getattr(shown[one["key"]], way).levels:
-                for x, y, width, tall in (map(float, r) for r in RECTANGLE.findall(level.rectangles)):
+                for x, y, width, tall in level.corners:
                     i = round(y * len(cells) / shown[one["key"]].height)
-                    j = round(x * len(cells[0]) / figure.width)
-                    for value in cells[i][j : j + round(width * len(cells[0]) / figure.width)]:
+                    j = round(x * len(cells[0]) / maps.SIDE)
+                    for value in cells[i][j : j + round(width * len(cells[0]) / maps.SIDE)]:
                         coloured += 1
-                        bound = bounds[level.colour]
+                        bound = bounds[level.look]
                         lower = max((b for b in bounds.values() if 0 < b < bound), default=0.0)
                         assert value == -1 if bound < 0 else lower < value <= bound or value == lower == 0
                     assert tall == pytest.approx(shown[one["key"]].height / len(cells), abs=1e-3)
@@ -126,7 +123,7 @@ def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -
 
 
 def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> None:
-    rows = extremes.table(records["extremes"])
+    rows = tables.extremes(records["extremes"])
     assert sum(row["cases"] for row in rows) == len(records["extremes"]["rows"])
     limits = [row["limit"] for row in rows]
     assert len({limit for i, limit in enumerate(limits) if limit != limits[i - 1]}) == len(set(limits))
@@ -134,7 +131,7 @@ def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> Non
         {"limit": "R -> infinity", "key": "x.p", "emitted": 2e-16, "naive": None, "ulps": 1.5},
         {"limit": "R -> infinity", "key": "x.w", "emitted": 3e-16, "naive": 0.25, "ulps": None},
     ]
-    (row,) = extremes.table({"rows": made})
+    (row,) = tables.extremes({"rows": made})
     assert (row["limit"], row["keys"], row["lost"], row["refused"]) == (r"$R\to \infty$", "p, w", 1, 0)
     assert (row["ulps"], row["emitted"], row["naive"]) == ("$1.5$", r"$3\times10^{-16}$", "$0.25$")
 
@@ -203,17 +200,20 @@ def test_an_overfull_line_of_the_main_file_is_not_blamed_on_the_last_profile() -
     assert problems(log, sources) == ["book.tex:34: [matrix] line is 9.1 mm too wide"]
 
 
-SKETCHED = sorted(path.name for path in PROFILES.glob("*.tex") if r"node[txt,anchor=south west]" in path.read_text())
+SKETCHED = sorted(path.name for path in PROFILES.glob("*.tex") if "d/pointer" in path.read_text())
 
 
 @pytest.mark.parametrize("name", SKETCHED)
 def test_the_arrow_of_the_displacement_ends_on_the_surface(name: str) -> None:
     text = (PROFILES / name).read_text()
-    x, end = map(float, re.search(r"\\draw\[dim,->[^\n]*\(([\d.]+),0\)--\([\d.]+,(-?[\d.]+)\);", text).groups())
-    (right,) = (
-        [tuple(map(float, point.split(","))) for point in re.findall(r"\(([^)]*)\)", line)]
-        for line in text.splitlines()
-        if line.startswith(r" \draw[ink!70") and float(re.search(r"coordinates \{\(([-\d.]+),", line)[1]) > 0
-    )
+    (x, top), (_, end) = _drawn(text, "d/pointer")[-1]
+    right = next(points for points in _drawn(text, "d/surface") if points[0][0] > 0)
     (x1, y1), (x2, y2) = next(pair for pair in itertools.pairwise(right) if pair[0][0] <= x <= pair[1][0])
-    assert end == pytest.approx(y1 + (y2 - y1) * (x - x1) / (x2 - x1), abs=2e-3)
+    assert top == 0
+    assert end == pytest.approx(y1 + (y2 - y1) * (x - x1) / (x2 - x1), abs=3e-3)
+
+
+def _drawn(text: str, look: str) -> list[list[tuple[float, ...]]]:
+    """The points of the lines of a look."""
+    lines = re.findall(rf"^ \\path\[[^]]*{look}\] (.*);$", text, re.MULTILINE)
+    return [[tuple(map(float, point.split(","))) for point in re.findall(r"\(([^)]*)\)", line)] for line in lines]

@@ -11,18 +11,20 @@ from stored_book import stored
 
 from axiderive.book.spread import pool_of
 from axiderive.figures import plots
+from axiderive.figures.axes import SHOWN, printed
+from axiderive.figures.axes import drawn as framed
 from axiderive.figures.curves import WIDEST, curves
+from axiderive.figures.drawing import Drawing, Rows
 from axiderive.figures.labels import HIGHEST
-from axiderive.figures.sketch import ARROW, LONG
+from axiderive.figures.section import ARROW
+from axiderive.figures.sketch import LONG
 from axiderive.figures.sketch import sketch as outline
-from axiderive.figures.sketch_given import load_sketch
-from axiderive.figures.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
-from axiderive.notation import R1, R2, R, b, describe, h, s, wavelength
+from axiderive.figures.sketch_given import HALF, load_sketch, tilted_sketch
+from axiderive.figures.svg import svg
+from axiderive.figures.tikz import thinned
+from axiderive.notation import R1, R2, R, b, describe, h, s, theta, wavelength
 from axiderive.oracle.values import Numbers, StripNumbers, sketch_values
 from axiderive.profiles import NAMES
-from axiderive.web.figures import pairs, sketch
-
-NOTHING: dict[str, Any] = {"picture": None, "load_picture": None, "tilted_picture": None, "load": "P", "place": "x"}
 
 
 def profile_of(key: str) -> Any:
@@ -34,40 +36,56 @@ def drawn(name: str) -> Numbers:
 
 
 @pytest.fixture(scope="module")
-def tilted() -> TiltedSketch:
-    return tilted_sketch(profile_of("plane.eccentric_punch"), stored("plane.eccentric_punch"))
+def tilted() -> Drawing:
+    return tilted_sketch(profile_of("plane.eccentric_punch"), stored("plane.eccentric_punch"), "P")
 
 
-def test_the_surface_beside_a_tilted_punch_is_the_closed_one(tilted: TiltedSketch) -> None:
+def surfaces(figure: Drawing) -> list[Rows]:
+    """The free surface right and left of a contact."""
+    return [list(line.points) for line in figure.lines if line.look == "surface"]
+
+
+def lengths(figure: Drawing) -> dict[str, tuple[float, float]]:
+    """The ends of a dimension line by the name that stands in its middle, across or up."""
+    found = {}
+    for line in (line for line in figure.lines if line.look == "dimension"):
+        (x0, y0), (x1, y1) = line.points
+        middle = (x0 + x1) / 2, (y0 + y1) / 2
+        name = min(figure.words, key=lambda words: math.dist(words.place, middle)).text.strip("$")
+        found[name] = (x0, x1) if y0 == y1 else (y0, y1)
+    return found
+
+
+def test_the_surface_beside_a_tilted_punch_is_the_closed_one(tilted: Drawing) -> None:
     """2P/(pi E*) (arcosh L - arcosh x) of the strip, and phi (x - sqrt(x^2 - 1)) of the inclination, both for a = 1."""
-    tilt = math.tan(math.radians(tilted.degrees))
-    (left, low), (right, lower) = pairs(tilted.contact)
-    assert (right, left) == (RADIUS, -RADIUS)
-    assert (low - lower) / (right - left) == pytest.approx(tilt, rel=1e-3)
-    load = math.pi * tilt / (4 * tilted.load / RADIUS)
+    (left, low), (right, lower) = tilted.of("contact")
+    assert (right, left) == (HALF, -HALF)
+    tilt = (low - lower) / (right - left)
+    ((middle, _), _) = tilted.of("arrow")
+    load = math.pi * tilt / (4 * middle / HALF)
     sunk = 2 * load / math.pi * math.acosh(2.7)
-    assert -(low + lower) / 2 / RADIUS == pytest.approx(sunk, rel=1e-3)
-    for points in (tilted.surface, tilted.surface_left):
-        for x, y in pairs(points):
-            u = abs(x) / RADIUS
+    assert -(low + lower) / 2 / HALF == pytest.approx(sunk, rel=1e-3)
+    # the inclination is drawn at the lifted edge, as an arc that ends on the face
+    *_, (x, y) = tilted.of("direction")
+    assert math.atan2(low - y, x - left) == pytest.approx(math.atan(tilt), rel=1e-6)
+    for points in surfaces(tilted):
+        for x, y in points:
+            u = abs(x) / HALF
             beside = tilt * math.copysign(u - math.sqrt(u * u - 1), x)
             expected = sunk - 2 * load / math.pi * math.acosh(u) + beside
-            assert y == pytest.approx(-RADIUS * expected, abs=0.02)
+            assert y == pytest.approx(-HALF * expected, abs=0.02)
 
 
-def test_the_web_draws_pressures_and_the_tilted_punch_inside_the_frame(tilted: TiltedSketch) -> None:
+def test_pressures_and_the_tilted_punch_are_drawn_inside_the_frame(tilted: Drawing) -> None:
     load = load_sketch(profile_of("loads.hertzian"), stored("loads.hertzian"))
-    assert sketch(NOTHING) is None
-    for own, look in (({"load_picture": load}, "pressure"), ({"tilted_picture": tilted}, "body")):
-        figure = sketch(NOTHING | own)
-        assert figure is not None
-        assert [shape[1] for shape in figure.shapes].count(look) == 1
-        for element, _, attributes in figure.shapes:
-            if element != "line":
-                for x, y in (map(float, pair.split(",")) for pair in attributes["points"].split()):
-                    assert 0 <= x <= figure.width
-                    assert 0 <= y <= figure.height + 0.1
-        assert all(0 <= label.left <= 100 and 0 <= label.top <= 100 for label in figure.labels)
+    for drawing, look in ((load, "pressure"), (tilted, "body")):
+        assert [line.look for line in drawing.lines].count(look) == 1
+        shown = svg(drawing, 84.0)
+        for _, _, attributes in shown.below:
+            for x, y in (map(float, pair.split(",")) for pair in attributes["points"].split()):
+                assert 0 <= x <= shown.width
+                assert 0 <= y <= shown.height + 0.1
+        assert all(0 <= label.left <= 100 and 0 <= label.top <= 100 for label in shown.labels)
 
 
 @pytest.mark.parametrize("name", ["cone", "plane.quartic", "plane.flat_punch"])
@@ -75,12 +93,14 @@ def test_the_arrow_of_the_displacement_shows_how_far_the_surface_has_sunk(name: 
     """Beside a plane punch the surface may have risen, and the arrow crossed its own name there."""
     made = StripNumbers if name.startswith("plane.") else Numbers
     numbers = made(profile_of(name), stored(name), sketch_values(profile_of(name)), 16)
-    picture = outline(profile_of(name), numbers)
-    surface = pairs(picture.surface)
-    (x0, y0), (x1, y1) = next((a, b) for a, b in itertools.pairwise(surface) if a[0] <= picture.arrow <= b[0])
-    assert picture.arrow_end == pytest.approx(y0 + (y1 - y0) * (picture.arrow - x0) / (x1 - x0), abs=0.02)
-    assert picture.arrow_end < -0.9 * LONG
-    assert max(x for x, _ in pairs(picture.body)) < picture.arrow <= ARROW
+    picture = outline(profile_of(name), numbers, "P", "x")
+    surface = surfaces(picture)[0]
+    (arrow, top), (_, end) = [line.points for line in picture.lines if line.look == "pointer"][-1]
+    (x0, y0), (x1, y1) = next((a, b) for a, b in itertools.pairwise(surface) if a[0] <= arrow <= b[0])
+    assert top == 0
+    assert end == pytest.approx(y0 + (y1 - y0) * (arrow - x0) / (x1 - x0), abs=0.02)
+    assert end < -0.9 * LONG
+    assert max(x for x, _ in picture.of("body")) < arrow <= ARROW
 
 
 @pytest.mark.parametrize(
@@ -102,8 +122,8 @@ def test_an_infinite_pressure_at_a_break_is_drawn_to_the_top(name: str, infinite
 def test_force_over_depth_runs_from_one_law_to_the_other(name: str) -> None:
     """At both ends of the frame the curve has the slope of the line in grey, and it lies closer to that line."""
     _, force = plots.plots(profile_of(name), drawn(name))
-    rows = pairs(force.curves[0].coordinates)
-    tip, flank = (pairs(curve.coordinates) for curve in force.references)
+    rows = force.curves[0].rows
+    tip, flank = (curve.rows for curve in force.references)
     assert slope(rows[:2]) == pytest.approx(slope(tip[:2]), abs=0.12)
     assert slope(rows[-2:]) == pytest.approx(slope(flank[-2:]), abs=0.12)
     assert tip[0][0] == pytest.approx(rows[0][0], rel=1e-3)
@@ -126,7 +146,7 @@ def test_the_force_of_a_face_begins_where_the_whole_of_it_is_in_contact(name: st
     """It once began below the least depth; there the closed formula is that of no contact."""
     _, force = plots.plots(profile_of(name), drawn(name))
     (mark,) = force.marks
-    rows = pairs(force.curves[0].coordinates)
+    rows = force.curves[0].rows
     straight = [
         slope for slope in itertools.starmap(lambda p, q: (q[1] - p[1]) / (q[0] - p[0]), itertools.pairwise(rows))
     ]
@@ -147,7 +167,7 @@ def test_the_depth_of_a_plane_contact_is_drawn_over_the_distance_it_is_measured_
         profile_of("plane.parabola"), stored("plane.parabola"), sketch_values(profile_of("plane.parabola")), 16
     )
     _, depth = plots.plots(profile_of("plane.parabola"), numbers)
-    far = pairs(depth.curves[0].coordinates)[-1]
+    far = depth.curves[0].rows[-1]
     # (2P/(pi E*)) (ln(2L/a) + 1/2) of a cylinder
     assert far == pytest.approx((100.0, math.log(200) + 0.5), rel=1e-3)
 
@@ -156,19 +176,46 @@ def test_sketches_carry_the_lengths_of_the_profile() -> None:
     """Each radius, height and length that is a parameter stands in the picture once, to scale where it is a length."""
     for name in NAMES:
         profile = profile_of(name)
-        picture = outline(profile, drawn(name))
-        named = [one.name for one in (*picture.dimensions, *picture.heights, *picture.radii)]
-        wanted = {
-            describe(s).latex for s in (R, R1, R2, b, h, s, wavelength) if s in {*profile.parameters, *profile.breaks}
-        }
-        assert sorted(named) == sorted({"a", *wanted} - ({"h"} if name == "wavy_paraboloid" else set())), name
-    picture = outline(profile_of("ellipsoid"), drawn("ellipsoid"))
-    (height,) = picture.heights
-    across = next(one for one in picture.dimensions if one.name == "b")
-    assert (height.high - height.low) / across.at == pytest.approx(0.9 / 1.5, rel=1e-3)
+        picture = outline(profile, drawn(name), "P", "r")
+        shown = [words.text.strip("$") for words in picture.words]
+        for one in (R, R1, R2, b, h, s, wavelength):
+            known = one in {*profile.parameters, *profile.breaks} and not (name == "wavy_paraboloid" and one == h)
+            assert shown.count(describe(one).latex) == int(known), (name, one)
+        assert shown.count("a") == 1
+        assert shown.count(r"\theta") == int(theta in profile.parameters and name != "hyperboloid"), name
+    found = lengths(outline(profile_of("ellipsoid"), drawn("ellipsoid"), "P", "r"))
+    assert (found["h"][1] - found["h"][0]) / found["b"][1] == pytest.approx(0.9 / 1.5, rel=1e-3)
+
+
+def test_a_curve_in_print_keeps_within_the_tolerance_of_its_points() -> None:
+    """With fewer points, both ends kept; and a straight line keeps its ends alone."""
+    points = [(i / 50, math.sin(i / 10)) for i in range(200)]
+    found = thinned(points, 0.01)
+    assert 10 < len(found) < 60
+    assert (found[0], found[-1]) == (points[0], points[-1])
+    for x, y in points:
+        (x0, y0), (x1, y1) = next((p, q) for p, q in itertools.pairwise(found) if p[0] <= x <= q[0])
+        assert abs(y0 + (y1 - y0) * (x - x0) / (x1 - x0) - y) < 0.05
+    assert thinned([(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)], 0.01) == [(0.0, 0.0), (2.0, 2.0)]
+    assert len(thinned([(0.0, 0.0), (1.0, 0.0), (0.0, 0.0)], 0.01)) == 3
+
+
+def test_the_book_and_the_web_edition_draw_a_plot_at_the_same_places() -> None:
+    """Each number at its tick, and every point of a curve between them as far as its value says."""
+    frame, _ = plots.plots(profile_of("rounded_cone"), drawn("rounded_cone"))
+    for layout in (printed(frame, 27.0), SHOWN):
+        figure = framed(frame, layout)
+        assert figure.window is not None
+        ticks = [line.points[0] for line in figure.lines if line.look == "tick"]
+        across = dict(zip(frame.ticks[0], (x for x, y in ticks if y == 0), strict=False))
+        (low, left), (high, right) = min(across.items()), max(across.items())
+        trace = figure.window.traces[-1]
+        for (x, y), (own, height) in zip(map(figure.window.place, trace.points), frame.curves[-1].rows, strict=True):
+            assert x == pytest.approx(left + (right - left) * (own - low) / (high - low), abs=1e-9)
+            assert y / layout.height == pytest.approx((height - frame.y[0]) / (frame.y[1] - frame.y[0]))
 
 
 @pytest.mark.parametrize("name", ["cone", "hyperboloid"])
 def test_the_curve_with_adhesion_runs_to_the_edge_of_its_frame(name: str) -> None:
-    x, y = pairs(curves(profile_of(name), drawn(name)).adhesion.stable)[-1]
+    x, y = curves(profile_of(name), drawn(name))[0].curves[0].rows[-1]
     assert x >= WIDEST or y >= HIGHEST

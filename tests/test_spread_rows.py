@@ -12,7 +12,7 @@ from stored_book import evidence, stored
 
 from axiderive.book.evidence import evidence_rows
 from axiderive.figures.given import axes_of
-from axiderive.figures.graded import frames
+from axiderive.figures.plots import frames
 from axiderive.profiles import NAMES, load
 from axiderive.readback.further import Further, wrong
 from axiderive.rows.blocks import blocks
@@ -121,16 +121,12 @@ def test_measured_errors_stand_beside_the_evidence() -> None:
 PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
 
 
-def _points(curve: Any) -> list[tuple[float, float]]:
-    return [(float(x), float(y)) for x, y in PAIR.findall(curve.coordinates)]
-
-
 def test_the_frames_of_a_prescribed_pressure_show_its_displacement() -> None:
     """Uniform pressure: w = 2 p_0 a/E* in the middle, 4/pi at the edge; far away that of the whole force."""
     entries = stored("loads.uniform")
     pressure, displacement = axes_of(entries["w"].profile, entries)
-    assert {y for _, y in _points(pressure.curves[0])} == {1.0}
-    shown = dict(_points(displacement.curves[0]))
+    assert {y for _, y in pressure.curves[0].rows} == {1.0}
+    shown = dict(displacement.curves[0].rows)
     assert shown[min(shown)] == pytest.approx(2.0, abs=2e-3)
     below, above = max(x for x in shown if x < 1), min(x for x in shown if x > 1)
     assert shown[above] < 4 / math.pi < shown[below]
@@ -142,21 +138,21 @@ def test_the_frames_of_the_eccentric_punch_show_a_pressure_of_mean_one() -> None
     entries = stored("plane.eccentric_punch")
     pressure, tilt = axes_of(entries["p"].profile, entries)
     assert [curve.label for curve in pressure.curves] == ["0", "0.25", "0.5", "0.75"]
-    x, middle = min(_points(pressure.curves[0]), key=lambda point: abs(point[0]))
+    x, middle = min(pressure.curves[0].rows, key=lambda point: abs(point[0]))
     assert abs(x) < 0.1
     assert middle == pytest.approx(2 / math.pi / math.sqrt(1 - x * x), rel=1e-4)
-    lifted = _points(pressure.curves[-1])
+    lifted = pressure.curves[-1].rows
     assert all(y == 0 for x, y in lifted if x < 0)  # zero beyond 4 e - 3 a = 0
-    slope = [y / x for x, y in _points(tilt.curves[0]) if 0 < x < 0.5]
+    slope = [y / x for x, y in tilt.curves[0].rows if 0 < x < 0.5]
     assert max(slope) == pytest.approx(4.0, rel=1e-4) == min(slope)
-    assert _points(tilt.curves[0])[-1][1] > 4.0
+    assert tilt.curves[0].rows[-1][1] > 4.0
 
 
 def test_the_displacement_beside_a_graded_punch_is_that_of_its_formula() -> None:
     """Homogeneous: 2/pi arcsin(a/r), one at the edge; a medium that is softer at its surface sinks less around."""
     entries = stored("flat_punch")
     _, beside = frames(entries["F"].profile, entries, stored("flat_punch.fgm"))
-    plain, softer = (dict(_points(curve)) for curve in beside.curves[1:])
+    plain, softer = (dict(curve.rows) for curve in beside.curves[1:])
     assert max(plain) == 3.0
     for r in plain.keys() - {1.0}:
         assert plain[r] == pytest.approx(2 / math.pi * math.asin(1 / r), rel=1e-3)

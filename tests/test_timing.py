@@ -14,6 +14,7 @@ from stored_book import CATALOGUE, PROFILES, evidence
 from test_misprints import NOT_A_NUMBER
 
 from axiderive.book.study.timing import GOAL, Timing, timing
+from axiderive.figures.svg import Picture
 from axiderive.physics.systems import problem, problems
 from axiderive.readback.numbers import Printout
 from axiderive.readback.statements import Said
@@ -24,7 +25,6 @@ from axiderive.study.methods import Plan, arguments, methods
 from axiderive.study.problems import NORMAL, RULED
 from axiderive.study.subject import subject
 from axiderive.web import study
-from axiderive.web.figures import Figure
 
 RECORD: dict[str, Any] = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_bytes())
 MEASURED = {row["key"] for row in RECORD["rows"]}
@@ -199,5 +199,5 @@ def _letter(method: str) -> str:
     return chr(ord("a") + methods.index(method))
 
 
-def _dots(figure: Figure) -> int:
-    return sum(element == "circle" for element, _, _ in figure.shapes)
+def _dots(figure: Picture) -> int:
+    return sum(element == "circle" for element, _, _ in figure.above)

@@ -9,18 +9,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import jinja2
 
 from .. import __version__
 from ..entry import Entry
+from ..figures.axes import drawn, printed
+from ..figures.drawing import outline
+from ..figures.tikz import tikz
 from ..physics.systems import profile_ids
 from ..print.width import width
 from ..profiles import COMPLETE_NAMES
 from ..rows import special
 from ..store.cache import digest
 from . import book, references, spread
+from .study import error, maps
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -98,7 +103,7 @@ SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "
 def summary(model: Model) -> Summary:
     """The part of a page model that the front of the book uses."""
     return {name: model[name] for name in SUMMARISED} | {
-        "shape": miniature(model),
+        "shape": model["picture"] and outline(model["picture"]),
         "digest": digest(model["blocks"]),
         "roots": _roots(model),
     }
@@ -111,14 +116,6 @@ def _roots(model: Model) -> list[str]:
 
 
 _ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")
-
-
-def miniature(model: Model) -> dict[str, str]:
-    """Outline of the body and line of contact of its sketch, or the prescribed pressure, as the front draws it."""
-    drawn = model["picture"] or model["tilted_picture"]
-    if drawn:
-        return {"body": drawn.body, "contact": drawn.contact}
-    return {"pressure": model["load_picture"].pressure} if model["load_picture"] else {}
 
 
 def book_sources(
@@ -174,8 +171,11 @@ def templates() -> jinja2.Environment:
     environment.globals.update(
         remark=remark,
         behind=behind,
-        shade=shade,
-        tone=tone,
+        drawn=drawn,
+        map_drawing=partial(maps.drawing, printed=True),
+        panel_picture=error.picture,
+        printed=printed,
+        tikz=tikz,
         numbers=numbers,
         chapter_source=references.label("Popov, Heß & Willert 2019"),
     )
@@ -217,16 +217,3 @@ def numbers(equations: Sequence[str]) -> str:
         found.append(number if before == chapter else f"{before}.{number}")
         chapter = before
     return f"({', '.join(found)})"
-
-
-def shade(index: int, count: int) -> str:
-    """Lighter to darker red over the curves of a family."""
-    if count == 1:
-        return "100!black"
-    steps = ("50!white", "75!white", "95!black", "62!black")
-    return steps[round(index * (len(steps) - 1) / (count - 1))]
-
-
-def tone(index: int, count: int) -> str:
-    """The shade of a curve for its label, which is too thin for the lightest."""
-    return shade(index, count).replace("50!", "78!").replace("75!", "90!")

@@ -9,11 +9,9 @@ from typing import Any
 from ..entry import Entry
 from ..figures.curves import curves
 from ..figures.given import axes_of
-from ..figures.graded import SHOWN, frames
-from ..figures.plots import plots
+from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
-from ..figures.sketch_given import load_sketch
-from ..figures.sketch_tilted import tilted_sketch
+from ..figures.sketch_given import load_sketch, tilted_sketch
 from ..oracle.values import Numbers, StripNumbers, sketch_values
 from ..physics.systems import POOLS, SYSTEMS, Pool, Problem
 from ..print.words import prose
@@ -57,8 +55,6 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "chapter": int(number.partition(".")[0]),
         "subtitle": prose(profile.subtitle),
         "panel": panel(profile, main, pool.prefix == "plane") if main else [],
-        "place": "x" if pool.prefix == "plane" else "r",
-        "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
@@ -99,12 +95,12 @@ def _order(text: str) -> tuple[int, ...]:
 NOTHING: dict[str, Any] = {
     "worked": None,
     "picture": None,
-    "load_picture": None,
-    "tilted_picture": None,
+    "loaded": False,
     "plots": (),
     "checks": None,
     "derivation": "",
     "complete": False,
+    "curves": (),
     "axes": (),
     "graded": (),
 }
@@ -113,13 +109,14 @@ NOTHING: dict[str, Any] = {
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
     prefix = profile_id.rpartition(".")[0]
-    texts = NOTHING | {"derivation": page.derivation(profile_id, profile, main)}
+    force, place = ("P", "x") if prefix == "plane" else (r"F_{\mathrm N}", "r")
+    texts = NOTHING | {"place": place, "derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
         texts |= {"worked": worked_given(profile, main), "checks": given_table(profile, main)}
         if isinstance(profile, Load):
-            return texts | {"load_picture": load_sketch(profile, main)}
-        return texts | {"tilted_picture": tilted_sketch(profile, main)}
+            return texts | {"picture": load_sketch(profile, main), "loaded": True}
+        return texts | {"picture": tilted_sketch(profile, main, force)}
     if "E_star" in main:
         texts["worked"] = worked_bodies(main)
     if not main or "p" not in main:
@@ -133,9 +130,9 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
-        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
+        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else (),
         "worked": worked(profile_id, profile, derived, type(rough)),
-        "picture": sketch(profile, rough),
+        "picture": sketch(profile, rough, force, place),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),
         "complete": profile.contact == "complete",

@@ -126,7 +126,6 @@ def _references(folder: Path) -> dict[str, bytes]:
 _RERUN = re.compile(r"^(?:LaTeX|Package) .*Warning: .*\bRerun\b", re.MULTILINE)
 _PICTURE = re.compile(rb"\\begin\{tikzpicture\}(\[[^\]\n]*\])?.*?\\end\{tikzpicture\}", re.DOTALL)
 _BOX = re.compile(rb"\\path\[use as bounding box\][^;]*;")
-_FRAME = re.compile(rb"\\begin\{axis\}\[hb,(?:powers,)?(?:height=(\d+)mm)?")
 
 
 def without_pictures(source: bytes) -> bytes:
@@ -135,17 +134,12 @@ def without_pictures(source: bytes) -> bytes:
 
 
 def _box(match: re.Match[bytes]) -> bytes:
-    picture = match[0]
-    if box := _BOX.search(picture):
-        stub = b"\\begin{tikzpicture}" + (match[1] or b"") + box[0] + b"\\end{tikzpicture}"
-    elif frame := _FRAME.search(picture):
-        # the frame, and the ticks and names of its axes, as the style `framed` bounds them
-        height = frame[1] + b"mm" if frame[1] else b"\\plotheight"
-        stub = b"\\rule[-11.2mm]{80mm}{\\dimexpr" + height + b"+12.2mm\\relax}"
-    else:
-        return picture
+    box = _BOX.search(match[0])
+    if box is None:
+        return match[0]
+    stub = b"\\begin{tikzpicture}" + (match[1] or b"") + box[0] + b"\\end{tikzpicture}"
     # a comment in front: behind the box it would leave an empty line, which ends the paragraph
-    return b"%\n" * picture.count(b"\n") + stub
+    return b"%\n" * match[0].count(b"\n") + stub
 
 
 def _one_pass(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:

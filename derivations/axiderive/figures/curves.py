@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import mpmath as mp
@@ -10,7 +10,9 @@ import mpmath as mp
 from .. import notation as nt
 from ..oracle.values import Numbers
 from ..profiles.profile import Profile
-from .labels import HIGHEST, Curve, coordinates, labelled
+from .axes import Axes, Mark
+from .drawing import Rows
+from .labels import HIGHEST, Curve, labelled, rounded
 
 PULL, LIGHT_PULL = 0.4, 0.1
 """Force of pull-off over that of the sketch, which fixes the work of separation; the second where a contact has a
@@ -19,46 +21,22 @@ WIDEST, LARGEST = 2.0, 8
 """Right end of the plot with adhesion, and the largest radius that is drawn to reach it, over that of the sketch."""
 
 
-@dataclass(frozen=True)
-class Adhesion:
-    """Coordinates of the branches by stability, and the two points of pull-off."""
-
-    stable: str
-    grips: str
-    unstable: str
-    force: tuple[float, float]
-    depth: tuple[float, float]
-    without: str
-    words: str
-
-
-@dataclass(frozen=True)
-class Curves:
-    """Both plots of a contact: the branches with adhesion, and the coordinates of its partial slip."""
-
-    adhesion: Adhesion
-    slip: str
-    sphere: Curve
-    """Partial slip of the sphere, labelled beside that of the profile."""
-
-
-def curves(profile: Profile, numbers: Numbers) -> Curves:
+def curves(profile: Profile, numbers: Numbers) -> tuple[Axes, Axes]:
     """Both plots at the values of the sketch, in units of its depth and force."""
-    slip = _slip(profile, numbers)
-    return Curves(_adhesion(profile, numbers), coordinates(slip), _sphere(slip))
+    return _adhesion(profile, numbers), _slip(profile, numbers)
 
 
 SLIP_FRAME = 1.25
 """Upper ends of both axes of the plot of partial slip."""
 
 
-def _sphere(slip: list[tuple[float, float]]) -> Curve:
+def _sphere(slip: Rows) -> Curve:
     """F_x/(mu F_N) = 1 - (1 - u/u_s)^(3/2); its label is placed on the frame of the pressures."""
     rows = [(i / 60, 1 - (1 - i / 60) ** 1.5) for i in range(61)]
     up = HIGHEST / SLIP_FRAME
     family = [[(x / SLIP_FRAME, y * up) for x, y in own] for own in ([*slip, (SLIP_FRAME, 1.0)], rows)]
     placed = labelled(family, 1, "sphere", [])
-    return replace(placed, coordinates=coordinates(rows), x=placed.x * SLIP_FRAME, y=placed.y / up)
+    return replace(placed, rows=rounded(rows), x=placed.x * SLIP_FRAME, y=placed.y / up)
 
 
 def _radii(profile: Profile, numbers: Numbers, largest: Any) -> list[Any]:
@@ -90,7 +68,7 @@ def _largest(profile: Profile, numbers: Numbers, scale: Any) -> Any:
     return largest
 
 
-def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
+def _adhesion(profile: Profile, numbers: Numbers) -> Axes:
     """The rule of Hess with E_star = 1; stability follows from where force and depth are least."""
     radius, depth, force = numbers["a"], numbers.depth, numbers("F")
     pull = PULL if profile.largest is None else LIGHT_PULL
@@ -103,15 +81,26 @@ def _adhesion(profile: Profile, numbers: Numbers) -> Adhesion:
     least_force = min(range(len(rows)), key=lambda i: rows[i][1])
     least_depth = min(range(len(rows)), key=lambda i: rows[i][0])
     first, last = sorted((least_depth, least_force))
-    return Adhesion(
-        coordinates(rows[last:]),
-        coordinates(rows[first : last + 1]),
-        coordinates(rows[: first + 1]),
-        _point(rows[least_force]),
-        _point(rows[least_depth]),
-        coordinates(plain),
+    force_at, depth_at = _point(rows[least_force]), _point(rows[least_depth])
+    branches = (
+        ("stable", "load", rows[last:]),
+        ("stable under given depth only", "load dashed", rows[first : last + 1]),
+        ("unstable", "load dotted", rows[: first + 1]),
+    )
+    ends = (-0.9, WIDEST), (-1.0, HIGHEST)
+    return Axes(
+        ("$d/d_1$", r"$F_{\mathrm N}/F_1$"),
+        *ends,
+        ((0.0, 1.0, 2.0), (-1.0, 0.0, 1.0, 2.0, 3.0)),
+        tuple(Curve(rounded(own), "", 0.0, 0.0, name=name, look=look) for name, look, own in branches),
+        "Adhesion",
         rf"$\Delta\gamma$ such that $F_{{\mathrm c}}=-{pull}\,F_1$; in grey without adhesion. Dashed: stable only at a"
         " given depth; dotted: never.",
+        (
+            Curve([(ends[0][0], 0.0), (ends[0][1], 0.0)], "", 0.0, 0.0, name="no force"),
+            Curve(rounded(plain), "", 0.0, 0.0, name="without adhesion"),
+        ),
+        (Mark(*force_at, r"F_{\mathrm c}", look="accent"), Mark(*depth_at, r"d_{\mathrm m}", "east", "accent")),
     )
 
 
@@ -125,11 +114,26 @@ def _scale(states: list[tuple[Any, Any, Any]], pull: Any) -> Any:
     return low
 
 
-def _slip(profile: Profile, numbers: Numbers) -> list[tuple[float, float]]:
-    """(11.78), (11.80): F_x/(mu F) over u/u_s, both 0 in full stick."""
+def _slip(profile: Profile, numbers: Numbers) -> Axes:
+    """(11.78), (11.80): F_x/(mu F) over u/u_s, both 0 in full stick, and full slip beyond."""
     depth, force = numbers.depth, numbers("F")
-    rows = [(float(1 - d / depth), float(1 - load / force)) for _, d, load in _states(profile, numbers, numbers["a"])]
-    return sorted(rows)
+    states = _states(profile, numbers, numbers["a"])
+    rows = sorted((float(1 - d / depth), float(1 - load / force)) for _, d, load in states)
+    full = [(1.0, 1.0), (SLIP_FRAME, 1.0)]
+    ticks = (0.0, 0.5, 1.0)
+    return Axes(
+        (r"$u/u_{\mathrm s}$", r"$F_x/(\mu F_{\mathrm N})$"),
+        (0.0, SLIP_FRAME),
+        (0.0, SLIP_FRAME),
+        (ticks, ticks),
+        tuple(
+            Curve(rounded(own), "", 0.0, 0.0, name=name, look="curve")
+            for name, own in (("partial slip", rows), ("full slip", full))
+        ),
+        "Partial slip",
+        r"the contact sticks in its middle until it slides as a whole at $u_{\mathrm s}$.",
+        (_sphere(rows),),
+    )
 
 
 def _point(row: tuple[float, float]) -> tuple[float, float]:

@@ -13,7 +13,8 @@ from ..oracle.values import Numbers, Values
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .axes import Axes, axes
-from .labels import HIGHEST, Rows
+from .drawing import Rows
+from .labels import HIGHEST
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")

@@ -10,7 +10,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-Rows = list[tuple[float, float]]
+from .drawing import Rows
 
 HIGHEST = 3.2
 """Upper end of the pressure axis; curves are cut a little above it."""
@@ -18,18 +18,22 @@ HIGHEST = 3.2
 
 @dataclass(frozen=True)
 class Curve:
-    """Coordinates, the label, where it sits, and which side of it, or its center, lies on the curve."""
+    """Points, the label, where it sits, and which side of it, or its center, lies on the curve."""
 
-    coordinates: str
+    rows: Rows
     label: str
     x: float
     y: float
     anchor: str = "south"
+    name: str = ""
+    """What it is, for a reader who takes its points; the label where there is one."""
+    look: str = ""
+    """How it is drawn, if it is no member of a family."""
 
 
-def coordinates(rows: Rows) -> str:
-    """The points as `(x,y)` pairs for pgfplots, to five significant digits."""
-    return " ".join(f"({x:.5g},{y:.5g})" for x, y in rows)
+def rounded(rows: Rows) -> Rows:
+    """The points to five significant digits."""
+    return [(float(f"{x:.5g}"), float(f"{y:.5g}")) for x, y in rows]
 
 
 TALL = 0.24
@@ -66,7 +70,7 @@ def labelled(family: list[Rows], index: int, label: str, taken: Sequence[Curve],
     boxes = [_box(curve, tall) for curve in taken if curve.label]
     best = max(_places(own, label, others, boxes, tall), default=(False, 0.0, 0.5, 0.0, "south"))
     _, _, x, y, anchor = best
-    return Curve(coordinates(family[index]), label, round(x, 3), round(y, 3), anchor)
+    return Curve(rounded(family[index]), label, round(x, 3), round(y, 3), anchor)
 
 
 Place = tuple[bool, float, float, float, str]
@@ -80,7 +84,7 @@ def _places(own: Rows, label: str, others: list[Rows], boxes: list[Box], tall: f
             half = _half(label)
             low, high = _span(own, x - half, x + half) or (middle, middle)
             y = {"south": high, "north": low}.get(anchor, middle)
-            box = _box(Curve("", label, x, y, anchor), tall)
+            box = _box(Curve([], label, x, y, anchor), tall)
             if box.left < BEGIN or box.right > END or box.low < AXIS * tall or box.high > HIGHEST:
                 continue
             clear = min(_clearances(box, others, boxes, tall))

@@ -9,7 +9,7 @@ from typing import Any
 from ..book.guide import TITLE, cited
 from ..book.readme import LEFT_OUT
 from ..book.word_index import WORDS
-from .figures import thumbnail
+from ..figures.svg import svg
 
 KINDS = {
     "Pointed": "pointed", "Round": "round", "Flatter than round": "round", "Flat": "flat",
@@ -25,6 +25,8 @@ PHYSICS = {
     "adhesive": "adhesion", "tangential": "friction", "viscoelastic": "viscoelastic", "graded.normal": "graded",
 }  # fmt: skip
 """Systems to which a picture leads besides normal contact."""
+SMALL = 20.0
+"""SVG units to one unit of the outline that the front of the book draws."""
 NONE = "–"
 """Status of a physics that has no meaning for a profile."""
 _WORN = re.compile(r"worn|blunt")
@@ -47,7 +49,7 @@ def _card(one: Mapping[str, Any], kind: str, models: Mapping[str, Mapping[str, A
     status = models[one["name"]]["status"]
     kinds = [kind, "worn"] if _WORN.search(one["words"]) else [kind]
     physics = [(name, words) for name, words in PHYSICS.items() if status.get(name, LEFT_OUT) not in (LEFT_OUT, NONE)]
-    return {**one, "picture": thumbnail(one["shape"]), "kinds": kinds, "physics": physics}
+    return {**one, "picture": svg(one["shape"], SMALL), "kinds": kinds, "physics": physics}
 
 
 def _presets(tip: tuple[str, str, str, str], models: Mapping[str, Mapping[str, Any]]) -> list[tuple[str, str]]:

@@ -11,11 +11,12 @@ from typing import Any
 from ..book.page import Calls, Signatures, assigned, called, examples, imported, signatures
 from ..book.spread import problems_of
 from ..entry import Entry
+from ..figures.axes import SHOWN, drawn
+from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
 from ..print.words import prose
 from ..rows.blocks import ending, ending_of, heading, rows_of
 from ..rows.row import Row
-from .figures import Figure, figures, sketch
 from .words import formula
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -70,7 +71,7 @@ class Section:
     rows: list[WebRow]
     words: str = ""
     further: Sequence[Further] = ()
-    figures: Sequence[Figure] = ()
+    figures: Sequence[Picture] = ()
 
 
 @dataclass(frozen=True)
@@ -158,7 +159,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
     agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
     problems = {problem.system.name: problem for problem in problems_of(model["name"])}
-    sections, drawn = [], figures(model)
+    sections, pictures = [], figures(model)
     for name, block in model["blocks"].items():
         anchor = f"about.{name}"
         if block["words"]:
@@ -172,5 +173,15 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
         further = _apart([_further(one, model["name"]) for one in block["approached"]])
         shown = [known.row(one) for one in rows]
-        sections.append(Section(anchor, title, note, shown, further=further, figures=drawn.get(name, ())))
-    return {**model, "sections": sections, "sketch": sketch(model)}
+        sections.append(Section(anchor, title, note, shown, further=further, figures=pictures.get(name, ())))
+    return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}
+
+
+UNIT = 84.0
+"""SVG units to one unit of a sketch."""
+
+
+def figures(model: Mapping[str, Any]) -> dict[str, list[Picture]]:
+    """The plots of a page by the system they stand with, in the order of the book."""
+    found = [svg(drawn(axes, SHOWN)) for part in ("plots", "curves", "axes") for axes in model[part]]
+    return {model["first"]: found, "graded.normal": [svg(drawn(axes, SHOWN)) for axes in model["graded"]]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from . import error, extremes, maps, speed
+from . import error, maps, tables
 
 Records = Mapping[str, Mapping[str, Any]]
 """What was measured, by name of the study: error, speed, maps, extremes; a study may be missing."""
@@ -17,9 +17,9 @@ def figures(records: Records, keys: frozenset[str]) -> dict[str, Any]:
     if "error" in records:
         found["error"] = error.figure(records["error"], keys)
     if "speed" in records:
-        found["speed"] = speed.table(records["speed"], keys)
+        found["speed"] = tables.speed(records["speed"], keys)
     if "maps" in records:
         found["maps"] = maps.figure(records["maps"], keys)
     if "extremes" in records:
-        found["extremes"] = extremes.table(records["extremes"])
+        found["extremes"] = tables.extremes(records["extremes"])
     return found

@@ -1,8 +1,4 @@
-"""Error against run time: one panel for every formula that was measured, all with the same axes.
-
-The panels are drawn in millimetres, because a frame of pgfplots takes TeX a
-tenth of a second and there is one for every formula.
-"""
+"""Error against run time: one panel for every formula that was measured, all with the same axes, in millimetres."""
 
 from __future__ import annotations
 
@@ -11,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ...figures.drawing import Drawing
 from ...print.words import escaped
 
 WIDTH, HEIGHT = 43.0, 30.0
@@ -57,11 +54,6 @@ class Line:
     points: tuple[Point, ...]
     place: Point
 
-    @property
-    def coordinates(self) -> str:
-        """The points as pairs `(x,y)` of TikZ in millimetres, to two decimals."""
-        return " ".join(f"({x:.2f},{y:.2f})" for x, y in self.points)
-
 
 @dataclass(frozen=True)
 class Panel:
@@ -83,6 +75,52 @@ class Figure:
     width: float
     height: float
     names: tuple[str, str] = NAMES
+
+
+def picture(panel: Panel, whole: Figure, first: bool | None = None) -> Drawing:
+    """A panel in millimetres: in print the first of a line has the name of its vertical axis; None for the web edition.
+
+    There the names of the axes stand in the corners, and the key is the caption.
+    """
+    wide, high = whole.width, whole.height
+    if first is None:
+        figure = Drawing("study", (-8.5, -8.5), (wide + 2.5, high + 5.5), captioned(panel.key, panel.known))
+        figure.label(whole.names[0], (wide, -8.5), "south east")
+        figure.label(whole.names[1], (-8.5, high + 5.5), "north west")
+    else:
+        figure = Drawing("study", (-12.0 if first else -8.5, -8.0), (wide, high + 5.0))
+        figure.label(whole.names[0], (wide / 2, -4.7), "north", "note")
+        figure.label(referred(panel.key, panel.known), (0.0, high + 2.2), "base west")
+        if first:
+            figure.label(whole.names[1], (-9.6, high / 2), "base", "note", turned=True)
+    lines = ", ".join(f"{line.letter}{' (this catalogue)' * line.own}" for line in panel.lines)
+    figure.seen = f"Worst relative error of {panel.key} over the run time: lines {lines}"
+    figure.anchor = f"error.{panel.key}"
+    for place, power in whole.xticks:
+        figure.line("grid", (place, 0.0), (place, high))
+        figure.line("tick", (place, 0.0), (place, -0.8))
+        figure.label(f"$10^{{{power}}}$", (place, -0.8), "north", "tick")
+    for place, power in whole.yticks:
+        figure.line("tick", (0.0, place), (-0.8, place))
+        figure.label(f"$10^{{{power}}}$", (-0.8, place), "east", "tick")
+    figure.line("axis", (wide, 0.0), (0.0, 0.0), (0.0, high))
+    for line in panel.lines:
+        look, colour = ("own", "accent") if line.own else ("rival", "ink")
+        figure.line(look, *line.points)
+        for point in line.points:
+            figure.dot(f"dot {colour}", point)
+        figure.label(line.letter, line.place, look=colour)
+    return figure
+
+
+def captioned(key: str, known: bool) -> tuple[str, str]:
+    """The key, and a link to its formula where there is one."""
+    return key, rf"\hyperref[eq:{key}]{{formula}}" if known else ""
+
+
+def referred(key: str, known: bool) -> str:
+    """The key, which leads to its formula where the book prints it."""
+    return rf"\eqr{{{key}}}" if known else rf"\code{{\detokenize{{{key}}}}}"
 
 
 def plots(record: Mapping[str, Any]) -> Plots:

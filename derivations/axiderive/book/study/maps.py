@@ -6,30 +6,24 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ...figures.drawing import Boxes, Drawing
+from .error import captioned, referred
+
 SIDE = 21.5
 """Millimetres of a map of two ratios, and of the width of one."""
 STRIP = 3.0
 LEVELS = (5.0, 1e3, 1e6, 1e9, 1e12)
 """Errors in ulps up to which a cell has the colour of its level; beyond them there is one more, and one for NaN."""
 NAMES = ("5", "10^{3}", "10^{6}", "10^{9}", "10^{12}")
-COLOURS = ("steel!45", "accent!18", "accent!38", "accent!62", "accent!88", "accent!70!black", "black")
 
 Cells = Sequence[Sequence[float | None]]
 
 
 @dataclass(frozen=True)
-class Level:
-    """The cells of one colour as rectangles: corner and size in millimetres."""
-
-    colour: str
-    rectangles: str
-
-
-@dataclass(frozen=True)
 class Picture:
-    """One way to evaluate the formula, with its worst error and the share of the samples that miss 1e-12."""
+    """One way to evaluate the formula: its cells by level, and the share of the samples that miss 1e-12."""
 
-    levels: tuple[Level, ...]
+    levels: tuple[Boxes, ...]
     share: str
 
 
@@ -48,13 +42,41 @@ class Map:
 
 @dataclass(frozen=True)
 class Figure:
-    """All maps of the study, those of one ratio and those of two, with colour and words of each level."""
+    """All maps of the study, those of one ratio and those of two, with the words for each level."""
 
     plain: tuple[Map, ...]
     """Maps of one ratio."""
     square: tuple[Map, ...]
-    legend: tuple[tuple[str, str], ...]
-    width: float = SIDE
+    legend: tuple[str, ...]
+
+
+def drawing(one: Map, *, printed: bool) -> Drawing:
+    """Both pictures of a map in millimetres, in print with the key over them, which is the caption on the web."""
+    gap, name_of_own = (2.0, "function") if printed else (3.0, "emitted")
+    high = one.height + (8.0 if printed else 5.0)
+    figure = Drawing("study", (-5.0, -5.0), (2 * SIDE + gap + 1, high), captioned(one.key, one.known))
+    if printed:
+        figure.label(referred(one.key, one.known), (0.0, one.height + 4.6), "base west")
+    shares = f"{one.naive.share} % of the printed formula, {one.emitted.share} % of the emitted function"
+    figure.seen = f"Error of {one.key} over its range as two maps; missing the limit: {shares}"
+    figure.anchor = f"map.{one.key}"
+    for i, (name, picture) in enumerate(zip(("as printed", name_of_own), (one.naive, one.emitted), strict=True)):
+        left = i * (SIDE + gap)
+        for level in picture.levels:
+            figure.boxes.append(
+                Boxes(level.look, tuple((x + left, y, wide, tall) for x, y, wide, tall in level.corners))
+            )
+        corners = ((left, 0.0), (left + SIDE, 0.0), (left + SIDE, one.height), (left, one.height))
+        figure.area("frame", corners)
+        figure.label(rf"{name} \textcolor{{note}}{{{picture.share}\,\%}}", (left, one.height + 1.4), "base west")
+        ends = ((0.0, "north west"), (SIDE / 2, "north"), (SIDE, "north east"))
+        for text, (x, side) in zip((one.across[1], one.across[0], one.across[2]), ends, strict=True):
+            figure.label(text, (left + x, -0.9), side)
+    if one.up:
+        ends = ((0.0, "south east"), (one.height / 2, "east"), (one.height, "north east"))
+        for text, (y, side) in zip((one.up[1], one.up[0], one.up[2]), ends, strict=True):
+            figure.label(text, (-0.8, y), side)
+    return figure
 
 
 def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
@@ -64,7 +86,7 @@ def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
     return Figure(
         tuple(one for one in found if one.up is None),
         tuple(one for one in found if one.up is not None),
-        tuple(zip(COLOURS, words, strict=True)),
+        tuple(words),
     )
 
 
@@ -92,17 +114,14 @@ def _axis(name: str, edges: Sequence[float]) -> tuple[str, str, str]:
 
 def _picture(found: Mapping[str, Any], height: float) -> Picture:
     cells: Cells = found["worst"]
-    by_level: dict[int, list[str]] = {}
+    by_level: dict[int, list[tuple[float, float, float, float]]] = {}
     for i, row in enumerate(cells):
         for level, start, stop in _runs(row):
             width, tall = SIDE / len(row), height / len(cells)
-            corner = f"({start * width:.3f},{i * tall:.3f})"
-            by_level.setdefault(level, []).append(f"{corner} rectangle +({(stop - start) * width:.3f},{tall:.3f})")
+            by_level.setdefault(level, []).append((start * width, i * tall, (stop - start) * width, tall))
     share = found["share"]
-    return Picture(
-        tuple(Level(COLOURS[level], " ".join(by_level[level])) for level in sorted(by_level)),
-        "0" if not share else f"{100 * share:.2g}",
-    )
+    levels = tuple(Boxes(f"level{level}", tuple(by_level[level])) for level in sorted(by_level))
+    return Picture(levels, "0" if not share else f"{100 * share:.2g}")
 
 
 def _runs(row: Sequence[float | None]) -> list[tuple[int, int, int]]:
