@@ -195,7 +195,7 @@ def test_failures_say_how_to_see_them_again():
 
 @pytest.mark.parametrize(("strict", "code"), [([], 0), (["--strict"], 4)])
 def test_a_missing_pdf_is_an_error_only_if_asked(elsewhere, monkeypatch, capsys, strict, code):
-    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
+    monkeypatch.setattr(pdf, "has_latex", lambda: False)
     arguments = [argument for argument in SMALL if argument != "--no-pdf"]
     assert cli.main([*arguments, "--no-install", *strict]) == code
     assert "apt-get install --no-install-recommends" in capsys.readouterr().err

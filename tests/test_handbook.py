@@ -220,7 +220,7 @@ def test_the_sources_do_not_depend_on_the_hash_seed() -> None:
     assert len(seen) == 1
 
 
-@pytest.mark.skipif(not pdf._has_latex(), reason="needs pdflatex with the packages of the book")
+@pytest.mark.skipif(not pdf.has_latex(), reason="needs pdflatex with the packages of the book")
 def test_the_book_compiles_without_a_remark(sources: dict[str, str]) -> None:
     """No overfull line over 2 pt, no undefined reference, no font substitution; twice the same bytes."""
     encoded = {path: text.encode() for path, text in sources.items()}
@@ -234,7 +234,7 @@ def test_the_book_compiles_without_a_remark(sources: dict[str, str]) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not pdf._has_latex(), reason="needs pdflatex with the packages of the book")
+@pytest.mark.skipif(not pdf.has_latex(), reason="needs pdflatex with the packages of the book")
 def test_the_whole_book_compiles_without_a_remark_to_the_same_bytes_in_two_folders(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -24,7 +24,7 @@ THE ROW
 \end{document}
 """
 
-with_latex = pytest.mark.skipif(not pdf._has_latex(), reason="needs pdflatex")
+with_latex = pytest.mark.skipif(not pdf.has_latex(), reason="needs pdflatex")
 
 
 @with_latex
@@ -127,7 +127,7 @@ def test_an_entry_ends_on_a_full_page_or_shares_the_last_two(tmp_path):
 
 
 def test_without_latex_the_command_that_installs_it_is_printed(monkeypatch):
-    monkeypatch.setattr(pdf, "_has_latex", lambda: False)
+    monkeypatch.setattr(pdf, "has_latex", lambda: False)
     with pytest.raises(
         pdf.NoLatexError, match="apt-get install --no-install-recommends texlive-latex-recommended .* tex-gyre"
     ):
@@ -141,7 +141,7 @@ def test_as_root_latex_is_installed(monkeypatch, tmp_path):
     (tmp_path / "apt-get").chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
     monkeypatch.setattr(os, "geteuid", lambda: 0)
-    monkeypatch.setattr(pdf, "_has_latex", lambda: log.exists() and "install" in log.read_text())
+    monkeypatch.setattr(pdf, "has_latex", lambda: log.exists() and "install" in log.read_text())
     said = []
     pdf.ensure_latex(install=True, say=said.append)
     assert said == ["first run: installing pdflatex (4 Debian packages, 114 MB) ..."]

@@ -47,6 +47,7 @@ def build(
     book: Book | None = None,
     jobs: int = 1,
     report: Callable[[Outcome], None] = lambda outcome: None,
+    printed: Callable[[Mapping[str, bytes]], None] = lambda sources: None,
 ) -> Catalogue:
     """Derive, verify and emit every problem of the named profiles.
 
@@ -67,6 +68,8 @@ def build(
         Number of processes.
     report : callable
         Called with each outcome as it is ready.
+    printed : callable
+        Called with the sources of the handbook, by path, before the web edition is made of the same pages.
 
     Returns
     -------
@@ -95,7 +98,7 @@ def build(
     package = emission.package(published, cache)
     published, kept, measured = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
-    files = emission.emitted(published, package, book, cache, settings, jobs)
+    files = emission.emitted(published, package, book, cache, settings, jobs, printed)
     if published:
         files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
     return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))

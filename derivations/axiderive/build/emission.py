@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -55,15 +55,19 @@ def emitted(
     cache: Cache,
     settings: Settings,
     jobs: int,
+    printed: Callable[[Mapping[str, bytes]], None],
 ) -> dict[str, bytes]:
-    """Every file of the catalogue as bytes by path, in order of path; from the cache where nothing has changed."""
+    """Every file of the catalogue as bytes by path, in order of path; from the cache where nothing has changed.
+
+    `printed` is called with the sources of the handbook as soon as they are there, if they are made anew.
+    """
     results = [[problem.key, outcome.entries, outcome.evidence] for problem, outcome in published]
     studies = study_records()
     sources = [source_digest(*EMITTING), import_digest("axiderive.build.emission")]
     key = digest([work.FORMAT, "emission", sources, settings.record(), results, book.ids, book.chapter, studies])
     texts = cache.get(key)
     if texts is None:
-        files = _emit(published, modules, book, studies, jobs)
+        files = _emit(published, modules, book, studies, jobs, printed)
         texts = {path: content.decode() for path, content in files.items()}
         cache.put(key, texts)
     return {path: text.encode() for path, text in sorted(texts.items())}
@@ -81,6 +85,7 @@ def _emit(
     book: Book,
     studies: Mapping[str, Record],
     jobs: int,
+    printed: Callable[[Mapping[str, bytes]], None],
 ) -> dict[str, bytes]:
     from .. import web
     from ..book import handbook, index
@@ -90,8 +95,9 @@ def _emit(
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = dict(modules)
     models = _page_models(published, book.ids, jobs)
-    printed = handbook.handbook_sources(derived, evidence, book.chapter, models, studies)
-    texts |= {f"handbook/{path}": text for path, text in printed.items()}
+    pages = handbook.handbook_sources(derived, evidence, book.chapter, models, studies)
+    printed({path: text.encode() for path, text in pages.items()})
+    texts |= {f"handbook/{path}": text for path, text in pages.items()}
     site = web.html_sources(derived, evidence, book.chapter, models, texts, studies)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = {path: text.encode() for path, text in texts.items()}

@@ -33,7 +33,7 @@ class NoLatexError(RuntimeError):
 
 def ensure_latex(*, install: bool, say: Callable[[str], None]) -> None:
     """Install the Debian packages if they are missing and this process may; `NoLatexError` otherwise."""
-    if _has_latex():
+    if has_latex():
         return
     sudo = "" if os.geteuid() == 0 else "sudo "
     hint = f"no PDF, because pdflatex or its packages are missing; to get it: {sudo}{INSTALL}"
@@ -49,11 +49,12 @@ def ensure_latex(*, install: bool, say: Callable[[str], None]) -> None:
             last = (done.stderr.strip().splitlines() or ["no message"])[-1]
             message = f"{hint} (tried: {' '.join(command[:2])} said {last!r})"
             raise NoLatexError(message)
-    if not _has_latex():
+    if not has_latex():
         raise NoLatexError(hint)
 
 
-def _has_latex() -> bool:
+def has_latex() -> bool:
+    """Whether pdflatex and the packages of the handbook are here."""
     if shutil.which("pdflatex") is None or shutil.which("kpsewhich") is None:
         return False
     found = subprocess.run(

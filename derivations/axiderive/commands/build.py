@@ -8,6 +8,8 @@ import json
 import re
 import sys
 import time
+from collections.abc import Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 from ..book.readme import with_tables
@@ -44,6 +46,7 @@ def build(arguments: argparse.Namespace) -> int:
     book = book_of(root, names) if partial else None
     keys = [problem.key for problem in systems.problems(names)]
     measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
+    ahead = Ahead(wanted=not (arguments.no_pdf or arguments.check or partial))
     with Progress(len(keys), quiet=arguments.quiet).running() as progress:
         catalogue = build_catalogue(
             names,
@@ -53,6 +56,7 @@ def build(arguments: argparse.Namespace) -> int:
             book=book,
             jobs=arguments.jobs,
             report=progress.finished,
+            printed=ahead.begin,
         )
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
@@ -74,12 +78,33 @@ def build(arguments: argparse.Namespace) -> int:
         written, removed = publish(files, root, prune=not partial)
         for path, content in readme.items():
             write_atomic(project_root() / path, content)
-        code = _handbook(root, cache, arguments, progress)
+        code = _handbook(root, cache, arguments, progress, ahead)
         _report_written(catalogue, root, (len(written), len(removed)), time.perf_counter() - started, progress)
     if failures:
         print("\n".join(failures), file=sys.stderr)
         return FAILED
     return code
+
+
+class Ahead:
+    """The PDF of a whole book, set while the web edition is still made."""
+
+    def __init__(self, *, wanted: bool) -> None:
+        self.wanted = wanted
+        self.sources: Mapping[str, bytes] = {}
+        self.made: Future[tuple[bytes, list[str]]] | None = None
+
+    def begin(self, sources: Mapping[str, bytes]) -> None:
+        """Starts on these sources, where there is LaTeX."""
+        if self.wanted and pdf.has_latex():
+            self.sources = sources
+            self.made = ThreadPoolExecutor(1).submit(pdf.compile_pdf, sources)
+
+    def result(self, sources: Mapping[str, bytes]) -> tuple[bytes, list[str]]:
+        """The PDF of the sources and LaTeX's remarks; made now if it was not begun, or on others."""
+        if self.made is None or dict(sources) != dict(self.sources):
+            return pdf.compile_pdf(sources)
+        return self.made.result()
 
 
 def _readme(catalogue: Catalogue) -> dict[str, bytes]:
@@ -123,7 +148,7 @@ def _without_check(arguments: argparse.Namespace) -> str:
     return f"axicontact build{only}" + (f" --out {arguments.out}" if arguments.out else "")
 
 
-def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress: Progress) -> int:
+def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress: Progress, ahead: Ahead) -> int:
     """Make handbook.pdf unless it is there already, made from the same sources."""
     if arguments.no_pdf:
         return 0
@@ -140,7 +165,7 @@ def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress:
         return 0
     try:
         pdf.ensure_latex(install=not arguments.no_install, say=progress.say)
-        content, warnings = pdf.compile_pdf(sources)
+        content, warnings = ahead.result(sources)
     except pdf.NoLatexError as error:
         progress.say(str(error))
         return INCOMPLETE if arguments.strict else 0
