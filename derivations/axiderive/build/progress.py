@@ -79,11 +79,15 @@ def summary(catalogue: Catalogue) -> str:
 def taken_over(catalogue: Catalogue) -> str:
     """How much numerical evidence was not made anew."""
     checks, errors = catalogue.kept
+    made = sum(not outcome.cached for outcome in catalogue.outcomes)
+    derived = f"{made} of {len(catalogue.outcomes)} problems were derived and proved now"
+    if made < len(catalogue.outcomes):
+        derived += ", the others by an earlier build from the same inputs"
     if not checks and not errors:
-        return "every check and every measurement was made now, or by an earlier build from the same inputs"
+        return derived
     return (
-        f"checks of {checks} and measured errors of {errors} of {len(catalogue.outcomes)} problems are those of the "
-        "catalogue, from the same inputs; all formulas were derived and proved anew (--fresh repeats everything)"
+        f"{derived}; checks of {checks} and measured errors of {errors} are those of the catalogue, from the same inputs"
+        " (--fresh repeats everything)"
     )
 
 
