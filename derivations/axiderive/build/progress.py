@@ -86,8 +86,8 @@ def taken_over(catalogue: Catalogue) -> str:
     if not checks and not errors:
         return derived
     return (
-        f"{derived}; checks of {checks} and measured errors of {errors} are those of the catalogue, from the same inputs"
-        " (--fresh repeats everything)"
+        f"{derived}; checks of {checks} and measured errors of {errors} are those of the catalogue, "
+        "from the same inputs (--fresh repeats everything)"
     )
 
 
