@@ -134,7 +134,7 @@ def test_keys_follow_everything_a_result_depends_on(monkeypatch):
     }
     assert len(keys) == 5
     before = derivation_key(cone)
-    monkeypatch.setattr("axiderive.build.work.version", lambda package: "1.99")
+    monkeypatch.setattr("axiderive.build.work.installed", lambda package: "1.99")
     assert derivation_key(cone) != before
     assert profile_record(cone.profile) != profile_record(sphere.profile)
 
