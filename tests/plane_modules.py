@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from axiderive.code.imports import RUNTIME
+from axiderive.code.imports import PLACE, runtime_sources
 from axiderive.code.python import NODE_COUNTS
 from axiderive.code.tables import kernels_source, nodes_source, symbols_sources
 from axiderive.entry import Entry
@@ -34,16 +34,13 @@ def kernels() -> str:
 def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     """The runtime and these modules as a package."""
     base = folder / package
-    (base / "plane").mkdir(parents=True)
-    for path in RUNTIME.glob("*.py"):
-        (base / path.name).write_text(path.read_text())
-    (base / "_nodes.py").write_text(nodes_source(NODE_COUNTS))
-    (base / "_kernels.py").write_text(kernels())
-    (base / "__init__.py").write_text("")
-    for name, text in symbols_sources({"theta", "R", "A", "b", "h", "n", "a", "E_star"}).items():
-        (base / name).write_text(text)
-    for path_, text in sources.items():
-        (base / Path(path_).relative_to("axicontact")).write_text(text)
+    tables = {"nodes.py": nodes_source(NODE_COUNTS), "kernels.py": kernels()}
+    tables |= symbols_sources({"theta", "R", "A", "b", "h", "n", "a", "E_star"})
+    files = {"__init__.py": "", **runtime_sources(), **{f"{PLACE}/{name}": text for name, text in tables.items()}}
+    files |= {str(Path(path).relative_to("axicontact")): text for path, text in sources.items()}
+    for path, text in files.items():
+        (base / path).parent.mkdir(parents=True, exist_ok=True)
+        (base / path).write_text(text)
 
 
 SMOOTH = [name for name in plane.NAMES if name != "eccentric_punch"]

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from test_inverse_steps import EPS, GRADED, STEPS, Draw
 
-from axicontact import _inverse, _stable
+from axicontact._runtime import inverse as roots
+from axicontact._runtime.physics import stable
 
 POINTS = {"adhesive": 300, "graded.adhesive": 40}
 SLOW = ("sphere_tipped_cone",)
@@ -46,9 +47,9 @@ def evaluations(monkeypatch: pytest.MonkeyPatch) -> list[int]:
             calls[0] += 1
             return curve(t)
 
-        return _inverse.inverse(watched, *given, **named)
+        return roots.inverse(watched, *given, **named)
 
-    monkeypatch.setattr(_stable, "inverse", counting)
+    monkeypatch.setattr(stable, "inverse", counting)
     return calls
 
 

@@ -12,7 +12,7 @@ import pytest
 from selected import each_result, few
 from test_interface import PARAMETERS
 
-from axicontact._along import LEAST
+from axicontact._runtime.integrals import LEAST
 
 GROUPS = ("normal", "tangential", "adhesive", "graded.normal", "graded.tangential", "graded.adhesive")
 FIELDS = {"a": 0.9, "c": 0.7, "d": 1.3, "F": 0.8, "F_x": 0.05}

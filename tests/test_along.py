@@ -7,7 +7,7 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from axicontact import _along
+from axicontact._runtime import integrals
 
 EPS = np.finfo(float).eps
 CASES = [
@@ -87,7 +87,7 @@ def test_the_rule_is_called_at_few_radii() -> None:
 
     def error(edge: float | None) -> float:
         with np.errstate(all="ignore"):
-            got = _along.along(exact, r, _along.Course(0.0, 100.0, True, edge), 0.0, 10.0)
+            got = integrals.along(exact, r, integrals.Course(0.0, 100.0, True, edge), 0.0, 10.0)
         return float(np.max(np.abs(got / wanted - 1.0)))
 
     assert error(10.0) <= MOST * EPS
@@ -96,6 +96,6 @@ def test_the_rule_is_called_at_few_radii() -> None:
 
 
 def test_a_radius_that_varies_is_no_constant() -> None:
-    assert _along.same(np.ones(4), 2.0) == (1.0, 2.0)
-    assert _along.same(np.array([1.0, 1.0, 1.0 + EPS]), 2.0) is None
-    assert _along.same(np.array([np.nan, np.nan])) is None
+    assert integrals.same(np.ones(4), 2.0) == (1.0, 2.0)
+    assert integrals.same(np.array([1.0, 1.0, 1.0 + EPS]), 2.0) is None
+    assert integrals.same(np.array([np.nan, np.nan])) is None

@@ -19,14 +19,16 @@ ROOMS = (
 """From the vocabulary to the command line: a room imports only what stands before it."""
 VIEWS = {("entry", "profiles"), ("entry", "book")}
 """What an entry asks for inside a function or for a type alone: its profile's type, and its formula in Jupyter."""
-LINES, FILES = 61_700, 424
-FULL = {"runtime": 29, "study": 18, "chapter11": 16, "oracle": 16, "checks": 16, "physics": 16}
+LINES, FILES = 61_510, 414
+FULL = {"study": 18, "chapter11": 16, "oracle": 16, "checks": 16, "physics": 16}
 """Folders with more than 15 files; the profiles are a list, and may be as many as they are."""
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
 NAMED, KINDS = 126, 105
 """Comparisons with the name of a physics, and with a kind of contact."""
 LITERALS, LITERAL_FILES = 2009, 149
 """Keys of quantities as literals, and files that have some."""
+RUNTIME = ("", "shapes", "physics", "graded")
+"""Folders of the run time: one imports only what stands before it, and `programs` only what stands in the root."""
 SUFFIXES = {
     *("d", "F", "p", "w", "k", "pm", "ad", "aF", "Fd", "dF", "rz", "dmin", "Fmin", "Dl", "ac", "Fc", "dc", "am", "Fm"),
     *("dm", "tau", "u", "us", "c", "P", "s", "aP", "xz", "Pmin", "phi", "cw", "rp", "pp"),
@@ -90,6 +92,25 @@ def test_no_circle_of_modules():
         ready = {name for name, needs in pending.items() if not needs & pending.keys()}
         assert ready, f"these import each other: {sorted(pending)}"
         pending = {name: needs for name, needs in pending.items() if name not in ready}
+
+
+def folders_imported(path: Path) -> set[str]:
+    """The folders of which a file of the run time imports something at its top; its own is no other."""
+    own, found = path.parent.relative_to(ENGINE / "runtime").as_posix().strip("."), set[str]()
+    for node in ast.parse(path.read_bytes()).body:
+        if isinstance(node, ast.ImportFrom) and node.level:
+            said = (node.module or "").rpartition(".")[0]
+            found.add(own if node.level == 1 and own else said)
+    return found - {own}
+
+
+def test_folders_of_the_run_time_import_in_one_direction():
+    files = [path for path in (ENGINE / "runtime").rglob("*.py") if path.name != "expressions.py"]
+    assert {path.parent.name for path in files} == {"runtime", "programs", *RUNTIME[1:]}
+    for path in files:
+        own = path.parent.relative_to(ENGINE / "runtime").as_posix().strip(".")
+        before = {""} if own == "programs" else {*RUNTIME[: RUNTIME.index(own)]}
+        assert folders_imported(path) <= before, path
 
 
 def test_files_and_lines():

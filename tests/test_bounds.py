@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from axicontact import _bounds
-from axicontact._bounds import Bound, bounds
-from axicontact._trace import Node, needed, trace
+from axicontact._runtime.programs import bounds as ranges
+from axicontact._runtime.programs.bounds import Bound, bounds
+from axicontact._runtime.programs.trace import Node, needed, trace
 
 EPS = np.finfo(float).eps
 CASES: list[tuple[Callable[..., Any], tuple[str, ...]]] = [
@@ -80,16 +80,16 @@ def test_no_value_leaves_its_bounds() -> None:
         found = bounds(nodes, RANGES)
         assert outside(nodes, found, draws(20_000)) == []
         reached |= {node.name for node in nodes if found[node] is not None}
-    assert reached >= set(_bounds.RULES) - {"unless"} | {"power"}
+    assert reached >= set(ranges.RULES) - {"unless"} | {"power"}
 
 
 @pytest.mark.parametrize(
     ("name", "rule"),
     [
         ("subtract", lambda x, y: Bound(min(x.low, y.low) - 40, max(x.high, y.high) + 1, 0, True)),
-        ("subtract", lambda x, y: _bounds._add(x, y)),
-        ("add", lambda x, y: _bounds._add(x, y)._replace(high=max(x.high, y.high))),
-        ("multiply", lambda x, y: _bounds._multiply(x, y)._replace(zero=False)),
+        ("subtract", lambda x, y: ranges._add(x, y)),
+        ("add", lambda x, y: ranges._add(x, y)._replace(high=max(x.high, y.high))),
+        ("multiply", lambda x, y: ranges._multiply(x, y)._replace(zero=False)),
         ("divide", lambda x, y: Bound(x.low - y.low, x.high - y.high, x.sign * y.sign, x.zero)),
         ("tan", lambda x: Bound(x.low, x.high + 1)),
         ("arcsinh", lambda x: Bound(x.low, min(x.high, 4), x.sign, x.zero)),
@@ -97,5 +97,5 @@ def test_no_value_leaves_its_bounds() -> None:
     ],
 )
 def test_a_wrong_rule_is_noticed(name: str, rule: Callable[..., Bound], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(_bounds.RULES, name, rule)
+    monkeypatch.setitem(ranges.RULES, name, rule)
     assert any(outside(nodes := needed(r), bounds(nodes, RANGES), draws(20_000)) for r in results())

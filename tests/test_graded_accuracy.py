@@ -60,7 +60,7 @@ def test_whole_range_of_every_profile(group: str, name: str) -> None:
 
 def test_excess_of_the_depth() -> None:
     """g(a)/f(a) - 1 of a power keeps its digits where it vanishes: at n = 0 and k = 1."""
-    power_excess = import_module("axicontact._graded_growth").power_excess
+    power_excess = import_module("axicontact._runtime.graded.growth").power_excess
     for n in (1e-3, 0.02, 1.0, 7.5, 1000.0):
         for k in (-1.0 + 1e-15, -0.6, -1e-15, 0.3, 1.0 - 1e-15):
             with mp.workdps(60):

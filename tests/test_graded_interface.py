@@ -117,7 +117,7 @@ def test_bad_input(name: str, function: str, fields: tuple[Any, ...], given: dic
 def test_waves_that_only_some_grading_allows() -> None:
     """wavelength**2 >= 12.39 h R without grading; a softer surface (k < 0) follows the waves into their troughs."""
     wavy = emitted("normal.wavy_paraboloid")
-    limit = import_module("axicontact._graded_waves").steepest_waves
+    limit = import_module("axicontact._runtime.graded.waves").steepest_waves
     least = float(load("wavy_paraboloid").rules[0].left.subs({nt.R: 1, nt.h: 1}))
     assert limit(0.0) == pytest.approx(least, rel=1e-6)
     assert np.all(np.diff(limit([-0.9, -0.5, 0.0, 0.5, 0.9])) < 0.0)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from axicontact._graded_pressure import power_growth
+from axicontact._runtime.graded.pressure import power_growth
 from axicontact.graded.normal import concave_power, power_law
 from axiderive import notation as nt
 from axiderive.entry import Entry

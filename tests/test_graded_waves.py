@@ -9,7 +9,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact import _graded_waves as waves
+from axicontact._runtime.graded import waves
 
 UNITS = 16.0
 """Of 2**-52 and of the envelope; 8 measured near and 4 far out, before up to 40 there."""

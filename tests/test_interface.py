@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from axicontact._peak import PeakPressure
+from axicontact._runtime.special import PeakPressure
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES
 
 PARAMETERS: dict[str, dict[str, Any]] = {

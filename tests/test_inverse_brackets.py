@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from axicontact import _inverse, _waves
+from axicontact._runtime import inverse as roots
+from axicontact._runtime.shapes import waves
 from axicontact.normal import polynomial, power_law
 from axiderive.code.bodies.compact import Compact
 from axiderive.code.bodies.growth import DIGITS, Growth, exponents, log_slope, proved
@@ -84,26 +85,26 @@ def test_signs_guarantee_the_root(curve: Callable[..., Any], claimed: tuple[floa
     value = 10.0 ** np.linspace(-40, 40, 81)
     for start in (1e-12, 1.0, 1e12):
         with np.errstate(all="ignore"):
-            t = _inverse.inverse(curve, value, np.full_like(value, start), claimed)
+            t = roots.inverse(curve, value, np.full_like(value, start), claimed)
             below, above = curve(t * (1.0 - 16.0 * EPS))[0], curve(t * (1.0 + 16.0 * EPS))[0]
         assert np.all((below <= value * (1.0 + 4.0 * EPS)) & (value * (1.0 - 4.0 * EPS) <= above))
 
 
 def test_signs_guarantee_the_root_over_waves(monkeypatch: pytest.MonkeyPatch) -> None:
     """Even where a step goes the whole width of its series the wrong way, twice."""
-    reached, calls = _waves._reached, SimpleNamespace(count=0)
+    reached, calls = waves._reached, SimpleNamespace(count=0)
 
     def astray(*given: Any) -> np.ndarray:
         calls.count += 1
         return -np.ones_like(given[1]) if calls.count < 3 else reached(*given)
 
-    monkeypatch.setattr(_waves, "_reached", astray)
+    monkeypatch.setattr(waves, "_reached", astray)
     z = np.array([0.3, 2.0, 30.0, 400.0])
     for power in (1, 2):
         calls.count = 0
-        value = _waves._series(z, np.array(1.5), z, power)[0]
-        found = _waves.inverse_over_waves(value, np.array(1.5), power)
-        again = _waves._series(found, np.array(1.5), z, power)[0]
+        value = waves._series(z, np.array(1.5), z, power)[0]
+        found = waves.inverse_over_waves(value, np.array(1.5), power)
+        again = waves._series(found, np.array(1.5), z, power)[0]
         assert calls.count > 2
         np.testing.assert_allclose(again, value, rtol=8 * EPS)
 
@@ -117,7 +118,7 @@ def test_a_start_far_below_the_root_is_no_end() -> None:
     def straight(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return t, np.ones_like(t)
 
-    t = _inverse.inverse(straight, np.ones(1), np.full(1, 1e-9), (0.5, 2.0), share=share)
+    t = roots.inverse(straight, np.ones(1), np.full(1, 1e-9), (0.5, 2.0), share=share)
     assert t[0] == pytest.approx(1.0, rel=4 * EPS, abs=0.0)
 
 

@@ -13,7 +13,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact import _adhesion, _inverse, _waves
+from axicontact._runtime import inverse as roots
+from axicontact._runtime.physics import adhesion
+from axicontact._runtime.shapes import waves
 
 STEPS = 6
 """All evaluations of a normal contact, those at the break and at the length that sets the scale included."""
@@ -128,7 +130,7 @@ def counted(module: ModuleType, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     for name in FORWARD:
         if hasattr(module, name):
             monkeypatch.setattr(module, name, watched(getattr(module, name)))
-    monkeypatch.setattr(_waves, "_series", watched(_waves._series))
+    monkeypatch.setattr(waves, "_series", watched(waves._series))
     return calls
 
 
@@ -249,14 +251,14 @@ def test_universal_adhesive_curve(largest: float, monkeypatch: pytest.MonkeyPatc
             steps[-1] += 1
             return curve(s)
 
-        return _inverse.inverse(watched, *given)
+        return roots.inverse(watched, *given)
 
-    monkeypatch.setattr(_adhesion, "inverse", counting)
+    monkeypatch.setattr(adhesion, "inverse", counting)
     rng = np.random.default_rng(3)
     m = largest ** rng.uniform(0.01, 1.0, 60)
     e = 10.0 ** np.concatenate([rng.uniform(-16, -8, 20), rng.uniform(-60, 60, 40)])
     with np.errstate(all="ignore"):
-        found = _adhesion._growth(e, m)
+        found = adhesion._growth(e, m)
     assert steps == [max(steps)]
     assert max(steps) <= STEPS
     with mp.workdps(400):

@@ -11,8 +11,7 @@ import pytest
 
 import axicontact
 from axicontact.loads import power
-from axiderive.code.imports import RUNTIME as EVERYWHERE
-from axiderive.code.physics import RUNTIME as PHYSICS
+from axiderive.code.imports import PLACE, runtime_sources
 from axiderive.code.physics import loads
 from axiderive.physics.systems import problem
 from axiderive.profiles.loads import load
@@ -22,11 +21,8 @@ from axiderive.stable.records import record
 mp = mpmath.mp.clone()
 mp.dps = 40
 ROOT = Path(axicontact.__file__).parents[1]
-FRESH = {
-    f"axicontact/{path.name}": path.read_text()
-    for folder in (ROOT / "axicontact", EVERYWHERE, PHYSICS)
-    for path in folder.glob("_*.py")
-}
+FRESH = {path.relative_to(ROOT).as_posix(): path.read_text() for path in (ROOT / "axicontact" / PLACE).rglob("*.py")}
+FRESH |= {f"axicontact/{path}": text for path, text in runtime_sources().items()}
 """The runtime, what is not generated as it stands in the engine."""
 
 
@@ -59,7 +55,7 @@ def test_functions_of_the_runtime_under_a_pressure(name: str, bound: float, cons
     row = measured(name)
     assert max(row[domain]["worst_ulp"] for domain in ("bench", "extreme")) <= bound
     assert row["bench"]["lost"] == row["extreme"]["lost"] == 0
-    path = "axicontact/_circle.py"
+    path = f"axicontact/{PLACE}/physics/circle.py"
     assert constant in FRESH[path]
     worse = measured(name, runtime=FRESH | {path: FRESH[path].replace(constant, coarser)})
     assert max(worse[domain]["worst_ulp"] for domain in ("bench", "extreme")) > 10 * bound

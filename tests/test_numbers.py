@@ -13,10 +13,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from axicontact import _integrals
-from axicontact._extended import Extended, extended
-from axicontact._functions import difference_of_products, lower_power, nth_root, without_root
-from axicontact._scalar import scalar
+from axicontact._runtime import integrals
+from axicontact._runtime.functions import difference_of_products, lower_power, nth_root, without_root
+from axicontact._runtime.programs.extended import Extended, extended
+from axicontact._runtime.programs.plain import scalar
 from axicontact.normal import cone, paraboloid, rounded_punch, sphere, truncated_cone
 from axiderive.notation import LENGTH, describe
 from axiderive.profiles import load
@@ -118,7 +118,7 @@ def test_plain_numbers_take_the_body_with_math() -> None:
     assert scalar(rounded_punch._force_from_depth) is not None
     # a local variable may have the name of a function of NumPy: angle
     assert scalar(sphere._depth_at) is not None
-    assert _integrals.np is np
+    assert integrals.np is np
 
 
 def test_plain_numbers_pass_by_the_array_machinery(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,11 +14,9 @@ import numpy as np
 import pytest
 from private_bodies import EPS, MODULES, bodies, body
 
-from axicontact._integrals import STRIPS
-from axicontact._loops import PANELS, rule
-from axicontact._plain import plain
-from axicontact._scalar import scalar
-from axicontact._trace import trace
+from axicontact._runtime.integrals import STRIPS
+from axicontact._runtime.programs.plain import PANELS, plain, rule, scalar
+from axicontact._runtime.programs.trace import trace
 from axicontact.normal import capped_cylinder, power_law, rounded_punch, truncated_cone
 
 

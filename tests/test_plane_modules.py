@@ -246,7 +246,7 @@ def test_one_number_is_computed_without_arrays(
     """On both sides of the middle, but for a load that leans away: an array of one number takes ten times as long."""
     module = plane_module(name)
     call = getattr(module, function)
-    known = import_module(f"{PACKAGE}._elementwise")._formulas
+    known = import_module(f"{PACKAGE}._runtime.interface")._formulas
     field = next(iter(given.values()))
     keywords = dict(list(given.items())[1:])
     for place in (x, -x):
@@ -264,7 +264,7 @@ def test_one_number_is_computed_without_arrays(
 def test_a_break_far_inside_costs_a_few_panels(rule: str, plane_module: Callable[[str], ModuleType]) -> None:
     """A hundred decades took 26 of them; the strips that are left out add nothing, as little far out as at the edge."""
     growth = plane_module("rounded_wedge")._growth_beyond
-    integral = getattr(import_module(f"{PACKAGE}._plane"), rule)
+    integral = getattr(import_module(f"{PACKAGE}._runtime.physics.plane"), rule)
     calls = []
 
     def counted(t: np.ndarray, root: np.ndarray, *parameters: np.ndarray) -> np.ndarray:

@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 from private_bodies import EPS, MODULES, Products, bodies, body
 
-from axicontact import _elementwise
-from axicontact._blocks import program
-from axicontact._elementwise import BLOCK, elementwise
-from axicontact._plain import plain
-from axicontact._trace import trace
+from axicontact._runtime import interface
+from axicontact._runtime.interface import BLOCK, elementwise
+from axicontact._runtime.programs.blocks import program
+from axicontact._runtime.programs.plain import plain
+from axicontact._runtime.programs.trace import trace
 from axicontact.normal import (
     cone,
     ellipsoid,
@@ -234,7 +234,7 @@ def test_a_rare_branch_is_left_to_the_body() -> None:
 
 
 def test_compiling_waits_for_the_first_call() -> None:
-    code = "import sys, axicontact.normal.cone; print('axicontact._trace' in sys.modules)"
+    code = "import sys, axicontact.normal.cone; print('axicontact._runtime.programs.trace' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
 
@@ -246,4 +246,4 @@ def test_functions_keep_name_signature_and_pickle() -> None:
         assert (cone.pressure.__doc__ or "").startswith("Contact pressure")
         assert pickle.loads(pickle.dumps(cone.pressure)) is cone.pressure
         cone.pressure(0.3, 1.0, theta=0.3, E_star=1.0)
-    assert _elementwise.BLOCK == BLOCK
+    assert interface.BLOCK == BLOCK

@@ -6,8 +6,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact._plain import plain
-from axicontact._ring import lifted_at_zero_pressure, outside_zero_pressure, ring_of_zero_pressure
+from axicontact._runtime.programs.plain import plain
+from axicontact._runtime.shapes.ring import lifted_at_zero_pressure, outside_zero_pressure, ring_of_zero_pressure
 from axicontact.plane import concave_power
 
 EPS = 2.0**-52

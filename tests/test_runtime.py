@@ -2,19 +2,61 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+
 import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact import _across, _arcs, _inverse
-from axicontact._nodes import gauss_legendre
-from axicontact._powers import power_displacement, power_pressure, power_punches
-from axicontact._special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
+import axicontact
+from axicontact._runtime import inverse as roots
+from axicontact._runtime.nodes import gauss_legendre
+from axicontact._runtime.shapes import across as breaks
+from axicontact._runtime.shapes import arcs
+from axicontact._runtime.shapes.powers import power_displacement, power_pressure, power_punches
+from axicontact._runtime.special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axiderive.code import tables as certified
+from axiderive.code.imports import PLACE, runtime_sources
 from axiderive.code.tables import bounds
 
 EPS = np.finfo(float).eps
 FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS
+
+
+def test_the_package_holds_the_files_of_the_engine() -> None:
+    """And what is generated beside them; in the root of the package there is no module of the run time but one."""
+    root, wanted = Path(axicontact.__file__).parent, runtime_sources()
+    assert {path: (root / path).read_text() for path in wanted} == wanted
+    found = {path.relative_to(root).as_posix() for path in (root / PLACE).rglob("*.py")}
+    generated = {f"{PLACE}/{name}.py" for name in ("intervals", "kernels", "nodes", "symbols")}
+    assert found == {path for path in wanted if path.startswith(PLACE)} | generated
+    assert {path.name for path in root.glob("_*")} - {"__pycache__"} == {PLACE, "__init__.py"}
+
+
+def test_the_run_time_works_where_it_stands() -> None:
+    """In the engine, with nothing of the catalogue but what is generated: of a change no build is needed to see it."""
+    code = """
+import sys, importlib, pkgutil, numpy
+import axicontact._runtime as package, axiderive.runtime as own
+own.__path__.append(*package.__path__)
+found = {one.name for one in pkgutil.walk_packages(own.__path__, own.__name__ + ".")}
+for name in sorted(found):
+    importlib.import_module(name)
+from axiderive.runtime.interface import elementwise
+from axiderive.runtime.integrals import difference_root
+def _root(r, a):
+    return difference_root(a, r)
+print(len(found), elementwise(_root, 3.0, 5.0), elementwise(_root, numpy.full(2, 3e200), 5e200))
+print(sorted(name for name in sys.modules if name.startswith("axicontact.")))
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert not run.stderr, run.stderr
+    found, number, *array = run.stdout.splitlines()[0].split(maxsplit=2)
+    assert int(found) >= 40
+    assert (number, array) == ("4.0", ["[4.e+200 4.e+200]"])
+    assert run.stdout.splitlines()[1] == "['axicontact._runtime']"
 
 
 @pytest.mark.parametrize("count", [16, 24, 32, 64])
@@ -64,7 +106,7 @@ def test_strips_of_an_arc_against_their_definition() -> None:
     for size in (1e-6, 0.3, 0.6, 0.69, 0.71, 0.9, 1.0 - 1e-9):
         r = size * np.array([0.0, 1e-9, 0.2, 0.7, 0.95, 1.0 - 1e-7])
         with np.errstate(all="ignore"):
-            got = _arcs.arc_strips(r, np.full_like(r, size), np.ones_like(r))
+            got = arcs.arc_strips(r, np.full_like(r, size), np.ones_like(r))
         for x, value in zip(r, got, strict=True):
             with mp.workdps(40):
                 a, y = mp.mpf(size), mp.mpf(x)
@@ -104,7 +146,7 @@ def test_inverse_keeps_to_the_bracket_where_newton_overshoots() -> None:
         return np.where(steep, t**9, t), np.where(steep, 9.0, 1.0)
 
     value = np.array([1e-8, 0.999, 1.0, 1.001, 7.0, 1e9])
-    root = _inverse.inverse(curve, value, np.full(6, 1e3), (1.0, 9.0))
+    root = roots.inverse(curve, value, np.full(6, 1e3), (1.0, 9.0))
     np.testing.assert_allclose(root, np.where(value > 1, value ** (1 / 9), value), rtol=SIXTEEN_ULP)
 
 
@@ -130,8 +172,8 @@ def test_a_root_across_an_infinite_slope_takes_few_steps() -> None:
         calls.clear()
         with np.errstate(all="ignore"):
             value = curve(a, np.sqrt(np.maximum(a - 1.0, 0.0) * (a + 1.0)))[0]
-            across = _across.inverse_across(curve, value, 1.0, 2.0)
+            across = breaks.inverse_across(curve, value, 1.0, 2.0)
             assert len(calls) <= 2 + 6, (a, len(calls))
-            beyond = _across.inverse_beyond(curve, value, 1.0, 2.0, leaving=(1.0, 2.0))
+            beyond = breaks.inverse_beyond(curve, value, 1.0, 2.0, leaving=(1.0, 2.0))
         np.testing.assert_allclose(across, a, rtol=4 * EPS)
         np.testing.assert_allclose(beyond, a, rtol=4 * EPS)

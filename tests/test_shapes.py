@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 from selected import each_result
 
-from axicontact import _rules
+import axicontact
+from axicontact._runtime import rules
 from axicontact.normal import hyperboloid, rounded_punch
 
 MODULES = (
@@ -56,7 +57,7 @@ def public(name: str, at_a_point: bool = True) -> Iterator[tuple[Callable[..., A
 
 def modules(package: str) -> Iterator[str]:
     """Those of a package, or the one of this name."""
-    folder = Path(_rules.__file__).parent.joinpath(*package.split("."))
+    folder = Path(axicontact.__file__).parent.joinpath(*package.split("."))
     yield from [f"{package}.{path.stem}" for path in sorted(folder.glob("[!_]*.py"))] or [package]
 
 
@@ -175,10 +176,10 @@ def test_an_integral_in_groups_takes_a_grid_of_radii() -> None:
     slope, count = hyperboloid._slope, 40
     r, b = np.geomspace(1e-6, 0.99, count * count).reshape(count, count), np.geomspace(1e-8, 1.0, count)
     own = (0.42 * np.ones((count, 1)), b)
-    found = _rules.pressure_integral_sinh(slope, own, r, np.ones_like(r), b)
+    found = rules.pressure_integral_sinh(slope, own, r, np.ones_like(r), b)
     flat = [np.broadcast_to(x, r.shape).ravel() for x in (*own, r, np.ones_like(r), b)]
     assert found.shape == r.shape
-    assert (found.ravel() == _rules.pressure_integral_sinh(slope, tuple(flat[:2]), *flat[2:])).all()
+    assert (found.ravel() == rules.pressure_integral_sinh(slope, tuple(flat[:2]), *flat[2:])).all()
     grid = rounded_punch.displacement(1.2 + r, 1.1, R=1.45, b=0.5)
     assert (grid.ravel() == rounded_punch.displacement(1.2 + r.ravel(), 1.1, R=1.45, b=0.5)).all()
 

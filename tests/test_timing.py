@@ -100,17 +100,17 @@ def test_a_rule_of_as_many_nodes_is_that_of_the_catalogue(name: str) -> None:
 
 
 def test_nodes_are_put_back_after_an_error() -> None:
-    from axicontact import _integrals
+    from axicontact._runtime import integrals
 
-    before = _integrals.integral, _integrals.FEW
+    before = integrals.integral, integrals.FEW
 
     def refuses(x: Any) -> Any:
-        assert before[1] != _integrals.FEW
+        assert before[1] != integrals.FEW
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
         rule.with_nodes(refuses, np.ones(2), 8)
-    assert (_integrals.integral, _integrals.FEW) == before
+    assert (integrals.integral, integrals.FEW) == before
 
 
 def test_a_pair_is_the_ratio_of_its_times(monkeypatch: pytest.MonkeyPatch) -> None:

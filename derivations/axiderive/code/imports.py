@@ -8,10 +8,15 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from .layout import HELPERS_OF, LINE
+from .layout import HELPERS_OF, LINE, from_import
 from .private import Private, PrivateFunctions
 
 RUNTIME = Path(__file__).parents[1] / "runtime"
+"""The hand-written NumPy, a package that is copied as it stands."""
+PLACE = "_runtime"
+"""Its name in the generated package."""
+OUTSIDE = "expressions.py"
+"""The one public module of the run time, which stands beside it."""
 
 
 @dataclass
@@ -26,10 +31,28 @@ class Public:
 
 
 WITH_MATH = "with_math"
-POWERS = ("power_displacement", "power_pressure", "power_punches")
 PEAK = ("PeakPressure", "peak_share")
-RING = ("outside_zero_pressure", "ring_of_zero_pressure")
+CALLED = {
+    "functions": HELPERS_OF["functions"],
+    "integrals": ("difference_root",),
+    "interface": ("require", "require_coefficients", "require_order", "require_reach"),
+    "inverse": ("between", "inverse", "inverse_below"),
+    "shapes.across": ("inverse_across", "inverse_beyond"),
+    "shapes.arcs": ("arc_strips",),
+    "shapes.powers": ("power_displacement", "power_pressure", "power_punches"),
+    "shapes.ring": ("outside_zero_pressure", "ring_of_zero_pressure"),
+    "shapes.waves": ("inverse_over_waves",),
+    "special": (*HELPERS_OF["special"], *PEAK),
+}
+"""What a module of normal contact may call of the run time, by its files."""
 RATES = ("_slope", "_slope_beyond")
+
+
+def runtime_sources() -> dict[str, str]:
+    """The hand-written files by their path in the generated package."""
+    texts = {path.relative_to(RUNTIME).as_posix(): path.read_text() for path in sorted(RUNTIME.rglob("*.py"))}
+    public = re.sub(r"^from \.", f"from .{PLACE}.", texts.pop(OUTSIDE), flags=re.MULTILINE)
+    return {OUTSIDE: public} | {f"{PLACE}/{path}": text for path, text in texts.items()}
 
 
 @dataclass
@@ -85,61 +108,17 @@ def imports(module: ModuleText) -> list[str]:
     if "np." in text:
         blocks.append("import numpy as np")
     blocks.append("")
-    across = [name for name in ("inverse_across", "inverse_beyond") if f"{name}(" in text]
-    if across:
-        blocks.append(f"from .._across import {', '.join(across)}")
-    if "arc_strips(" in text:
-        blocks.append("from .._arcs import arc_strips")
-    domain = [
-        name for name in ("require", "require_coefficients", "require_order", "require_reach") if f"{name}(" in text
-    ]
-    if domain:
-        blocks.append(f"from .._domain import {', '.join(domain)}")
-    blocks.append("from .._elementwise import Array, Result, elementwise")
-    blocks += _helpers("_functions", text)
-    if "difference_root(" in text:
-        blocks.append("from .._integrals import difference_root")
-    roots = [name for name in ("inverse", "inverse_below") if f"{name}(" in text]
-    if roots:
-        blocks.append(f"from .._inverse import {', '.join(roots)}")
-    starts = ["from .._starts import between"] if "between(" in text else []
-    waves = ["from .._waves import inverse_over_waves"] if "inverse_over_waves(" in text else []
-    kernels = sorted(set(re.findall(r"\bOUTSIDE_\d+", text)))
-    if kernels:
-        blocks.append(f"from .._kernels import {', '.join(kernels)}")
-    if any(function.decorator for function in module.public):
-        blocks.append(f"from .._numbers import {WITH_MATH}")
-    peak = [name for name in PEAK if re.search(rf"\b{name}\(", text)]
-    if peak:
-        blocks.append(f"from .._peak import {', '.join(peak)}")
-    powers = [name for name in POWERS if f"{name}(" in text]
-    if powers:
-        blocks.append(f"from .._powers import {', '.join(powers)}")
-    ring = [name for name in RING if f"{name}(" in text]
-    if ring:
-        blocks.append(f"from .._ring import {', '.join(ring)}")
-    rules = sorted({name for name in _rule_names() if f"{name}(" in text})
-    if rules:
-        line = f"from .._rules import {', '.join(rules)}"
-        split = ["from .._rules import (", *(f"    {rule}," for rule in rules), ")"]
-        blocks += [line] if len(line) <= 120 else split
-    return [
-        *blocks,
-        *_helpers("_special", text),
-        *starts,
-        *waves,
-        "",
-        "if TYPE_CHECKING:",
-        "    from numpy.typing import ArrayLike",
-    ]
-
-
-def _helpers(source: str, text: str) -> list[str]:
-    names = [name for name in HELPERS_OF[source] if f"{name}(" in text]
-    return [f"from ..{source} import {', '.join(names)}"] if names else []
+    decorated = any(function.decorator for function in module.public)
+    used = {file: [name for name in names if re.search(rf"\b{name}\(", text)] for file, names in CALLED.items()}
+    used["interface"] += ["Array", "Result", "elementwise", *([WITH_MATH] if decorated else [])]
+    used["rules"] = [name for name in _rule_names() if re.search(rf"\b{name}\(", text)]
+    used["kernels"] = re.findall(r"\bOUTSIDE_\d+", text)
+    for file in sorted(file for file, names in used.items() if names):
+        blocks += from_import(f"..{PLACE}.{file}", used[file])
+    return [*blocks, "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike"]
 
 
 @cache
 def _rule_names() -> tuple[str, ...]:
-    text = (RUNTIME / "_rules.py").read_text()
+    text = (RUNTIME / "rules.py").read_text()
     return tuple(re.findall(r"^def (\w+_integral\w*)\(", text, re.MULTILINE))

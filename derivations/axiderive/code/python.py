@@ -28,7 +28,7 @@ from .bodies.compact import Compact
 from .bodies.complete import Complete
 from .bodies.inverses import Inverses
 from .bodies.regimes import split
-from .imports import RUNTIME, ModuleText, imports, is_used
+from .imports import PLACE, ModuleText, imports, is_used, runtime_sources
 from .private import Private, PrivateFunctions, parameter_name
 from .public import PACKAGE, check, public, shown_example
 from .tables import kernels_source, nodes_source, symbols_sources
@@ -44,10 +44,10 @@ NODE_COUNTS = (8, 16, 24, 32, 64, 128)
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
     """What all packages share and `axicontact.normal`, as `{path: text}` for entries by profile name and suffix."""
     names = sorted(derived)
-    files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
+    files = {f"{PACKAGE}/{path}": text for path, text in runtime_sources().items()}
     files[f"{PACKAGE}/py.typed"] = ""
-    files[f"{PACKAGE}/_nodes.py"] = nodes_source(NODE_COUNTS)
-    files[f"{PACKAGE}/_kernels.py"] = kernels_source()
+    files[f"{PACKAGE}/{PLACE}/nodes.py"] = nodes_source(NODE_COUNTS)
+    files[f"{PACKAGE}/{PLACE}/kernels.py"] = kernels_source()
     files[f"{PACKAGE}/normal/__init__.py"] = _environment().get_template("physics.py.j2").render(names=names)
     for name in names:
         files[f"{PACKAGE}/normal/{name}.py"] = module_source(derived[name])
@@ -212,7 +212,7 @@ def package_sources(derived: Derived) -> dict[str, str]:
     files |= graded.module_sources(families["graded.normal"], families)
     files |= plane.module_sources(families["plane"])
     tables = symbols_sources(parameter_names(derived), _arguments(derived))
-    files |= {f"{PACKAGE}/{name}": text for name, text in tables.items()}
+    files |= {f"{PACKAGE}/{PLACE}/{name}": text for name, text in tables.items()}
     files[f"{PACKAGE}/__init__.py"] = package_source(_packages(files))
     return files
 

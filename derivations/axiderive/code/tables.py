@@ -39,7 +39,7 @@ def gauss_legendre(count: int) -> list[tuple[float, float]]:
 
 
 def nodes_source(counts: Sequence[int]) -> str:
-    """The text of `_nodes.py`."""
+    """The text of `nodes.py`."""
     lines = [
         '"""Gauss-Legendre nodes and weights on (0, 1), rounded from certified enclosures."""',
         "",
@@ -215,7 +215,7 @@ STARTS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float, mp.mpf]] = {
 
 @cache
 def kernels_source() -> str:
-    """The text of `_kernels.py`."""
+    """The text of `kernels.py`."""
     lines = [
         '"""Rational kernels P(v)/Q(v) as coefficients in ascending order, near-minimax to half a unit of a double."""',
         "",
@@ -312,7 +312,7 @@ def key_of(symbol: sp.Symbol, name: str) -> str:
 
 
 def symbols_sources(names: Iterable[str], arguments: Iterable[sp.Symbol | sp.IndexedBase] = ()) -> dict[str, str]:
-    """The texts of `_symbols.py` and `_intervals.py` for the parameters of these names in the notation.
+    """The texts of `symbols.py` and `intervals.py` for the parameters of these names in the notation.
 
     They are apart because every import needs the numbers, and the words are for messages.
     """
@@ -321,8 +321,8 @@ def symbols_sources(names: Iterable[str], arguments: Iterable[sp.Symbol | sp.Ind
     words = [line for record in records for line in _row(record)]
     intervals = [f'    "{record.name}": ({", ".join(bounds(_domain(record))[:2])}),' for record in records]
     return {
-        "_symbols.py": HEAD + "\n".join([*words, "}", *_units(set(arguments)), ""]),
-        "_intervals.py": INTERVALS + "\n".join([*intervals, "}", ""]),
+        "symbols.py": HEAD + "\n".join([*words, "}", *_units(set(arguments)), ""]),
+        "intervals.py": INTERVALS + "\n".join([*intervals, "}", ""]),
     }
 
 

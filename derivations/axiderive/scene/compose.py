@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
 Typesetter = Callable[[Mapping[str, bytes]], None]
 OF_RUNTIME = {
-    "adhesive": {"retraction": ("_adhesion", "hess_retraction")},
-    "graded.adhesive": {"retraction": ("_graded_punch", "graded_retraction")},
+    "adhesive": {"retraction": ("_runtime.physics.adhesion", "hess_retraction")},
+    "graded.adhesive": {"retraction": ("_runtime.graded.punch", "graded_retraction")},
 }
 """What is the same for all profiles."""
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'

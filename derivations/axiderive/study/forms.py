@@ -494,7 +494,7 @@ def _call(package: str, entry: Entry, own: Sequence[Written], i: int) -> Callabl
     """The value of a variant at a point, by the array machinery of its package."""
     module = import_module(f"{package}.{own[i].system}.{_name(entry.suffix, i)}")
     body: Callable[..., Any] = getattr(module, own[i].function)
-    elementwise = import_module(f"{package}._elementwise").elementwise
+    elementwise = import_module(f"{package}._runtime.interface").elementwise
     known, fields = list(inspect.signature(body).parameters), {str(symbol) for symbol in entry.quantity.arguments}
 
     def value(point: Sample) -> float:

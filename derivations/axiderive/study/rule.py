@@ -54,9 +54,7 @@ def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Arra
 @contextmanager
 def _nodes(count: int) -> Iterator[None]:
     """Every rule of the catalogue in one interval of `count` nodes, at each point by itself."""
-    integrals, weights, along = (
-        import_module(f"axicontact.{name}") for name in ("_integrals", "_graded_rules", "_along")
-    )
+    integrals, weights = (import_module(f"axicontact._runtime.{name}") for name in ("integrals", "graded.rules"))
     whole, weighted = integrals.integral, weights.weighted
 
     def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
@@ -68,7 +66,7 @@ def _nodes(count: int) -> Iterator[None]:
         return weighted(smooth, stop, power, count, **above)
 
     # from these numbers of points on they would be put in groups, and interpolated along r
-    unbounded = [(integrals, "FEW"), (integrals, "LEAST"), (along, "LEAST")]
+    unbounded = [(integrals, "FEW"), (integrals, "LEAST")]
     changes: list[tuple[Any, str, Any]] = [(one, name, math.inf) for one, name in unbounded]
     changes += [(one, "integral", fixed) for one in _modules_with("integral", whole)]
     changes += [(one, "weighted", fixed_weighted) for one in _modules_with("weighted", weighted)]

@@ -123,10 +123,10 @@ def in_steps(entry: Entry, module: ModuleType) -> Callable[..., float]:
     LookupError
         If the form cannot be written for plain numbers.
     """
-    plain, elementwise = (import_module(f"axicontact.{name}") for name in ("_plain", "_elementwise"))
+    plain, interface = (import_module(f"axicontact._runtime.{name}") for name in ("programs.plain", "interface"))
     private = getattr(module, f"_{entry.quantity.function}")
     names = private.__code__.co_varnames[: private.__code__.co_argcount]
-    found = plain.lines(private, dict.fromkeys(names, (elementwise.SMALL, elementwise.LARGE)))
+    found = plain.lines(private, dict.fromkeys(names, (interface.SMALL, interface.LARGE)))
     if found is None:
         message = f"{entry.key} has no form for plain numbers; leave it out of the study of calls"
         raise LookupError(message)

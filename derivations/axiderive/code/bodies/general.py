@@ -26,6 +26,7 @@ from ...profiles.profile import Piece, Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
+from ..imports import PLACE
 from ..layout import HELPERS_OF
 from ..private import LINE, Private, PrivateFunctions
 from ..python import _private, _profile_function
@@ -105,6 +106,15 @@ def closed(layer: Layer) -> EvaluationForm | None:
 
 COUNT = 64
 """Nodes over a closed g'."""
+LIBRARY = {
+    **{file: ", ".join(names) for file, names in HELPERS_OF.items()},
+    "integrals": "difference_root",
+    "interface": "Array",
+    "inverse": "inverse",
+    "over_profile": "over_profile, pressure_over_profile",
+    "rules": "pressure_integral, pressure_integral_beyond",
+}
+"""What the functions may call of the run time; integrals over the profile itself are known to the linker alone."""
 
 
 def library_source(
@@ -135,12 +145,7 @@ def library_source(
     lines = [
         "import numpy as np",
         "",
-        "from .._elementwise import Array",
-        *(f"from ..{module} import {', '.join(names)}" for module, names in HELPERS_OF.items()),
-        "from .._integrals import difference_root",
-        "from .._inverse import inverse",
-        "from .._over_profile import over_profile, pressure_over_profile",
-        "from .._rules import pressure_integral, pressure_integral_beyond",
+        *(f"from ..{PLACE}.{file} import {names}" for file, names in LIBRARY.items()),
     ]
     for private in functions.functions.values():
         row = _private(private, profile)

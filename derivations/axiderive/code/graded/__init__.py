@@ -9,7 +9,6 @@ from ...profiles import COMPLETE_NAMES, load
 from ..physics.refusals import package_source
 from ..physics.text import PACKAGE
 from . import adhesive, complete, detachment, normal, refusals, tangential
-from .module import RUNTIME
 
 Derived = Mapping[str, Mapping[str, Mapping[str, Entry]]]
 """Entries by system (graded.normal, graded.adhesive, graded.tangential), profile and suffix."""
@@ -23,7 +22,7 @@ TITLES = {
 def module_sources(names: Iterable[str], derived: Derived) -> dict[str, str]:
     """The files of the graded packages as `{path below catalogue/: text}`."""
     names = sorted(names)
-    files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
+    files: dict[str, str] = {}
     for group, title in TITLES.items():
         modules = {name: text for name in names if (text := _module(group, name, derived))}
         files |= {f"{PACKAGE}/graded/{group}/{name}.py": text for name, text in modules.items()}

@@ -11,7 +11,6 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
-from pathlib import Path
 
 import mpmath as mp
 import sympy as sp
@@ -23,6 +22,7 @@ from ...notation import coefficients
 from ...oracle.half_space import HalfSpace
 from ...profiles.profile import Profile
 from .. import docstring, example
+from ..imports import RUNTIME
 from ..layout import fit
 from ..physics import examples, text
 from ..physics.examples import Values
@@ -91,28 +91,25 @@ def _rounded(number: sp.Float) -> sp.Rational:
     return sp.Rational(str(sp.Float(str(number), 4)))
 
 
-RUNTIME = Path(__file__).parents[2] / "runtime" / "graded"
+UP = "..."
+"""From a module of a graded package to the root."""
 SHARED = (
-    "..._adhesion: PullOff, power_law_radius, require_control",
-    "..._branches: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond,"
-    " radii_of_waves, radii_to",
-    "..._domain: numbers, require, require_coefficients, require_order, require_reach",
-    "..._elementwise: Array, Result, elementwise",
-    "..._functions: sine_root",
-    "..._integrals: difference_root",
-    "..._ring: lifted_at_zero_pressure, ring_of_zero_pressure",
-    "..._slip: stick_force",
+    "physics.adhesion: PullOff, power_law_radius, require_control",
+    "physics.adhesion: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond",
+    "physics.adhesion: radii_of_waves, radii_to",
+    "interface: Array, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
+    "functions: sine_root",
+    "integrals: difference_root",
+    "shapes.ring: lifted_at_zero_pressure, ring_of_zero_pressure",
+    "physics.slip: stick_force",
 )
 LATE = (
-    "..._stable: stable_radius",
-    "..._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
+    "physics.stable: stable_radius",
+    "physics.unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
 """Imported by the functions that call them, as are those of the files LATE_FILES: an import of a module brings along
 what its depth and its force need."""
-LATE_FILES = (
-    "_graded_across", "_graded_branches", "_graded_displacement", "_graded_fall", "_graded_inverse",
-    "_graded_pressure", "_graded_slip",
-)  # fmt: skip
+LATE_FILES = ("branches", "displacement", "inverse", "pressure", "slip")
 
 HOMOGENEOUS = f"from ...normal import {text.NORMAL} as normal"
 """The module without grading, of which a normal contact needs the shape of the indenter alone."""
@@ -210,7 +207,7 @@ class Writer:
             for symbol, expr in self.profile.abbreviations
             if re.search(rf"\b{symbol}\b", body)
         ]
-        late = text.imported([*LATE, *imports(late=True)], body)
+        late = text.imported([*LATE, *imports(late=True)], body, UP)
         late += [HOMOGENEOUS] if self.group == "normal" and "normal." in body else []
         source = private(name, fields, needs, [*late, *([""] if late else []), *own, *lines], doc, returns)
         if self.summed:
@@ -227,7 +224,7 @@ class Writer:
 
     def source(self, title: str) -> str:
         """The text of the module: header, the imports its code needs, public and private functions."""
-        body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private)
+        body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private, UP)
         if self.group == "normal":
             body = body.replace(f"from ..normal import {text.NORMAL} as normal\n", "", 1)
         return body.replace(text.NORMAL, self.profile.name)
@@ -236,6 +233,6 @@ class Writer:
 @cache
 def imports(late: bool = False) -> tuple[str, ...]:
     """The public functions of the runtime by module, of those that are imported `late` or with a module."""
-    paths = sorted(path for path in RUNTIME.glob("_*.py") if (path.stem in LATE_FILES) == late)
+    paths = sorted(path for path in (RUNTIME / "graded").glob("[a-z]*.py") if (path.stem in LATE_FILES) == late)
     found = {path.stem: re.findall(r"^def ([a-z]\w+)\(", path.read_text(), re.M) for path in paths}
-    return tuple(f"...{stem}: {', '.join(names)}" for stem, names in found.items())
+    return tuple(f"graded.{stem}: {', '.join(names)}" for stem, names in found.items())

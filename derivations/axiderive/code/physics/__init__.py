@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
 
 from ...entry import Entry
 from ...profiles.loads import Load
@@ -11,7 +10,6 @@ from ...profiles.profile import Profile
 from . import adhesive, detachment, loads, materials, refusals, tangential, viscoelastic
 from .text import PACKAGE, NormalModule
 
-RUNTIME = Path(__file__).parents[2] / "runtime" / "physics"
 TITLES = {
     "adhesive": "Adhesive contact of a rigid indenter with an elastic half-space",
     "tangential": "Tangential contact with friction, with a zone of stick",
@@ -33,7 +31,7 @@ def module_sources(derived: Derived, normal_texts: Mapping[str, str]) -> dict[st
     module of the normal contact of each profile, on which the others rest.
     """
     modules = {name: NormalModule.read(derived["normal"][name], text) for name, text in normal_texts.items()}
-    files = {f"{PACKAGE}/{path.name}": path.read_text() for path in sorted(RUNTIME.glob("*.py"))}
+    files: dict[str, str] = {}
     if constants := derived["materials"].get("materials"):
         files[f"{PACKAGE}/materials.py"] = materials.module_source(constants)
     for group in WRITERS:

@@ -80,14 +80,13 @@ def number(expr: sp.Expr) -> str:
 
 
 IMPORTS = (
-    ".._adhesion: PullOff, XI, hess_retraction, lift, power_law_radius, pull, require_control, tension",
-    ".._branches: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond,"
-    " radii_of_waves, radii_to",
-    ".._domain: numbers, require, require_coefficients, require_order, require_reach",
-    ".._elementwise: Array, Result, elementwise",
+    "physics.adhesion: PullOff, XI, hess_retraction, lift, power_law_radius, pull, require_control, tension",
+    "physics.adhesion: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond",
+    "physics.adhesion: radii_of_waves, radii_to",
+    "interface: Array, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
     *OFFERED,
-    ".._stable: growth, stable_radius",
-    ".._unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
+    "physics.stable: growth, stable_radius",
+    "physics.unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
 SUMMARY = {
     "Dl": "Retraction of the indenter from the state without adhesion, at constant contact radius.",

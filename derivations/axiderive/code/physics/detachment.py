@@ -18,9 +18,8 @@ from .examples import Example
 from .text import Function, NormalModule, evaluate, private
 
 IMPORTS = (
-    ".._adhesion: PullOff, hess_retraction, require_control",
-    ".._domain: require",
-    ".._elementwise: Array, Result, elementwise",
+    "physics.adhesion: PullOff, hess_retraction, require_control",
+    "interface: Array, Result, elementwise, require",
     *OFFERED,
 )
 EDGE = [a, E_star, dgamma]

@@ -23,12 +23,11 @@ from .examples import Example
 from .text import Function, evaluate, private
 
 IMPORTS = (
-    ".._circle: power, uniform",
-    ".._domain: require",
-    ".._elementwise: Array, Result, elementwise",
-    ".._functions: beside",
-    ".._special: arctan_gap",
-    ".._kernels: OUTSIDE_2",
+    "physics.circle: power, uniform",
+    "interface: Array, Result, elementwise, require",
+    "functions: beside",
+    "special: arctan_gap",
+    "kernels: OUTSIDE_2",
 )
 SUMMARY = {"w": "Displacement of the surface into the half-space."}
 RULES = {sp.S.Zero: "uniform(r, a)", sigma: "power(r, a, s)"}

@@ -14,9 +14,8 @@ from . import text
 from .text import PACKAGE, Function, private
 
 IMPORTS = (
-    "._domain: numbers, require",
-    "._elementwise: Array, Result, elementwise",
-    "._gamma: gamma",
+    "interface: Array, Result, elementwise, numbers, require",
+    "functions: gamma",
 )
 SUMMARY = {
     "E_star": "Effective modulus E_star of two bodies; the modulus of a rigid one is infinite.",
@@ -68,7 +67,7 @@ def module_source(entries: Mapping[str, Entry]) -> str:
         for suffix, lines in FORMULAS.items()
     ]
     profile = entries["h_N"].profile
-    return text.module(profile.title, profile.subtitle, IMPORTS, public, [*functions, BODIES_CHECKED, _finite()])
+    return text.module(profile.title, profile.subtitle, IMPORTS, public, [*functions, BODIES_CHECKED, _finite()], ".")
 
 
 def _finite() -> str:

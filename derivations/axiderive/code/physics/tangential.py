@@ -14,10 +14,9 @@ from .examples import Example
 from .text import Function, NormalModule, evaluate, private
 
 IMPORTS = (
-    ".._domain: numbers, require, require_coefficients, require_order, require_reach",
-    ".._elementwise: Array, Result, elementwise",
-    ".._slip: CLOSE, arc_gain, even_gain, gained_share, power_gain, root_gain, stick_force",
-    ".._slip_rules: growth, growth_below, growth_beyond, growth_waves",
+    "interface: Array, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
+    "physics.slip: CLOSE, arc_gain, even_gain, gained_share, power_gain, root_gain, stick_force",
+    "physics.slip: growth, growth_below, growth_beyond, growth_waves",
 )
 SUMMARY = {
     "F": "Tangential force with a stick zone of radius c.",

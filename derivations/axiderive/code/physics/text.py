@@ -15,7 +15,7 @@ from ...letters import LETTERS, name_of
 from ...notation import coefficients
 from ...profiles.profile import Profile
 from .. import docstring
-from ..imports import interface
+from ..imports import PLACE, interface
 from ..layout import fit, from_import
 from ..private import parameter_name
 from ..public import unused
@@ -162,38 +162,42 @@ def pull_off(
     return [*lines, "", "References", "----------", *wrapped("; ".join(sources) + ".")]
 
 
-def module(title: str, text: str, imports: Sequence[str], public: Sequence[Function], private: Sequence[str]) -> str:
-    """The text of a module."""
+def module(
+    title: str, text: str, imports: Sequence[str], public: Sequence[Function], private: Sequence[str], up: str = ".."
+) -> str:
+    """The text of a module, from which the root of the package is `up`."""
     head = f'"""{title}.\n\n{chr(10).join(textwrap.wrap(text, 110))}\n"""\n\nfrom __future__ import annotations\n\n'
     body = "\n\n".join([*(function.text() for function in public), *private])
-    lines = _needed(imports, body)
+    lines = _needed(imports, body, up)
     names = "\n".join(interface([function.name for function in public]))
     tail = f"\n\nif TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n\n{names}\n\n\n"
     return head + "\n".join(lines) + tail + body
 
 
-def _needed(imports: Sequence[str], body: str) -> list[str]:
-    """The imports whose names the code holds; `module: a, b` stands for a from-import."""
+def _needed(imports: Sequence[str], body: str, up: str) -> list[str]:
+    """The imports whose names the code holds."""
     code = re.sub(r'""".*?"""', "", body, flags=re.DOTALL)
+    # the file of an import inside a function may be called like a function of another file
+    code = re.sub(r"^ +from \S+ import", "", code, flags=re.MULTILINE)
     lines = ["from functools import partial"] if "partial(" in code else []
     lines += ["from typing import TYPE_CHECKING", ""]
     if "np." in code:
         lines += ["import numpy as np", ""]
-    lines += imported(imports, code)
+    lines += imported(imports, code, up)
     if "normal." in code:
         lines.append(f"from ..normal import {NORMAL} as normal")
     return lines
 
 
-def imported(imports: Sequence[str], code: str) -> list[str]:
-    """The from-imports of the names that the code holds."""
-    lines = []
-    for line in sorted(imports):
+def imported(imports: Sequence[str], code: str, up: str = "..") -> list[str]:
+    """The imports of the names that the code holds; `file: a, b` offers those of a file of the run time."""
+    used: dict[str, list[str]] = {}
+    for line in imports:
         source, _, names = line.partition(": ")
-        used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", code)]
-        if used:
-            lines += from_import(source, used)
-    return lines
+        found = [name for name in names.split(", ") if re.search(rf"\b{name}\b", code)]
+        if found:
+            used.setdefault(source, []).extend(found)
+    return [line for source in sorted(used) for line in from_import(f"{up}{PLACE}.{source}", used[source])]
 
 
 def private(

@@ -16,9 +16,8 @@ from .text import Function, NormalModule, evaluate, private
 
 _NAMES = ", ".join(f"{kind}_{law.name}" for kind in ("creep", "ramp", "relaxation") for law in LAWS)
 IMPORTS = (
-    ".._domain: require, require_coefficients, require_order",
-    ".._elementwise: Array, Result, elementwise",
-    f".._relaxation: {_NAMES}",
+    "interface: Array, Result, elementwise, require, require_coefficients, require_order",
+    f"physics.relaxation: {_NAMES}",
 )
 MATERIAL = {
     "maxwell": "a Maxwell fluid", "kelvin_voigt": "a Kelvin-Voigt solid", "standard_solid": "a standard solid",

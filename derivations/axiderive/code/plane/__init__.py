@@ -22,14 +22,13 @@ from .complete import Complete
 TITLE = "Plane contact without adhesion: rigid strips on an elastic half plane, per length of the strip"
 SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,))
 IMPORTS = (
-    ".._domain: require, require_order, require_reach",
-    ".._elementwise: Array, Result, elementwise",
+    "interface: Array, Result, elementwise, require, require_order, require_reach",
     *OFFERED,
-    ".._inverse: inverse",
-    ".._plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
-    ".._powers: power_pressure, power_strips",
-    ".._ring: outside_zero_pressure, ring_of_zero_pressure",
-    ".._rules: pressure_integral_beyond",
+    "inverse: inverse",
+    "physics.plane: depth_beyond, even, load_beyond, odd, require_eccentricity, slope_beyond, turned",
+    "shapes.powers: power_pressure, power_strips",
+    "shapes.ring: outside_zero_pressure, ring_of_zero_pressure",
+    "rules: pressure_integral_beyond",
 )
 EVALUATED = {"f": "even", "p": "even", "s": "odd"}
 

@@ -16,7 +16,7 @@ NUMBER = """from .{module} import {private}
 def {name}({parameters}):
     return {value}
 """
-PULL_OFF = """from ._adhesion import XI, PullOff
+PULL_OFF = """from ._runtime.physics.adhesion import XI, PullOff
 from .{module} import {radius}, {force}, {depth}
 
 def pull_off({parameters}):
@@ -34,7 +34,7 @@ AT_NUMBERS = """    a = {radius_call}
     return PullOff(float(a), float(force), float(depth))
 """
 """The end of the same where the formulas take numbers as well as arrays."""
-PEELING = """from ._adhesion import PullOff
+PEELING = """from ._runtime.physics.adhesion import PullOff
 from .{module} import {force}, {depth}
 
 def pull_off({parameters}):
@@ -56,8 +56,8 @@ ORDER = """def _require_order({names}):
             "{reason}"
         )
 """
-WAVES = "from ._graded_waves import steepest_waves\n\n"
-PLAIN = frozenset(["_adhesion", "_domain", "_elementwise"])
+WAVES = "from ._runtime.graded.waves import steepest_waves\n\n"
+PLAIN = frozenset(["_runtime.physics.adhesion", "_runtime.interface"])
 """Modules of the runtime that have nothing but formulas for the state of pull-off."""
 REQUIRE_ORDER = "_require_order"
 SILENT = ('@np.errstate(all="ignore")',)

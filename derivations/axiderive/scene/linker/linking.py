@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from ...code.imports import PLACE
 from ..calls import arguments
 from .inlining import inlined
 from .rewriting import rewritten
@@ -115,10 +116,14 @@ class Module:
                         single = ast.copy_location(ast.Assign(targets=[element], value=value), node)
                         self.definitions[element.id] = Definition(self, element.id, single)
             case ast.ImportFrom(module="normal", level=level, names=[ast.alias(name=name, asname="normal")]):
-                self.aliases["normal"] = ".".join([*self.name.split(".")[:-level], "normal", name])
+                self.aliases["normal"] = self._below(level, f"normal.{name}")
             case ast.ImportFrom(module=source, level=level, names=names) if level and source:
                 for alias in names:
-                    self.imported[alias.asname or alias.name] = (source, alias.name)
+                    self.imported[alias.asname or alias.name] = (self._below(level, source), alias.name)
+
+    def _below(self, level: int, name: str) -> str:
+        """A module named relative to this one, by its name in the package."""
+        return ".".join([*self.name.split(".")[:-level], name])
 
     def resolve(self, name: str) -> Key | None:
         """The key of what a name means at the top of the module, defined or imported; None for any other name."""
@@ -160,6 +165,13 @@ def _annotations(node: ast.AST) -> set[int]:
             if part is not None:
                 found |= {id(n) for n in ast.walk(part)}
     return found
+
+
+def _group(module: str) -> str:
+    """What tells functions of one name apart: their file of the run time, or the package of a module."""
+    file = module.removeprefix(f"{PLACE}.").removeprefix("physics.").removeprefix("shapes.")
+    group = module.rpartition(".")[0] if file == module != OWN else file
+    return group.replace(".", "_")
 
 
 OWN = "scene"
@@ -277,10 +289,9 @@ class Linker:
             name = public.get(key)
             if name is None:
                 stem = key[1].lstrip("_")
-                group = key[0].rpartition(".")[0].replace(".", "_") or key[0].lstrip("_")
                 name = stem if stem[0].isupper() and stem not in taken else f"_{stem}"
                 if name in taken:
-                    name = f"_{group}_{stem}"
+                    name = f"_{_group(key[0])}_{stem}"
                 taken.add(name)
             self.names[key] = name
         self.names |= SHARED
@@ -296,9 +307,12 @@ class Linker:
 
 
 SHARED: dict[Key, str] = {
-    ("_integrals", "integral"): "_integral", ("_nodes", "_LOWER_HALVES"): "_NODES",
-    ("_elementwise", "Array"): "", ("_elementwise", "Result"): "", ("_branches", "Load"): "",
-}  # fmt: skip
+    ("_runtime.integrals", "integral"): "_integral",
+    ("_runtime.nodes", "_LOWER_HALVES"): "_NODES",
+    ("_runtime.interface", "Array"): "",
+    ("_runtime.interface", "Result"): "",
+    ("_runtime.physics.adhesion", "Load"): "",
+}
 """Names of what is written anew for a scene, in fewer lines; empty for what is read by the type checker only."""
 WRITTEN = frozenset(name for name in SHARED.values() if name) | {
     "_bare",

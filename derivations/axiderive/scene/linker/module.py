@@ -183,7 +183,7 @@ def module_text(
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
     if "_NODES[" in body:
-        values.append(_nodes(modules["_nodes"], _counts(linker)))
+        values.append(_nodes(modules["_runtime.nodes"], _counts(linker)))
     free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
     if free:
         rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)

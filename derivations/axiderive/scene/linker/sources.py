@@ -12,15 +12,14 @@ from typing import Any
 
 from ... import profiles
 from ...abel.reduce import NotReducibleError
-from ...code import physics, plane, python
+from ...code import plane, python
 from ...code.graded import adhesive as graded_adhesive
 from ...code.graded import complete as graded_complete
 from ...code.graded import detachment as graded_detachment
 from ...code.graded import normal as graded_normal
 from ...code.graded import tangential as graded_tangential
 from ...code.graded.families import family
-from ...code.graded.module import RUNTIME as GRADED_RUNTIME
-from ...code.imports import RUNTIME
+from ...code.imports import PLACE, RUNTIME
 from ...code.physics import adhesive, tangential, viscoelastic
 from ...code.physics import detachment as peeled
 from ...code.physics import loads as pressures
@@ -45,21 +44,22 @@ from .. import interface
 from .inlining import rules, ungrouped
 from .linking import Module
 
-FOLDERS = (RUNTIME, physics.RUNTIME, GRADED_RUNTIME)
-OWN = Path(__file__).with_name("runtime")
-"""New modules, and definitions in place of others of the same name."""
+FOLDERS = (RUNTIME, Path(__file__).with_name("runtime"))
+"""The run time, and new modules of it, or definitions in place of others of the same name."""
 
 
 class _Runtime(dict[str, Module]):
     """The modules of the runtime by name, each parsed when it is asked for: a scene needs a third of them."""
 
     def __missing__(self, name: str) -> Module:
-        if name == "_nodes":
+        path = f"{name.replace('.', '/')}.py"
+        if path == f"{PLACE}/nodes.py":
             found = _module(name, nodes_source(NODE_COUNTS))
-        elif name == "_kernels":
-            found = _module(name, polynomials(stored("_kernels.py") or kernels_source()))
+        elif path == f"{PLACE}/kernels.py":
+            found = _module(name, polynomials(stored(path) or kernels_source()))
         else:
-            paths = [path for folder in (*FOLDERS, OWN) if (path := folder / f"{name}.py").is_file()]
+            below = path.removeprefix(f"{PLACE}/")
+            paths = [folder / below for folder in FOLDERS if below != path and (folder / below).is_file()]
             if not paths:
                 raise KeyError(name)
             first, *over = (_module(name, path.read_text()) for path in paths)
@@ -90,8 +90,8 @@ def polynomials(kernels: str) -> str:
 
 @cache
 def _rules() -> dict[str, int]:
-    paths = (RUNTIME / "_rules.py", RUNTIME / "_plane.py", physics.RUNTIME / "_slip_rules.py")
-    return {name: count for path in paths for name, count in rules(path.read_text()).items()}
+    texts = [(RUNTIME / path).read_text() for path in ("rules.py", "physics/plane.py", "physics/slip.py")]
+    return {name: count for text in texts for name, count in rules(text).items()}
 
 
 def _module(name: str, text: str) -> Module:
