@@ -32,6 +32,8 @@ class Law:
 
     name: str
     suffix: str
+    material: str
+    """What it describes, in words."""
     parameters: tuple[sp.Symbol, ...]
     relaxation: sp.Expr
     creep: sp.Expr
@@ -43,19 +45,22 @@ _fading = time / relaxation
 _glassy = E_inf + E_1
 
 LAWS = (
-    Law("maxwell", "mx", (E, relaxation), E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading)),
     Law(
-        "kelvin_voigt", "kv", (E, eta),
+        "maxwell", "mx", "a Maxwell fluid", (E, relaxation),
+        E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading),
+    ),
+    Law(
+        "kelvin_voigt", "kv", "a Kelvin-Voigt solid", (E, eta),
         E, (1 - sp.exp(-E * time / eta)) / E, E + eta * _m / time, eta,
     ),
     Law(
-        "standard_solid", "sls", (E_inf, E_1, relaxation),
+        "standard_solid", "sls", "a standard solid", (E_inf, E_1, relaxation),
         E_inf + E_1 * sp.exp(-_fading),
         (1 - E_1 / _glassy * sp.exp(-_fading * E_inf / _glassy)) / E_inf,
         E_inf + E_1 * Kummer(1, 1 + _m, -_fading),
     ),
     Law(
-        "power_creep", "pc", (E, alpha, t_0),
+        "power_creep", "pc", "a material of power-law creep", (E, alpha, t_0),
         E * (t_0 / time) ** alpha / (sp.gamma(1 + alpha) * sp.gamma(1 - alpha)),
         (time / t_0) ** alpha / E,
         E * (t_0 / time) ** alpha * sp.gamma(1 + _m) / (sp.gamma(1 + alpha) * sp.gamma(1 + _m - alpha)),
@@ -67,13 +72,18 @@ QUANTITIES = {
     q.suffix: q
     for law in LAWS
     for q in (
-        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)),
-        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)),
-        Quantity(
-            f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}", a, (time, F)
-        ),
+        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,),
+                 row="Force: ramp of the depth",
+                 summary=f"Normal force at time t on {law.material}, indented at the constant speed v."),
+        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d),
+                 row="Force: step of the depth",
+                 summary=f"Normal force at time t on {law.material}, held at the indentation depth d from t = 0 on."),
+        Quantity(f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}",
+                 a, (time, F), row="Contact radius: step of the force",
+                 summary=f"Contact radius at time t on {law.material}, under the constant normal force F"
+                 " from t = 0 on."),
     )
-}
+}  # fmt: skip
 
 
 def derive(profile: Profile) -> dict[str, Entry]:

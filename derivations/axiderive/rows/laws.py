@@ -21,7 +21,7 @@ from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
 from ..print.width import width
-from .row import HALF, LEFT, Region, Row
+from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)
 """The power of d that the elastic force goes with, as the laws carry it."""
@@ -118,7 +118,7 @@ def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     if _simple(radius):
         text = _text(radius, (E_star, 1 / COMPLIANCE))
         return _row(own, (Region("", (f"a={text}",)),))
-    return _row(own, (Region("", (rf"F_{{\mathrm N}}(a)=E^{{*}}J(t)\,{LEFT['F']}",)),), "solved for $a$")
+    return _row(own, (Region("", (r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",)),), "solved for $a$")
 
 
 def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:

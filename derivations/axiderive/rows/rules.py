@@ -28,8 +28,6 @@ class Rule:
 
 ADH = r"_{\mathrm{adh}}"
 INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
-PULL_OFF = {"c": "force", "m": "depth"}
-"""Subscripts of pull-off under force and under depth control."""
 
 
 def rule(system: str, suffix: str) -> Rule | None:
@@ -55,7 +53,7 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
         "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
     }
     for control, xi in adhesive.pull_off_number(medium).items():
-        letter = next(letter for letter, name in PULL_OFF.items() if name == control)
+        letter = adhesive.CONTROLS[control][0][-1]
         level = sp.sqrt(sp.pi * dgamma / (2 * medium.modulus)) * a_c ** (-(1 + medium.k) / 2)
         at = radius_name(f"a{letter}")
         named = Printer(names={a_c: at})

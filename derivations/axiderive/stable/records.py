@@ -12,7 +12,7 @@ import sympy as sp
 from ..entry import Entry
 from ..physics.systems import problem
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
-from .reference import CURVES, UnknownError, condition
+from .reference import UnknownError, condition, is_inverse
 from .samples import DOMAINS
 
 COUNT, SEED = 30, 17
@@ -79,7 +79,7 @@ def record(
 
 def _direct(entry: Entry, system: str) -> bool:
     """Whether the exact value is an enclosure of the printed formula, or a root of one, without an integral in it."""
-    known = entry.status == "closed" or entry.suffix in CURVES
+    known = entry.status == "closed" or is_inverse(entry)
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
     return system in OWN or entry.suffix in DIRECT and entry.profile.contact == "compact"
