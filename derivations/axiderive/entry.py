@@ -131,6 +131,12 @@ class Entry:
         """The last part of the key, "p" of "cone.p"."""
         return self.quantity.suffix
 
+    @property
+    def arguments(self) -> tuple[sp.Symbol, ...]:
+        """Fields of its function: those of the quantity, and the depth of a stiffness that depends on it."""
+        depends = not self.quantity.arguments and any(case.expr.has(nt.d) for case in self.cases)
+        return (nt.d,) if depends else self.quantity.arguments
+
     def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:
         """The distinct formulas with the fewest comparisons (low, high) that tell them apart, for print and code.
 
@@ -170,6 +176,8 @@ def _distinguish(own: list[Case], others: list[Case]) -> tuple[tuple[sp.Expr, sp
     return tuple(shared)
 
 
+FOUR = ("d", "F", "p", "w")
+"""The quantities that are integrals over the profile, in their order; all others follow from them."""
 COMPACT = {
     q.suffix: q
     for q in (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..abel import masters
-from ..entry import COMPACT, COMPLETE, Entry
+from ..entry import COMPACT, COMPLETE, FOUR, Entry
 from ..physics import adhesive, complete, normal, tangential, viscoelastic
 from ..physics.medium import HOMOGENEOUS
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
@@ -103,7 +103,7 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     return found
 
 
-DEFINED = ("d", "F", "p", "w", "k")
+DEFINED = (*FOUR, "k")
 """Quantities whose definitions stand in front of the book; the depth of a complete contact is free."""
 
 

@@ -6,7 +6,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..oracle.evaluate import case_at, evaluate
 from ..oracle.evidence import Evidence, judge, not_available, residual
 from ..oracle.shape import Number, Values, number, shape
@@ -31,7 +31,7 @@ def check_profile(
     """`plain` are the entries of the contact without adhesion; a fixed edge leaves nothing to compare here."""
     if profile.contact == "complete":
         return []
-    found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in ("d", "F", "p", "w")]
+    found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in FOUR]
     for control in CONTROLS:
         found += stationary(profile, entries, control, digits, seed)
     return [*found, *known_values(profile, entries, digits, seed), crack_closure(profile, entries, digits, seed)]

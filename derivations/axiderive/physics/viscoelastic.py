@@ -7,6 +7,7 @@ does not obey this rule and is refused.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -86,11 +87,16 @@ QUANTITIES = {
 }  # fmt: skip
 
 
+def of_depth(plain: Mapping[str, Entry]) -> Entry:
+    """The elastic force as a function of the depth, which a complete contact has at once."""
+    return plain.get("Fd", plain["F"])
+
+
 def derive(profile: Profile) -> dict[str, Entry]:
     """Force after a ramp (power laws and the flat punch), force after a step of depth, radius after a step of load."""
     plain = normal.derive(profile)
     out: dict[str, Entry] = {}
-    depth_route = plain["Fd"] if "Fd" in plain else plain["F"]
+    depth_route = of_depth(plain)
     exponent = elastic_exponent(depth_route)
     for law in LAWS:
         if exponent is not None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..entry import FOUR
 from ..physics.adhesive import CONTROLS
 from ..physics.systems import System
 from .row import LETTER, WIDEST, Region, Row, fits_half
@@ -21,8 +22,8 @@ MOST_LINES = 10
 SAME_FOR_ALL = {
     "normal": ("k",),
     "graded.normal": ("k", "pm", "aF", "dF"),
-    "adhesive": ("Dl", "d", "F", "p", "w"),
-    "graded.adhesive": ("Dl", "d", "F", "p", "w"),
+    "adhesive": ("Dl", *FOUR),
+    "graded.adhesive": ("Dl", *FOUR),
     "tangential": ("F", "u", "us", "tau"),
     "graded.tangential": ("F", "u", "us", "tau", "c"),
 }

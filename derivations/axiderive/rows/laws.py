@@ -90,10 +90,6 @@ def _row(own: tuple[Entry, ...], regions: tuple[Region, ...], remark: str = "", 
     return Row(own[0], "rule", regions, remark, uses, also=own[1:])
 
 
-def _elastic(plain: Mapping[str, Entry]) -> Entry:
-    return plain["Fd"] if "Fd" in plain else plain["F"]
-
-
 def _simple(entry: Entry) -> bool:
     return entry.status == "closed" and len(entry.cases) == 1 and not entry.composed
 
@@ -104,7 +100,7 @@ def _text(entry: Entry, *replaced: tuple[sp.Expr, sp.Expr]) -> str:
 
 
 def _step(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
-    elastic = _elastic(plain)
+    elastic = viscoelastic.of_depth(plain)
     if _simple(elastic):
         text = _text(elastic, (E_star, RELAXATION))
         return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text}",)),))
@@ -122,7 +118,7 @@ def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
 
 
 def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
-    elastic = _elastic(plain)
+    elastic = viscoelastic.of_depth(plain)
     power = viscoelastic.elastic_exponent(elastic)
     if _simple(elastic):
         text = _text(elastic, (E_star, RAMP), (d, v * time))

@@ -50,10 +50,10 @@ GROUP = {
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
 """What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
-INVERSES = frozenset(["radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"])
+INVERSES = frozenset(quantity.function for quantity in COMPACT.values() if quantity.inverts)
 BELOW = {"tangential": "normal", "graded.tangential": "graded"}
 """The contact whose functions come with those of another."""
-SIGNED = frozenset(["radius_from_depth", "radius_from_force"])
+SIGNED = frozenset(quantity.function for quantity in adhesive.QUANTITIES.values() if quantity.inverts)
 """Fields that are negative where adhesion pulls."""
 
 
@@ -189,8 +189,8 @@ def record(name: str, profile: Profile | None = None) -> nt.Notation:
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:
     """Fields of a function; the stiffness of a capped cylinder takes the depth."""
     entry = entries.get(function.quantity.suffix)
-    if function.quantity.suffix == "k" and entry is not None and any(c.expr.has(nt.d) for c in entry.cases):
-        return ("d",)
+    if entry is not None and entry.arguments != entry.quantity.arguments:
+        return tuple(map(str, entry.arguments))
     return function.fields
 
 

@@ -102,15 +102,9 @@ def count_for(entry: Entry, count: int) -> int:
 
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
-    fields = _fields(entry)
+    fields = entry.arguments
     keywords = {name_of(s): values[s] for s in entry.parameters if s not in fields}
     return tuple(values[symbol] for symbol in fields), keywords
-
-
-def _fields(entry: Entry) -> tuple[sp.Symbol, ...]:
-    """The arguments of the emitted function; a stiffness that depends on the depth asks for it."""
-    depth = entry.suffix == "k" and any(case.expr.has(nt.d) for case in entry.cases)
-    return (nt.d,) if depth else entry.quantity.arguments
 
 
 def function_of(entry: Entry, module: Any = None) -> Callable[..., float]:

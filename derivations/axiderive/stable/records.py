@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..physics.systems import problem
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
 from .reference import UnknownError, condition, is_inverse
@@ -20,7 +20,7 @@ OWN = ("normal", "plane", "loads")
 """Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 SYSTEMS = (*OWN, "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
 """Systems whose functions are measured."""
-DIRECT = ("d", "F", "p", "w", "k", "pm", "Dl", "tau", "u", "us")
+DIRECT = (*FOUR, "k", "pm", "Dl", "tau", "u", "us")
 """Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
 TOLERANCE = 5.0
 CHECKED = 4

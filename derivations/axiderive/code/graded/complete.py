@@ -196,6 +196,4 @@ def order_of(profile: Profile) -> str:
 
 def _with_depth(entry: Entry) -> Entry:
     """A stiffness of two branches, told apart by the depth."""
-    if entry.suffix == "k" and any(case.expr.has(d) for case in entry.cases):
-        return replace(entry, quantity=replace(entry.quantity, arguments=(d,)))
-    return entry
+    return replace(entry, quantity=replace(entry.quantity, arguments=entry.arguments))

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...entry import Entry, Quantity
 from ...letters import name_of
-from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent
+from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth
 from ..text import python
 from . import text
 from .examples import Example
@@ -74,7 +74,7 @@ def _formula(module: NormalModule, quantity: Quantity) -> str:
 
 
 def _exponent(module: NormalModule) -> sp.Expr | None:
-    return elastic_exponent(module.entries["Fd"] if "Fd" in module.entries else module.entries["F"])
+    return elastic_exponent(of_depth(module.entries))
 
 
 def _ramp(module: NormalModule, law: Law, elastic: str, passed: str) -> list[str]:

@@ -93,12 +93,11 @@ class _Radius:
             case "displacement":
                 under = [((r, a), self.load("d") - height(r)) for r in places]
                 return [((outside, a), self.load("w", r=outside)), *under]
-            case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force":
-                source = "d" if name.endswith("depth") else "F"
+            case _ if source := function.quantity.inverts:
                 if self.adhesive and not self.outermost(source):
                     return []
-                target = {"radius": "", "force": "F", "depth": "d"}[name.split("_")[0]]
-                return [((float(self.load(source)),), self.load(target) if target else mp.mpf(a))]
+                target = function.quantity.symbol
+                return [((float(self.load(source)),), mp.mpf(a) if target == nt.a else self.load(str(target)))]
         return [((a,), self.load(suffix))]
 
     def outermost(self, source: str) -> bool:
