@@ -44,6 +44,8 @@ class Quantity:
     """Label of the row in print, where it is shorter than `label`."""
     inverts: str = field(default="", compare=False, kw_only=True)
     """Suffix of the curve that is given: "d" for the contact radius, and for the force, from the depth."""
+    composed: tuple[str, str] | None = field(default=None, compare=False, kw_only=True)
+    """Suffixes (outer, inner) of what it is through a contact radius that grows: F(a(d)) is ("F", "ad")."""
     solves: str = field(default="", compare=False, kw_only=True)
     """The equation in print that is solved for it where it has no formula."""
     place: Literal["", "inside", "outside"] = field(default="", compare=False, kw_only=True)
@@ -198,9 +200,9 @@ COMPACT = {
                  solves="g(a)=d", summary="Contact radius at indentation depth d."),
         Quantity("aF", "radius_from_force", "Contact radius from force", nt.a, (nt.F,), inverts="F",
                  solves=r"F_{\mathrm N}(a)=F_{\mathrm N}", summary="Contact radius under the normal force F."),
-        Quantity("Fd", "force_from_depth", "Force from depth", nt.F, (nt.d,), inverts="d",
+        Quantity("Fd", "force_from_depth", "Force from depth", nt.F, (nt.d,), inverts="d", composed=("F", "ad"),
                  summary="Normal force at indentation depth d."),
-        Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,), inverts="F",
+        Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,), inverts="F", composed=("d", "aF"),
                  summary="Indentation depth under the normal force F."),
         Quantity("rp", "peak_pressure", "Greatest pressure: its radius", nt.r_peak, (nt.a,), "radius",
                  summary="Radius of the greatest pressure."),

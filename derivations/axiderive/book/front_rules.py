@@ -93,7 +93,7 @@ def _labelled(system: str, suffix: str, tex: str, remark: str, kind: Kind | None
 
 def _inverses(system: str) -> list[Line]:
     return [
-        tuple(_labelled(system, suffix, COMPACT[suffix].solves, "solved for $a$", "root") for suffix in ("ad", "aF")),
+        tuple(_labelled(system, q.suffix, q.solves, "solved for $a$", "root") for q in COMPACT.values() if q.solves),
         (
             _labelled(system, "Fd", r"F_{\mathrm N}=F_{\mathrm N}(a)", "where $g(a)=d$", "composition"),
             _labelled(system, "dF", "d=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),

@@ -250,7 +250,7 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
         )
     if quantity.inverts:
         given = quantity.inverts
-        stable = here.separation({"F": "force", "d": "depth"}[given], a) * STABLE
+        stable = here.separation(entries[given].quantity.function, a) * STABLE
         values = {**values, nt.dgamma: min(number(values[nt.dgamma]), stable)}
         there = HalfSpace(here.profile, values, here.digits, here.graded)
         return residual(_radius(entry, nt.a, {**values, quantity.arguments[0]: there.adhesive(given, a)}, digits), a)

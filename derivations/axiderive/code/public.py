@@ -137,9 +137,9 @@ def shown_example(
 def _with_ring(
     profile: Profile, entries: Mapping[str, Entry], entry: Entry, at: dict[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    for suffix, place in (("rz", nt.r_zero), ("rp", nt.r_peak)):
-        ring = entries.get(suffix)
-        if ring is not None and any(case.expr.has(place) for case in entry.cases):
+    for ring in entries.values():
+        place = ring.quantity.symbol
+        if place in (nt.r_zero, nt.r_peak) and any(case.expr.has(place) for case in entry.cases):
             at = at | {place: example.value(profile, ring, at)}
     return at
 

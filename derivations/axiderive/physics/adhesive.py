@@ -150,15 +150,16 @@ class _Builder:
         )
 
     def _note(self, suffix: str) -> str:
-        needs_pull_off = suffix in ("ad", "aF") or any(suffix in names for names in CONTROLS.values())
-        if not needs_pull_off or pull_off_rule(self.profile, self.medium) is None:
+        quantity = QUANTITIES[suffix]
+        if not (quantity.inverts or quantity.control) or pull_off_rule(self.profile, self.medium) is None:
             return ""
         return f"exists only for n > {_least_exponent(self.medium)}"
 
     def branches(self, entries: dict[str, Entry]) -> dict[str, Entry]:
         """Inverses on the branch that is stable under control of the given quantity, a >= its pull-off radius."""
         out = {}
-        for suffix, source, value in (("ad", "d", d), ("aF", "F", F)):
+        for quantity in (q for q in QUANTITIES.values() if q.inverts):
+            suffix, source, (value,) = quantity.suffix, quantity.inverts, quantity.arguments
             forward, equation = entries[source].cases, sp.Eq(value, entries[source].definition)
             closed = stable_inverse(forward[0].expr, value) if len(forward) == 1 else None
             if closed is not None:

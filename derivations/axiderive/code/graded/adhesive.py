@@ -64,9 +64,10 @@ class _Adhesive:
 
     def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        suffix, writer = entry.suffix, self.writer
-        keywords = [name for name in self.keywords if suffix != "Dl" or name in ("H", "k", "dgamma")]
-        symbols = [symbol for symbol in self.symbols if name_of(symbol) in keywords]
+        writer, symbols = self.writer, entry.parameters
+        keywords = [name_of(symbol) for symbol in symbols]
+        # the retraction is the same for every profile
+        own = set(self.profile.parameters) <= set(symbols)
         fields = [str(argument) for argument in entry.quantity.arguments]
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
@@ -77,10 +78,10 @@ class _Adhesive:
             if self.power is None:
                 notes += " Where several radii are stable, the largest, which is reached on unloading."
         else:
-            body = writer.checks(symbols, reach=self.profile.truncated and suffix != "Dl")
-            function = "graded_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+            body = writer.checks(symbols, reach=self.profile.truncated and own)
+            function = f"_{entry.quantity.function}" if own else "graded_retraction"
             body.append(f"return {writer.evaluated(function, fields, keywords)}")
-        writer.add(entry, entry.quantity.summary, notes, body, keywords)
+        writer.add(entry, notes, body)
 
     def order(self) -> list[str]:
         """The lines that check a free exponent of a power law; none for any other profile."""

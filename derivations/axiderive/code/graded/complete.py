@@ -70,7 +70,7 @@ class _Complete:
         if fields:
             notes += " Negative or NaN field values give NaN"
             notes += ", and so do loads below those of complete contact." if self.concave and suffix != "k" else "."
-        writer.add(entry, entry.quantity.summary, notes, body)
+        writer.add(entry, notes, body)
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
         """Adds a private function of these lines; `needs` are the parameters it takes behind its fields."""

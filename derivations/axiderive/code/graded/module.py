@@ -159,13 +159,14 @@ class Writer:
             lines.append(f'require_reach(a, {self.profile.breaks[0]}, "graded.normal.flat_punch")')
         return lines
 
-    def add(self, entry: Entry, summary: str, notes: str, body: Sequence[str], keywords: Sequence[str] = ()) -> None:
+    def add(self, entry: Entry, notes: str, body: Sequence[str]) -> None:
         """A public function that one entry backs."""
         fields = [str(argument) for argument in entry.quantity.arguments]
-        names = list(keywords) or [name_of(symbol) for symbol in entry.parameters]
+        names = [name_of(symbol) for symbol in entry.parameters]
         document = text.document(entry, fields, names, notes)
         shown = ["", "Examples", "--------", *self.example.lines(entry.suffix)]
-        self.public.append(Function(entry.quantity.function, fields, names, summary, [*document, *shown], list(body)))
+        quantity, doc = entry.quantity, [*document, *shown]
+        self.public.append(Function(quantity.function, fields, names, quantity.summary, doc, list(body)))
 
     def profile_function(self) -> None:
         """The shape of the indenter, which no medium changes."""

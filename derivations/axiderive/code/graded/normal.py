@@ -66,7 +66,7 @@ class _Normal:
             notes.append(METHOD[entry.quantity.place])
         if entry.quantity.inverts and self.family.power is None:
             notes.append("Evaluated by a safeguarded Newton iteration.")
-        writer.add(entry, entry.quantity.summary, " ".join(notes), body)
+        writer.add(entry, " ".join(notes), body)
 
     def check(self) -> None:
         """The rules between the parameters; that of the waves depends on the grading."""

@@ -30,7 +30,7 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
         notes = f"Valid for {profile.validity}; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN."
         if profile.truncated:
             notes += " The stick zone is never smaller than the flat face: NaN for c < b."
-        writer.add(entry, entry.quantity.summary, notes, body)
+        writer.add(entry, notes, body)
     _rules(writer)
     return writer.source(f"{profile.title} under a tangential load on a power-law graded half-space")
 

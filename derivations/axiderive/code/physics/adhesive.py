@@ -134,13 +134,13 @@ class _Adhesive:
 
     def public(self, entry: Entry) -> Function:
         """The public function of one quantity, with its checks, docstring and doctest."""
-        suffix = entry.suffix
         fields = [str(argument) for argument in entry.quantity.arguments]
-        symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
-        keywords = [name_of(symbol) for symbol in symbols]
-        body = self.module.check(symbols)
-        summed = self.module.summed and suffix != "Dl"
-        name = "hess_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+        keywords = [name_of(symbol) for symbol in entry.parameters]
+        body = self.module.check(entry.parameters)
+        # the retraction is the same for every profile
+        own = set(self.profile.parameters) <= set(entry.parameters)
+        summed = self.module.summed and own
+        name = f"_{entry.quantity.function}" if own else "hess_retraction"
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
             body += self.order()
@@ -148,7 +148,7 @@ class _Adhesive:
             body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
             notes = self.notes_of_inverse()
         else:
-            if self.profile.truncated and suffix != "Dl":
+            if self.profile.truncated and own:
                 body.append(f"require_reach(a, {self.profile.breaks[0]})")
             body.append(f"return {evaluate(name, fields, keywords, summed)}")
         return Function(
@@ -158,7 +158,7 @@ class _Adhesive:
             entry.quantity.summary,
             text.document(entry, fields, keywords, notes),
             body,
-            example=self.example.lines(suffix),
+            example=self.example.lines(entry.suffix),
         )
 
     def order(self) -> list[str]:
