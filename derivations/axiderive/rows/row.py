@@ -18,6 +18,7 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
+from ..physics import adhesive
 from ..physics.systems import BODIES, ROUND, SYSTEMS
 from ..print.formula import Printer
 from ..print.height import brackets_around, size_around
@@ -25,7 +26,7 @@ from ..print.shorthand import LINE, Short, shortened, with_kappa
 from ..print.terms import tidied
 from ..print.width import width
 from .ranges import Pairs, chain_of, condition, regions
-from .rules import radius_name, rule
+from .rules import rule
 
 GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
 PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
@@ -247,7 +248,8 @@ def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
 
 def names_of(entry: Entry) -> dict[sp.Symbol, str]:
     """Names in print that differ from those of the notation."""
-    return {a_c: radius_name(entry.suffix)} if entry.quantity.control else {}
+    control = entry.quantity.control
+    return {a_c: adhesive.QUANTITIES[adhesive.CONTROLS[control][0]].left} if control else {}
 
 
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:

@@ -92,8 +92,8 @@ class Inverses:
 
     def add_all(self) -> dict[str, Private]:
         """Functions of `ad`, `aF`, `Fd`, `dF`."""
-        radius = {suffix: self._radius(suffix) for suffix in ("ad", "aF")}
-        return radius | {"Fd": self._through("Fd", "force", "ad"), "dF": self._through("dF", "depth", "aF")}
+        own = [q for q in COMPACT.values() if q.inverts]
+        return {q.suffix: self._through(q.suffix, *q.composed) if q.composed else self._radius(q.suffix) for q in own}
 
     def closed(self, entry: Entry) -> EvaluationForm | None:
         """The closed form if there is one regime, nothing cancels and no large angle is raised to an exponential.
@@ -134,7 +134,7 @@ class Inverses:
     def _through(self, suffix: str, outer: str, inner: str) -> Private:
         """F(a(d)) or d(a(F)), closed or as that composition."""
         entry, (_, field) = self.compact.entries[suffix], TARGET[inner]
-        name = entry.quantity.function
+        name, outer = entry.quantity.function, COMPACT[outer].function
         form = self.closed(entry) if entry.composed is None else None
         if form is not None:
             lines = self.functions.returned(form)

@@ -24,6 +24,7 @@ import sympy as sp
 from ... import notation as nt
 from ...checks.physics_quadrature import contact as of_depth
 from ...checks.plane_quadrature import defined
+from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
@@ -107,8 +108,8 @@ class _Radius:
         """
         if nt.wavelength in self.contact.profile.parameters:
             return False
-        own, control = self.half_space(), {"d": "depth", "F": "force"}[source]
-        if not own.separation(control, mp.mpf(self.a)) > own.at(nt.dgamma):
+        own = self.half_space()
+        if not own.separation(COMPACT[source].function, mp.mpf(self.a)) > own.at(nt.dgamma):
             return False
         here = self.load(source, digits=COARSE)
         end = self.contact.end()
