@@ -58,6 +58,12 @@ class Quantity:
     """Whether it says from where on a concave face is in contact as a whole."""
 
     @property
+    def elastic(self) -> bool:
+        """Whether the modulus is in it: a length that is given lengths needs none, but for that beside a pressure."""
+        lengths = all(nt.describe(symbol).dimension == nt.LENGTH for symbol in (self.symbol, *self.arguments))
+        return not lengths or bool(self.member)
+
+    @property
     def left(self) -> str:
         """The left side of its row in print."""
         return self.written or nt.describe(self.symbol).latex

@@ -110,7 +110,7 @@ class _General:
     def _entry(
         self, suffix: str, status: Status, cases: tuple[Case, ...], composed: tuple[str, str] | None = None
     ) -> Entry:
-        material = () if suffix in ("d", "w", "ad") else (E_star,)
+        material = (E_star,) if COMPACT[suffix].elastic else ()
         return Entry(
             key=f"{self.profile.name}.{suffix}",
             profile=self.profile,

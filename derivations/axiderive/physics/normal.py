@@ -231,7 +231,7 @@ class _Compact:
         composed: tuple[str, str] | None = None,
     ) -> Entry:
         exponent = (self.medium.k,) if self.medium.k != 0 else ()
-        material = exponent if suffix in ("d", "w", "ad") else (self.medium.modulus, *exponent)
+        material = (self.medium.modulus, *exponent) if COMPACT[suffix].elastic else exponent
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
