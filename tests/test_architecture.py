@@ -25,7 +25,7 @@ FULL = {"study": 18, "chapter11": 16, "oracle": 16, "checks": 16, "physics": 16}
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
 NAMED, KINDS = 126, 105
 """Comparisons with the name of a physics, and with a kind of contact."""
-LITERALS, LITERAL_FILES = 2009, 149
+LITERALS, LITERAL_FILES = 1614, 143
 """Keys of quantities as literals, and files that have some."""
 RUNTIME = ("", "shapes", "physics", "graded")
 """Folders of the run time: one imports only what stands before it, and `programs` only what stands in the root."""

@@ -29,7 +29,7 @@ from axiderive.profiles import NAMES, load
 from axiderive.stable.drift import drift, settled
 from axiderive.stable.measure import Sample, closure, count_for, form, function_of, naive, samples, ulps, value
 from axiderive.stable.records import record
-from axiderive.stable.reference import CURVES, condition, reference
+from axiderive.stable.reference import condition, is_inverse, reference
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
 
 ROOT = Path(axicontact.__file__).parents[1]
@@ -96,8 +96,8 @@ def bound(entry: Entry) -> float:
 def through(entry: Entry) -> tuple[str, ...]:
     """The functions whose curve an inverse follows."""
     curves = {"d": "depth", "F": "force"}
-    compact = entry.profile.contact == "compact"
-    return tuple(curves[suffix] for suffix in CURVES.get(entry.suffix, ()) if suffix and compact)
+    followed = (entry.quantity.inverts, str(entry.quantity.symbol)) if is_inverse(entry) else ()
+    return tuple(curves[suffix] for suffix in followed if suffix in curves)
 
 
 def failures(entries: dict[str, Entry], suffix: str, function: Callable[..., float], points: list[Sample]) -> list[str]:

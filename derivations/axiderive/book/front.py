@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..abel import masters
-from ..entry import COMPACT, COMPLETE, Entry
+from ..entry import COMPACT, COMPLETE, FOUR, Entry
 from ..physics import adhesive, complete, normal, tangential, viscoelastic
 from ..physics.medium import HOMOGENEOUS
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..print.formula import MASTER_NAMES, Printer
 from ..print.shorthand import with_kappa
 from ..print.width import width
-from ..rows.row import LEFT, label_of
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
@@ -97,16 +96,14 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     for title, group, tables in QUANTITIES:
         ends: dict[str, str] = {}
         for q in (q for table in tables for q in table.values()):
-            suffix, label = q.suffix, q.label
-            if group == "vis.":
-                suffix = suffix.partition("_")[0] + "_..."
-            words, small = label_of(suffix, label)
+            suffix = q.suffix.partition("_")[0] + "_..." if group == "vis." else q.suffix
+            words, small = q.heading
             ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)
         found.append((title, list(ends.items())))
     return found
 
 
-DEFINED = ("d", "F", "p", "w", "k")
+DEFINED = (*FOUR, "k")
 """Quantities whose definitions stand in front of the book; the depth of a complete contact is free."""
 
 
@@ -120,7 +117,7 @@ def definition_rows() -> list[tuple[str, str, str]]:
     ):
         for suffix in DEFINED:
             if suffix in formulas:
-                left = LEFT[suffix]
+                left = quantities[suffix].left
                 right = "=" + printer(HOMOGENEOUS.stiffness() if suffix == "k" else formulas[suffix])
                 rows.append(
                     (

@@ -10,7 +10,7 @@ from ..physics import adhesive, normal, tangential, viscoelastic
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..print.formula import Printer
 from ..rows import rules
-from ..rows.row import LEFT, SOLVED, Kind, label_of
+from ..rows.row import Kind
 
 
 @dataclass(frozen=True)
@@ -82,28 +82,28 @@ def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
 def _rule(system: str, suffix: str) -> RuleRow:
     found = rules.rule(system, suffix)
     assert found is not None
-    label, small = label_of(suffix, QUANTITIES[system.rpartition(".")[2]][suffix].label)
+    label, small = QUANTITIES[system.rpartition(".")[2]][suffix].heading
     small = f"${found.where}$" if found.where else small
     return RuleRow(system, suffix, label, small, found.tex, found.remark)
 
 
 def _labelled(system: str, suffix: str, tex: str, remark: str, kind: Kind | None) -> RuleRow:
-    return RuleRow(system, suffix, *label_of(suffix, COMPACT[suffix].label), tex, remark, kind)
+    return RuleRow(system, suffix, *COMPACT[suffix].heading, tex, remark, kind)
 
 
 def _inverses(system: str) -> list[Line]:
     return [
-        tuple(_labelled(system, suffix, SOLVED[suffix], "solved for $a$", "root") for suffix in ("ad", "aF")),
+        tuple(_labelled(system, q.suffix, q.solves, "solved for $a$", "root") for q in COMPACT.values() if q.solves),
         (
-            _labelled(system, "Fd", rf"{LEFT['Fd']}=F_{{\mathrm N}}(a)", "where $g(a)=d$", "composition"),
-            _labelled(system, "dF", f"{LEFT['dF']}=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),
+            _labelled(system, "Fd", r"F_{\mathrm N}=F_{\mathrm N}(a)", "where $g(a)=d$", "composition"),
+            _labelled(system, "dF", "d=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),
         ),
     ]
 
 
 def _stiffness(medium: Medium) -> RuleRow:
     system = "normal" if medium is HOMOGENEOUS else "graded.normal"
-    return _labelled(system, "k", f"{LEFT['k']}={Printer()(medium.stiffness())}", "", "formula")
+    return _labelled(system, "k", f"{COMPACT['k'].left}={Printer()(medium.stiffness())}", "", "formula")
 
 
 def _mean(system: str) -> RuleRow:
@@ -113,7 +113,7 @@ def _mean(system: str) -> RuleRow:
 def _integral(suffix: str) -> RuleRow:
     """Depth or force on the graded half-space from the profile."""
     return _labelled(
-        "graded.normal", suffix, f"{LEFT[suffix]}={Printer()(normal.definitions(GRADED)[suffix])}", "", None
+        "graded.normal", suffix, f"{COMPACT[suffix].left}={Printer()(normal.definitions(GRADED)[suffix])}", "", None
     )
 
 
@@ -125,7 +125,6 @@ VISCOELASTIC = {
 
 
 def _viscoelastic(kind: str) -> RuleRow:
-    suffix = f"{kind}_{viscoelastic.LAWS[0].suffix}"
-    label, small = label_of(suffix, "")
+    label, small = viscoelastic.QUANTITIES[f"{kind}_{viscoelastic.LAWS[0].suffix}"].heading
     remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
     return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind], remark)

@@ -12,7 +12,7 @@ import sympy as sp
 from ..entry import Entry
 from ..print.formula import Printer
 from ..rows.ranges import condition, regions
-from ..rows.row import left_of, names_of, row
+from ..rows.row import names_of, row
 from .handbook import handbook_sources
 
 __all__ = ["entry_latex", "handbook_sources", "latex"]
@@ -30,7 +30,7 @@ def entry_latex(entry: Entry) -> str:
         chain = next(case.chain for case in entry.cases if case.expr == expr)
         printer = Printer(chain, names_of(entry))
         found.append((printer(expr), condition(entry, pairs, chain, printer)))
-    left = "" if isinstance(entry.cases[0].expr, sp.Equality) else left_of(entry).partition("=")[0] + "="
+    left = "" if isinstance(entry.cases[0].expr, sp.Equality) else entry.quantity.left.partition("=")[0] + "="
     if len(found) == 1:
         return left + found[0][0]
     return left + r"\begin{cases}" + r" \\ ".join(f"{text}, & {where}" for text, where in found) + r"\end{cases}"

@@ -31,7 +31,6 @@ from ..print.words import domain, prose
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from ..rows.row import kappa_row
-from ..rows.rules import PULL_OFF
 
 INSIDE = ("0.1", "0.25", "0.5", "0.75", "0.9", "0.99")
 OUTSIDE = ("1.01", "1.25", "1.5", "2", "5", "10")
@@ -403,7 +402,7 @@ def called(problem: Problem, entry: Entry, known: Signatures) -> str:
     """The call of the function of an entry, its arguments by the names they have in print and in the signature."""
     found = known[entry.quantity.function]
     # one function gives pull-off under both controls, and the key says which
-    positional = [repr(PULL_OFF[entry.suffix[-1]]) if one.arg == "control" else one.arg for one in found.args]
+    positional = [repr(entry.quantity.control) if one.arg == "control" else one.arg for one in found.args]
     keywords = [f"{one.arg}={one.arg}" for one in found.kwonlyargs]
     return f"{problem.name}.{entry.quantity.function}({', '.join([*positional, *keywords])})"
 

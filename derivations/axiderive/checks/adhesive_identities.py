@@ -6,7 +6,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..oracle.evaluate import case_at, evaluate
 from ..oracle.evidence import Evidence, judge, not_available, residual
 from ..oracle.shape import Number, Values, number, shape
@@ -31,7 +31,7 @@ def check_profile(
     """`plain` are the entries of the contact without adhesion; a fixed edge leaves nothing to compare here."""
     if profile.contact == "complete":
         return []
-    found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in ("d", "F", "p", "w")]
+    found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in FOUR]
     for control in CONTROLS:
         found += stationary(profile, entries, control, digits, seed)
     return [*found, *known_values(profile, entries, digits, seed), crack_closure(profile, entries, digits, seed)]
@@ -76,7 +76,8 @@ def stationary(profile: Profile, entries: Entries, control: str, digits: int, se
             rest = whole.subs(nt.dgamma, 0)
             slopes = [evaluate(sp.diff(part, nt.a), values, digits) for part in (rest, sp.expand(rest - whole))]
             rows[names[0]].append((values, residual(*slopes)))
-            for name, suffix in zip(names[1:], ("F", "d"), strict=True):
+            for name in names[1:]:
+                suffix = str(entries[name].quantity.symbol)
                 got, want = (evaluate(case_at(entries[s], values).expr, values, digits) for s in (name, suffix))
                 rows[name].append((values, residual(got, want)))
     compared = (f"d{quantity}/da = 0", f"F at {names[0]}", f"d at {names[0]}")
@@ -91,14 +92,12 @@ def stationary(profile: Profile, entries: Entries, control: str, digits: int, se
 def known_values(profile: Profile, entries: Entries, digits: int, seed: int) -> list[Evidence]:
     """Pull-off of paraboloid and cone as the literature has it."""
     found = []
-    for suffix, entry in entries.items():
+    for entry in entries.values():
         if entry.key not in KNOWN:
             continue
         rows = []
         with mp.workdps(digits + 40):
-            for values in _at_pull_off(
-                profile, entries, "force" if suffix in CONTROLS["force"] else "depth", digits, seed
-            ):
+            for values in _at_pull_off(profile, entries, entry.quantity.control, digits, seed):
                 pair = [evaluate(x, values, digits) for x in (case_at(entry, values).expr, KNOWN[entry.key])]
                 rows.append((values, residual(*pair)))
         compared = f"known value {sp.sstr(KNOWN[entry.key])}"

@@ -16,7 +16,7 @@ import sympy as sp
 from flint import acb
 
 from .. import notation as nt
-from ..entry import Case, Entry
+from ..entry import FOUR, Case, Entry
 from ..oracle.balls import Ball, NotAvailableError, enclose, integral, point, shrinking
 from ..oracle.evaluate import at_precision, case_at
 from ..oracle.evidence import Evidence, agreed, not_available, point_text
@@ -26,7 +26,7 @@ from ..profiles.profile import Profile
 
 Entries = Mapping[str, Entry]
 COMPARED = "overlapping Arb enclosures of the result and of its defining integral"
-ENCLOSED = ("d", "F", "pm", "p", "w")
+ENCLOSED = (*FOUR, "pm")
 _T, _S, _Z = sp.symbols("T S Z", positive=True)
 
 

@@ -22,7 +22,6 @@ from ..oracle.shape import Number, Values, number, shape
 from ..profiles.profile import Profile
 from .quadrature import root
 
-THRESHOLDS = ("rz", "dmin", "Fmin")
 DIGITS = 50
 LOST = 10
 EXPONENTS = tuple(sp.Rational(x) for x in ("-3/10", "1/5", "1/2"))

@@ -13,7 +13,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case, Entry
+from ..entry import FOUR, Case, Entry
 from ..oracle.balls import NotAvailableError, enclose_value
 from ..oracle.evaluate import at_precision, case_at, decades, evaluate, evaluate_case, holds
 from ..oracle.evidence import Evidence, judge, not_available, residual
@@ -31,7 +31,7 @@ EACH = 2
 """Points per case."""
 EXTREME_PLANS = 8
 """Points with extreme ratios that a chain of up to four lengths starts with; they are passed over here."""
-CONTINUOUS = ("d", "F", "p", "w", "pm")
+CONTINUOUS = (*FOUR, "pm")
 
 
 def check_profile(

@@ -8,7 +8,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..oracle.evaluate import at_precision, case_at, evaluate, evaluate_case
 from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.sampling import Values, fields, points
@@ -18,7 +18,7 @@ from ..profiles import load
 from ..profiles.profile import Limit, Profile
 from .quadrature import LOST
 
-INHERITED = ("d", "F", "p", "w", "pm")
+INHERITED = (*FOUR, "pm")
 
 
 def check_limits(profile: Profile, entries: Mapping[str, Entry], *, digits: int, seed: int) -> list[Evidence]:

@@ -14,6 +14,7 @@ from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number
+from ..physics.viscoelastic import of_depth
 from ..profiles.profile import Profile
 from . import resultants
 from .physics_quadrature import Entries, drawn_points
@@ -115,7 +116,7 @@ def elastic(profile: Profile, entries: Entries, plain: Entries, *, digits: int =
     found = []
     for suffix, entry in entries.items():
         kind, law = suffix.split("_")
-        source = plain["aF"] if kind == "load" else plain["Fd"] if "Fd" in plain else plain["F"]
+        source = plain["aF"] if kind == "load" else of_depth(plain)
         if entry.status != "closed" or source.status != "closed":
             continue
         limit, modulus, words = ELASTIC[law]

@@ -18,7 +18,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case, Entry
+from ..entry import Case, Entry, Quantity
 from ..oracle import load_quadrature
 from ..oracle.balls import NotAvailableError
 from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluate_integral
@@ -29,7 +29,7 @@ from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, shape
 from ..profiles.profile import Profile
 from . import graded_threshold, viscoelastic_quadrature
-from .quadrature import INVERSES, KNOWN, LOST, inverse, root
+from .quadrature import LOST, inverse, root
 
 Entries = Mapping[str, Entry]
 
@@ -37,10 +37,6 @@ EXPONENTS = tuple(sp.Rational(x) for x in ("-7/10", "-3/10", "1/5", "3/5", "1/2"
 """Exponents of grading; every sixth point gets a random one."""
 MANY = 6
 """Cases above which one point for each is enough."""
-PULL_OFF = {
-    "ac": ("force", "a"), "Fc": ("force", "F"), "dc": ("force", "d"),
-    "am": ("depth", "a"), "Fm": ("depth", "F"), "dm": ("depth", "d"),
-}  # fmt: skip
 FIELDS = {
     "graded": (nt.H,),
     "adhesive": (nt.dgamma, nt.H),
@@ -51,18 +47,16 @@ FIELDS = {
 def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, count: int, seed: int) -> list[Point]:
     """Points spread over the cases, those of an inverse over the cases of what it inverts."""
     source = entries[suffix]
-    graded = nt.k in source.parameters
-    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
+    quantity, graded = source.quantity, nt.k in source.parameters
+    if physics == "adhesive" and (quantity.inverts or quantity.control) and "d" in entries:
         source = entries["d"]
-    elif suffix in INVERSES and profile.contact == "compact":
-        source = entries[INVERSES[suffix][0]]
-    elif (suffix == "dF" and profile.contact == "complete") or (physics == "tangential" and suffix == "c"):
-        source = entries["F"]
+    elif quantity.inverts:
+        source = entries[quantity.inverts]
     elif suffix in ("k", "pm", "Dl") and "d" in entries:
         source = entries["d"]
     fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
     # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
-    tame = graded and (suffix in ("p", "tau") or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
+    tame = graded and (quantity.place == "inside" or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
     many = len(source.cases) > MANY
     each = max(1 if tame or many else 2, -(-count // len(source.cases)))
     out: list[Point] = []
@@ -71,7 +65,7 @@ def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, 
         chains = chains[:: -(-len(chains) // MANY)]
     for chain in chains:
         candidates = (_point(profile, chain, i, len(out), seed, fields, graded, tame) for i in itertools.count())
-        growing = profile.contact == "compact" and suffix in PULL_OFF
+        growing = profile.contact == "compact" and quantity.control
         kept = (p for p in candidates if not growing or _grows(profile, p.values, graded))
         for _ in range(each):
             out.append(next(kept))
@@ -142,9 +136,9 @@ def check(
         return viscoelastic_quadrature.check(profile, entries, suffix, points=points, seed=seed)
     entry = entries[suffix]
     graded = nt.k in entry.parameters
-    if graded and suffix in graded_threshold.THRESHOLDS:
+    if graded and entry.quantity.threshold:
         return graded_threshold.check(profile, entries, suffix, seed=seed)
-    nested = graded and suffix in ("p", "tau") and not _sum_of_powers(profile)
+    nested = graded and entry.quantity.place == "inside" and not _sum_of_powers(profile)
     working = min(digits, NESTED) if nested else digits
     drawn = drawn_points(profile, entries, suffix, physics, 1 if nested else points, seed)
     with mp.workdps(working + GUARD + (ILL if suffix == "c" else 0)):
@@ -154,7 +148,7 @@ def check(
         ]
     return judge(
         entry.key,
-        _compared(suffix, physics),
+        _compared(entry.quantity, physics),
         rows,
         seed=seed,
         extremes=sum(point.extreme for point in drawn),
@@ -171,17 +165,15 @@ def _sum_of_powers(profile: Profile) -> bool:
     )
 
 
-def _compared(suffix: str, physics: str) -> str:
+def _compared(quantity: Quantity, physics: str) -> str:
     """What stands against the entry."""
-    if physics == "adhesive" and suffix in PULL_OFF:
-        control, sought = PULL_OFF[suffix]
-        place = f"the radius at which the {control} by quadrature is stationary"
-        return place if sought == "a" else f"{sought} by quadrature at {place}"
-    if suffix in INVERSES:
-        given, target = INVERSES[suffix]
-        return f"round trip: {target} of the contact whose {given} is known by quadrature"
-    if suffix == "c":
+    if quantity.control:
+        place = f"the radius at which the {quantity.control} by quadrature is stationary"
+        return place if quantity.symbol == nt.a_c else f"{quantity.symbol} by quadrature at {place}"
+    if quantity.symbol == nt.c:
         return "round trip: the stick radius whose tangential force is known by quadrature"
+    if quantity.inverts:
+        return f"round trip: {quantity.symbol} of the contact whose {quantity.inverts} is known by quadrature"
     return {
         "graded": "mpmath quadrature of the definition",
         "adhesive": "mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
@@ -189,14 +181,12 @@ def _compared(suffix: str, physics: str) -> str:
     }[physics]
 
 
-def _is_round_trip(suffix: str, physics: str) -> bool:
-    return suffix in INVERSES or suffix in ("ac", "am") or (physics == "tangential" and suffix == "c")
-
-
 def _residual(
     profile: Profile, entries: Entries, suffix: str, physics: str, values: Values, digits: int, graded: bool
 ) -> Number:
-    extra = ILL if suffix == "c" else 20 if _is_round_trip(suffix, physics) or physics == "tangential" else 0
+    quantity = entries[suffix].quantity
+    searched = quantity.inverts or quantity.symbol == nt.a_c or physics == "tangential"
+    extra = ILL if suffix == "c" else 20 if searched else 0
     here = HalfSpace(profile, values, digits + extra, graded)
     a = number(values[nt.a])
     if physics == "adhesive":
@@ -206,11 +196,10 @@ def _residual(
             return residual(formula_value(entries[suffix], values, digits), here.tangential(suffix, a))
         return _stick_radius(here, entries["c"], a, digits)
     radius, free_depth = contact(here, a)
-    if suffix not in INVERSES:
+    if not quantity.inverts:
         return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
-    given, target = INVERSES[suffix]
-    known = {**values, KNOWN[given]: here.normal(given, radius, free_depth)}
-    wanted = radius if target == nt.a else here.normal(str(target), radius, free_depth)
+    known = {**values, quantity.arguments[0]: here.normal(quantity.inverts, radius, free_depth)}
+    wanted = radius if quantity.symbol == nt.a else here.normal(str(quantity.symbol), radius, free_depth)
     return residual(inverse(entries, suffix, known, digits), wanted)
 
 
@@ -247,22 +236,24 @@ def formula_value(entry: Entry, values: Values, digits: int) -> Number:
 def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
     entry, values = entries[suffix], here.values
     if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
-        defined = here.adhesive({"Fc": "F", "dc": "d"}.get(suffix, suffix), a)
+        defined = here.adhesive(str(entry.quantity.symbol) if entry.quantity.control else suffix, a)
         return residual(formula_value(entry, values, digits), defined)
-    if suffix in PULL_OFF:
-        control, sought = PULL_OFF[suffix]
-        stationary = {**values, nt.dgamma: here.separation(control, a), nt.a_c: a}
-        if sought == "a":
+    quantity = entry.quantity
+    if quantity.control:
+        stationary = {**values, nt.dgamma: here.separation(quantity.control, a), nt.a_c: a}
+        if quantity.symbol == nt.a_c:
             found = _radius(entry, nt.a_c, stationary, digits)
             return residual(found, a)
         there = HalfSpace(here.profile, {**stationary, nt.a: a}, here.digits, here.graded)
-        return residual(evaluate(case_at(entry, stationary).expr, stationary, digits), there.adhesive(sought, a))
-    if suffix in INVERSES:
-        given = INVERSES[suffix][0]
-        stable = here.separation({"F": "force", "d": "depth"}[given], a) * STABLE
+        return residual(
+            evaluate(case_at(entry, stationary).expr, stationary, digits), there.adhesive(str(quantity.symbol), a)
+        )
+    if quantity.inverts:
+        given = quantity.inverts
+        stable = here.separation(entries[given].quantity.function, a) * STABLE
         values = {**values, nt.dgamma: min(number(values[nt.dgamma]), stable)}
         there = HalfSpace(here.profile, values, here.digits, here.graded)
-        return residual(_radius(entry, nt.a, {**values, KNOWN[given]: there.adhesive(given, a)}, digits), a)
+        return residual(_radius(entry, nt.a, {**values, quantity.arguments[0]: there.adhesive(given, a)}, digits), a)
     return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 

@@ -18,7 +18,6 @@ from ..profiles.profile import Profile
 from .quadrature import LOST, inverse, root
 
 FIELDS = {"p": (integrals.pressure, nt.x), "s": (integrals.slope, nt.x), "d": (integrals.depth, nt.L)}
-THRESHOLDS = ("xz", "Pmin")
 TILTED = "the pressure of the eccentric punch is no integral; its closure is checked"
 
 
@@ -27,7 +26,7 @@ def check(
 ) -> Evidence:
     """Compare one entry with its definition at `points` points or more: every case gets at least three."""
     entry = entries[suffix]
-    compared = "mpmath quadrature of the defining integral" + (", round trip" if suffix == "aP" else "")
+    compared = "mpmath quadrature of the defining integral" + (", round trip" if entry.quantity.inverts else "")
     if nt.e in profile.parameters:
         return not_available(entry.key, compared, TILTED)
     drawn = _points(profile, entries, suffix, points, seed)
@@ -53,17 +52,17 @@ def check_profile(
 
 def _points(profile: Profile, entries: Mapping[str, Entry], suffix: str, count: int, seed: int) -> list[Point]:
     """Points spread over the cases; those of an inverse are drawn in the regions of the load."""
-    if suffix in THRESHOLDS:
+    if entries[suffix].quantity.threshold:
         drawn = points(profile, (nt.a,), count, seed)
         return [point for point in drawn if any(holds(case, point.values) for case in entries["xz"].cases)]
-    chains = [case.chain for case in entries["P" if suffix == "aP" else suffix].cases]
+    chains = [case.chain for case in entries[entries[suffix].quantity.inverts or suffix].cases]
     each = max(3, -(-count // len(chains)))
     fields = (nt.P,) if profile.contact == "complete" else ()
     return [point for chain in chains for point in points(profile, chain, each, seed, fields)]
 
 
 def _residual(profile: Profile, entries: Mapping[str, Entry], suffix: str, values: Values, digits: int) -> Number:
-    if suffix in THRESHOLDS:
+    if entries[suffix].quantity.threshold:
         return _threshold_residual(profile, entries, suffix, values, digits)
     if suffix == "aP":
         known = {**values, nt.P: defined(profile, "P", values, digits)}

@@ -24,11 +24,6 @@ from ..profiles.profile import Profile
 
 LOST = 10
 """Digits by which the agreement may fall short of the digits of the quadrature."""
-# what an inverse is given, and what it must lead back to
-INVERSES = {"ad": ("d", nt.a), "aF": ("F", nt.a), "Fd": ("d", nt.F), "dF": ("F", nt.d)}
-KNOWN = {"d": nt.d, "F": nt.F}
-THRESHOLDS = ("rz", "dmin", "Fmin")
-PEAK = ("rp", "pp")
 
 Entries = Mapping[str, Entry]
 
@@ -44,8 +39,8 @@ def check(
     return judge(
         entry.key,
         "mpmath quadrature of the defining integral"
-        + (", round trip" if suffix in INVERSES else "")
-        + (", its greatest value searched for over the radii" if suffix in PEAK else ""),
+        + (", round trip" if entry.quantity.inverts else "")
+        + (", its greatest value searched for over the radii" if entry.quantity.member else ""),
         rows,
         seed=seed,
         extremes=sum(point.extreme for point in drawn),
@@ -63,16 +58,15 @@ def check_profile(
 
 def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: int) -> list[Point]:
     """Points spread over the cases; those of an inverse are drawn in the regions of the formula it inverts."""
-    if suffix in THRESHOLDS:
+    quantity = entries[suffix].quantity
+    if quantity.threshold:
         drawn = points(profile, (nt.a,), count, seed)
         return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
-    if suffix in PEAK:
+    if quantity.member:
         # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
         drawn = points(profile, entries[suffix].cases[0].chain, count, seed)
         return [point for point in drawn if not point.extreme][:3]
-    source = entries[INVERSES[suffix][0]] if suffix in INVERSES and profile.contact == "compact" else entries[suffix]
-    if suffix == "dF" and profile.contact == "complete":
-        source = entries["F"]
+    source = entries[quantity.inverts or suffix]
     chains = [case.chain for case in source.cases]
     if suffix in ("k", "pm") and "d" in entries:
         chains = [case.chain for case in entries["d"].cases]
@@ -81,17 +75,17 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
 
 
 def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
-    if suffix in THRESHOLDS:
+    quantity = entries[suffix].quantity
+    if quantity.threshold:
         return _threshold_residual(profile, entries, suffix, values, digits)
-    if suffix in PEAK:
+    if quantity.member:
         return _peak_residual(profile, entries, suffix, values, digits)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
-    here = contact(profile, values, digits + (20 if suffix in INVERSES else 0))
-    if suffix not in INVERSES:
+    here = contact(profile, values, digits + (20 if quantity.inverts else 0))
+    if not quantity.inverts:
         return residual(value(entries[suffix], values, digits), here.quantity(suffix))
-    given, target = INVERSES[suffix]
-    known = {**values, KNOWN[given]: here.quantity(given)}
-    wanted = here.radius if target == nt.a else here.quantity(str(target))
+    known = {**values, quantity.arguments[0]: here.quantity(quantity.inverts)}
+    wanted = here.radius if quantity.symbol == nt.a else here.quantity(str(quantity.symbol))
     return residual(inverse(entries, suffix, known, digits), wanted)
 
 
@@ -106,12 +100,12 @@ def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number
     entry = entries[suffix]
     if entry.status != "root":
         without = {s: v for s, v in known.items() if s != nt.a or entry.profile.contact == "complete"}
-        if entry.profile.contact == "complete" and suffix == "dF":
-            without.pop(nt.d, None)
+        if entry.profile.contact == "complete":
+            without.pop(entry.quantity.symbol, None)
         return evaluate(case_at(entry, without).expr, without, digits)
     largest = entry.profile.largest
     radius = root(case_at(entry, known), nt.a, known, digits, () if largest is None else (largest,))
-    if suffix in ("ad", "aF"):
+    if entry.quantity.symbol == nt.a:
         return radius
     return evaluate(case_at(entries[str(entry.quantity.symbol)], known).expr, {**known, nt.a: radius}, digits)
 

@@ -10,30 +10,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel.masters import MASTERS
-from ..entry import Entry, Quantity
+from ..entry import COMPACT, Entry, Quantity
 from ..profiles.profile import Profile
 from .private import parameter_name
 
 WIDTH, LONGEST = 106, 400
 """Characters of a line, and of a formula beyond which its definition says more."""
-SUMMARY = {
-    "f": "Profile f(r) of the indenter.",
-    "d": "Indentation depth at contact radius a.",
-    "F": "Normal force.",
-    "p": "Contact pressure, positive in compression; zero outside the contact.",
-    "w": "Displacement of the surface into the half-space, inside and outside the contact.",
-    "k": "Contact stiffness dF/dd.",
-    "pm": "Mean pressure F/(pi a^2).",
-    "ad": "Contact radius at indentation depth d.",
-    "aF": "Contact radius under the normal force F.",
-    "Fd": "Normal force at indentation depth d.",
-    "dF": "Indentation depth under the normal force F.",
-    "rp": "Radius of the greatest pressure.",
-    "pp": "Greatest pressure, and the radius of the ring on which it is.",
-    "rz": "Radius of the ring where the pressure first vanishes on unloading.",
-    "dmin": "Least indentation depth of complete contact.",
-    "Fmin": "Least normal force of complete contact.",
-}
 
 
 def docstring(
@@ -97,8 +79,9 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
             rows.append((sp.sstr(piece.expr), where))
             lower = str(piece.upper)
     elif entry.composed and entry.status == "root":
-        outer, inner = (COMPOSED[suffix] for suffix in entry.composed)
-        return _wrapped(f"{name} = {outer.replace('(a)', '')}({inner}), through the contact radius.")
+        outer, inner = (COMPACT[suffix] for suffix in entry.composed)
+        (given,) = inner.arguments
+        return _wrapped(f"{name} = {outer.symbol}({inner.symbol}({given})), through the contact radius.")
     else:
         rows = _rows(entry)
     if entry is not None and any(len(text) > LONGEST for text, _ in rows):
@@ -129,9 +112,6 @@ def _functions(text: str) -> list[str]:
     if "elliptic_" in text:
         meanings.append("with elliptic integrals of the parameter m = k**2, their last argument")
     return meanings
-
-
-COMPOSED = {"F": "F(a)", "d": "d(a)", "ad": "a(d)", "aF": "a(F)"}
 
 
 def _rows(entry: Entry) -> list[tuple[str, str]]:

@@ -14,7 +14,7 @@ from ..notation import a, coefficients, r
 from ..profiles.profile import Profile
 from . import example
 from .bodies.peak import RADIUS, RESULT
-from .docstring import SUMMARY, docstring
+from .docstring import docstring
 from .imports import WITH_MATH, Public
 from .private import Private, PrivateFunctions, parameter_name
 from .text import python
@@ -61,7 +61,7 @@ def public(
         signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> {returns}:"
     # a rule between parameters and a sequence of coefficients are checked by the function itself; a pair is no number
     decorator = "" if summed or profile.rules or ring else WITH_MATH
-    return Public(signature, SUMMARY[quantity.suffix], doc, body, decorator)
+    return Public(signature, quantity.summary, doc, body, decorator)
 
 
 def unused(names: Iterable[str]) -> list[str]:
@@ -120,7 +120,7 @@ def shown_example(
             arguments.append(f"{symbol}={example.literal(known[symbol])}")
     call = f"{profile.name}.{quantity.function}({', '.join(arguments)})"
     at = known | {argument: place[argument] for argument in quantity.arguments}
-    if quantity.suffix in ("Fd", "dF") and entry is not None and entry.status == "root" and entry.composed:
+    if entry is not None and entry.status == "root" and entry.composed:
         outer, inner = entry.composed
         at = at | {a: example.value(profile, entries[inner], at)}
         number = example.value(profile, entries[outer], at)
@@ -137,9 +137,9 @@ def shown_example(
 def _with_ring(
     profile: Profile, entries: Mapping[str, Entry], entry: Entry, at: dict[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    for suffix, place in (("rz", nt.r_zero), ("rp", nt.r_peak)):
-        ring = entries.get(suffix)
-        if ring is not None and any(case.expr.has(place) for case in entry.cases):
+    for ring in entries.values():
+        place = ring.quantity.symbol
+        if place in (nt.r_zero, nt.r_peak) and any(case.expr.has(place) for case in entry.cases):
             at = at | {place: example.value(profile, ring, at)}
     return at
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..entry import COMPACT, COMPLETE, Entry
-from ..notation import coefficients, d, e, r
+from ..notation import coefficients, e, r
 from ..physics import systems
 from ..profiles.profile import Profile
 from ..stable.forms import evaluation_form
@@ -96,11 +96,10 @@ def _module(entries: Mapping[str, Entry]) -> ModuleText:
             continue
         if suffix == "f" or suffix in entries:
             entry = entries.get(suffix)
-            if suffix == "k" and entry is not None and any(case.expr.has(d) for case in entry.cases):
-                quantity = replace(quantity, arguments=(d,))  # noqa: PLW2901 - two branches, told apart by the depth
-            shown = shown_example(profile, quantity, entry, fields, entries)
+            own = replace(quantity, arguments=entry.arguments) if entry else quantity
+            shown = shown_example(profile, own, entry, fields, entries)
             ring = entries["rp"] if suffix == "pp" else None
-            module.public.append(public(profile, quantity, entry, functions, shown, ring))
+            module.public.append(public(profile, own, entry, functions, shown, ring))
     if profile.rules:
         module.private.append(check(profile))
     used = [private for private in functions.functions.values() if is_used(private, module, functions)]

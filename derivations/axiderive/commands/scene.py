@@ -25,6 +25,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..build.pool import limited
+from ..entry import FOUR
 from ..exits import ENVIRONMENT, USAGE, CommandError
 from ..expression.answer import DIGITS, Answer, answered
 from ..expression.names import ExpressionError
@@ -168,7 +169,6 @@ def _write(result: Result, folder: Path, further: Mapping[str, bytes] = MappingP
 
 
 WIDTH = 110
-SHOWN = ("d", "F", "p", "w")
 
 
 def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], Result | None]:
@@ -177,8 +177,8 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     exponent = exponent_of(k)
     with nt.extended(own.notation):
         answer = answered(own, k=exponent)
-        lines = _head(own) + [line for suffix in SHOWN for line in _entry(answer, suffix)] + _tail(answer)
-    if not write and all(answer.entries[suffix].status == "closed" for suffix in SHOWN):
+        lines = _head(own) + [line for suffix in FOUR for line in _entry(answer, suffix)] + _tail(answer)
+    if not write and all(answer.entries[suffix].status == "closed" for suffix in FOUR):
         return lines, None  # else the rules of the module give the values, and their error is measured
     from ..scene import interface
     from ..scene.compose import composed

@@ -17,7 +17,7 @@ from ..abel.reduce import parse
 from ..code import python
 from ..code.bodies.general import least_power, library_source
 from ..code.example import number
-from ..entry import Entry
+from ..entry import COMPACT, FOUR, Entry
 from ..notation import a, r
 from ..oracle.evaluate import case_at, evaluate
 from ..physics import normal
@@ -31,9 +31,8 @@ from .profile import OwnProfile
 from .routes import Derived, Route, derived
 from .validity import Validity, drawn, examine, require_slopes
 
-FIELDS = ("d", "F", "p", "w")
-PLACES = {"d": (None,), "F": (None,), "p": (0.4,), "w": (1.5,)}
-"""Radii over the contact radius at which fields are compared."""
+PLACES = {"": (None,), "inside": (0.4,), "outside": (1.5,)}
+"""Radii over the contact radius at which quantities are compared, by the place of a field."""
 DIGITS = 20
 MOST_POWERS = 5
 """Ten powers took 9 s for a displacement without cancellation."""
@@ -108,8 +107,8 @@ class Answer:
         """How the formulas were found, outside the normal form."""
         if self.route is Route.NORMAL_FORM:
             return ""
-        closed = [s for s in FIELDS if self.entries[s].status == "closed"]
-        single = [f"{s}: {self.status(s)}" for s in FIELDS if s not in closed]
+        closed = [s for s in FOUR if self.entries[s].status == "closed"]
+        single = [f"{s}: {self.status(s)}" for s in FOUR if s not in closed]
         found = f"{', '.join(closed)} by undetermined coefficients, certified; " if closed else ""
         return f"outside the normal form; {found}{'; '.join([*single, 'values by generated rules'])}"
 
@@ -192,8 +191,8 @@ def points(
     """Suffix, contact radius and place of every comparison; places are moved off the breaks."""
     found = []
     for radius in radii(profile, known):
-        for suffix in FIELDS:
-            for place in PLACES[suffix]:
+        for suffix in FOUR:
+            for place in PLACES[COMPACT[suffix].place]:
                 at = None if place is None else radius * sp.Rational(str(place))
                 if at in {known[b] for b in profile.breaks}:
                     at = at * sp.Rational(101, 100)

@@ -21,7 +21,7 @@ import sympy as sp
 from ..abel.form import Chain
 from ..abel.masters import ArctanIntegral
 from ..entry import Case, Entry, Primitive
-from ..notation import E_star, F, a, d, r, u, x
+from ..notation import E_star, a, r, u, x
 from ..physics import general
 from ..physics.medium import HOMOGENEOUS
 from ..profiles.profile import Profile
@@ -335,8 +335,9 @@ def derive(profile: Profile) -> tuple[Profile, dict[str, Entry], dict[str, Entry
         "p": _pressure(whole, single["p"]),
         "w": _displacement(whole, depth, single["w"]),
     }
-    for suffix, source, value in (("ad", depth, d), ("aF", force, F), ("Fd", depth, d), ("dF", force, F)):
-        entries[suffix] = replace(plain[suffix], cases=(Case(chain, sp.Eq(source, value)),))
+    for own in (entry for entry in plain.values() if entry.quantity.inverts):
+        (curve,), (value,) = entries[own.quantity.inverts].cases, own.quantity.arguments
+        entries[own.suffix] = replace(own, cases=(Case(chain, sp.Eq(curve.expr, value)),))
     return profile, entries, single
 
 

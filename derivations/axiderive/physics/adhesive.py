@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from ..entry import Case, Entry, Quantity, Status
+from ..entry import COMPACT, Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
 from ..profiles.profile import Profile, Rule
 from . import normal
@@ -25,29 +25,40 @@ GROUP = "adh"
 QUANTITIES = {
     q.suffix: q
     for q in (
-        Quantity("Dl", "retraction", "Retraction", retraction, (a,)),
-        Quantity("d", "depth", "Indentation depth", d, (a,)),
-        Quantity("F", "force", "Normal force", F, (a,)),
-        Quantity("p", "pressure", "Pressure", p, (r, a)),
-        Quantity("w", "displacement", "Displacement outside", w, (r, a)),
-        Quantity("ad", "radius_from_depth", "Contact radius from depth, stable branch", a, (d,)),
-        Quantity("aF", "radius_from_force", "Contact radius from force, stable branch", a, (F,)),
-        Quantity("ac", "pull_off", "Pull-off under force control: radius", a_c, ()),
-        Quantity("Fc", "pull_off", "Pull-off under force control: force", F, ()),
-        Quantity("dc", "pull_off", "Pull-off under force control: depth", d, ()),
-        Quantity("am", "pull_off", "Pull-off under depth control: radius", a_c, ()),
-        Quantity("Fm", "pull_off", "Pull-off under depth control: force", F, ()),
-        Quantity("dm", "pull_off", "Pull-off under depth control: depth", d, ()),
+        Quantity("Dl", "retraction", "Retraction", retraction, (a,),
+                 summary="Retraction of the indenter from the state without adhesion, at constant contact radius."),
+        Quantity("d", "depth", "Indentation depth", d, (a,), written=r"d_{\mathrm{adh}}(a)",
+                 summary="Indentation depth at contact radius a; negative where adhesion pulls the surface up."),
+        Quantity("F", "force", "Normal force", F, (a,), written=r"F_{\mathrm{adh}}(a)",
+                 summary="Normal force at contact radius a, negative in tension."),
+        Quantity("p", "pressure", "Pressure", p, (r, a), written=r"p_{\mathrm{adh}}(r)", place="inside",
+                 summary="Contact pressure, positive in compression, infinite tension at the edge;"
+                 " zero outside the contact."),
+        Quantity("w", "displacement", "Displacement outside", w, (r, a), written=r"w_{\mathrm{adh}}(r)",
+                 place="outside", row="Displacement", summary=COMPACT["w"].summary),
+        Quantity("ad", "radius_from_depth", "Contact radius from depth, stable branch", a, (d,), inverts="d",
+                 row="Contact radius from depth",
+                 summary="Contact radius at indentation depth d, on the branch that is stable under a given depth."),
+        Quantity("aF", "radius_from_force", "Contact radius from force, stable branch", a, (F,), inverts="F",
+                 row="Contact radius from force",
+                 summary="Contact radius under the normal force F, on the branch that is stable under a given force."),
     )
-}
+}  # fmt: skip
+CONTROLS = {"force": ("ac", "Fc", "dc"), "depth": ("am", "Fm", "dm")}
+"""Radius, force and depth at pull-off, by what is given meanwhile."""
+QUANTITIES |= {
+    suffix: Quantity(
+        suffix, "pull_off", f"Pull-off under {control} control: {name}", symbol, (), control=control,
+        written=rf"{suffix[0]}_{{\mathrm {suffix[1]}}}", row=f"Pull-off {name}: {control} control",
+    )
+    for control, suffixes in CONTROLS.items()
+    for suffix, name, symbol in zip(suffixes, ("radius", "force", "depth"), (a_c, F, d), strict=True)
+}  # fmt: skip
 
 
 def hess_rule(medium: Medium) -> sp.Expr:
     """(11.31), and (11.66) in its corrected form, without the factor a under the root."""
     return sp.sqrt(2 * sp.pi * dgamma * a ** (1 - medium.k) / medium.modulus)
-
-
-CONTROLS = {"force": ("ac", "Fc", "dc"), "depth": ("am", "Fm", "dm")}
 
 
 def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
@@ -139,15 +150,16 @@ class _Builder:
         )
 
     def _note(self, suffix: str) -> str:
-        needs_pull_off = suffix in ("ad", "aF") or any(suffix in names for names in CONTROLS.values())
-        if not needs_pull_off or pull_off_rule(self.profile, self.medium) is None:
+        quantity = QUANTITIES[suffix]
+        if not (quantity.inverts or quantity.control) or pull_off_rule(self.profile, self.medium) is None:
             return ""
         return f"exists only for n > {_least_exponent(self.medium)}"
 
     def branches(self, entries: dict[str, Entry]) -> dict[str, Entry]:
         """Inverses on the branch that is stable under control of the given quantity, a >= its pull-off radius."""
         out = {}
-        for suffix, source, value in (("ad", "d", d), ("aF", "F", F)):
+        for quantity in (q for q in QUANTITIES.values() if q.inverts):
+            suffix, source, (value,) = quantity.suffix, quantity.inverts, quantity.arguments
             forward, equation = entries[source].cases, sp.Eq(value, entries[source].definition)
             closed = stable_inverse(forward[0].expr, value) if len(forward) == 1 else None
             if closed is not None:

@@ -62,7 +62,7 @@ def _entry(
     fixed_face: tuple[Case, ...] = (),
     partial: Entry | None = None,
 ) -> Entry:
-    modulus = (medium.modulus,) if suffix in ("F", "p", "k", "dF", "Fmin") else ()
+    modulus = (medium.modulus,) if COMPLETE[suffix].elastic else ()
     exponent = (medium.k,) if medium.k != 0 else ()
     return Entry(
         key=medium.key(profile.name, medium.group, suffix),

@@ -25,11 +25,14 @@ from .medium import GRADED, HOMOGENEOUS, Medium
 QUANTITIES = {
     q.suffix: q
     for q in (
-        Quantity("Dl", "retraction", "Retraction", retraction, ()),
-        Quantity("Fc", "pull_off", "Pull-off force", F, ()),
-        Quantity("dc", "pull_off", "Pull-off depth", d, ()),
+        Quantity("Dl", "retraction", "Retraction", retraction, (),
+                 summary="Retraction of the edge at which it peels off."),
+        Quantity("Fc", "pull_off", "Pull-off force", F, (), control="force",
+                 written=r"F_{\mathrm c}", row="Pull-off force: force control"),
+        Quantity("dc", "pull_off", "Pull-off depth", d, (), control="force",
+                 written=r"d_{\mathrm c}", row="Pull-off depth: force control"),
     )
-}
+}  # fmt: skip
 
 
 PACKAGES = {HOMOGENEOUS: "axicontact.adhesive", GRADED: "axicontact.graded.adhesive"}

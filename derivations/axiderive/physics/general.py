@@ -13,7 +13,7 @@ import sympy as sp
 
 from ..abel.form import Chain, insert
 from ..entry import COMPACT, Case, Entry, Status
-from ..notation import E_star, F, a, d, psi, r, t, u
+from ..notation import E_star, a, psi, r, t, u
 from ..profiles.profile import Profile
 from .medium import HOMOGENEOUS
 from .normal import REFERENCES, definitions
@@ -101,18 +101,16 @@ class _General:
             "k": self._entry("k", "closed", (Case((a,), HOMOGENEOUS.stiffness()),)),
             "pm": self._entry("pm", "integral", mean),
         }
-        for suffix, source, value, through in (
-            ("ad", depth, d, None), ("aF", force, F, None),
-            ("Fd", depth, d, ("F", "ad")), ("dF", force, F, ("d", "aF")),
-        ):  # fmt: skip
-            cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in source)
-            entries[suffix] = self._entry(suffix, "root", cases, through)
+        for quantity in (q for q in COMPACT.values() if q.inverts):
+            (value,) = quantity.arguments
+            cases = tuple(Case(case.chain, sp.Eq(case.expr, value)) for case in entries[quantity.inverts].cases)
+            entries[quantity.suffix] = self._entry(quantity.suffix, "root", cases, quantity.composed)
         return entries
 
     def _entry(
         self, suffix: str, status: Status, cases: tuple[Case, ...], composed: tuple[str, str] | None = None
     ) -> Entry:
-        material = () if suffix in ("d", "w", "ad") else (E_star,)
+        material = (E_star,) if COMPACT[suffix].elastic else ()
         return Entry(
             key=f"{self.profile.name}.{suffix}",
             profile=self.profile,

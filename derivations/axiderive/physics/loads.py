@@ -15,7 +15,10 @@ from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
 
 HALF = sp.S.Half
-QUANTITIES = {"w": Quantity("w", "displacement", "Surface displacement", w, (r,))}
+QUANTITIES = {
+    "w": Quantity("w", "displacement", "Surface displacement", w, (r,), written="w(r)", row="Displacement",
+                  summary="Displacement of the surface into the half-space.")
+}  # fmt: skip
 
 
 def derive(load: Load) -> dict[str, Entry]:

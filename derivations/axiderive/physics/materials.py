@@ -16,12 +16,16 @@ from ..profiles.materials import PROFILE
 QUANTITIES = {
     q.suffix: q
     for q in (
-        Quantity("E_star", "effective_modulus", "Effective modulus", E_star, ()),
-        Quantity("G_star", "effective_shear_modulus", "Effective shear modulus", G_star, ()),
-        Quantity("H", "graded_modulus", "Foundation modulus of the graded half-space", H, ()),
-        Quantity("h_N", "h_N", "Factor of the graded half-space", h_N, ()),
+        Quantity("E_star", "effective_modulus", "Effective modulus", E_star, (),
+                 summary="Effective modulus E_star of two bodies; the modulus of a rigid one is infinite."),
+        Quantity("G_star", "effective_shear_modulus", "Effective shear modulus", G_star, (),
+                 summary="Effective shear modulus G_star of two bodies; the modulus of a rigid one is infinite."),
+        Quantity("H", "graded_modulus", "Foundation modulus of the graded half-space", H, (),
+                 summary="Foundation modulus H of a half-space of modulus E_0 (z/c_0)**k under a rigid indenter."),
+        Quantity("h_N", "h_N", "Factor of the graded half-space", h_N, (),
+                 summary="Factor h_N of a graded half-space, 1 for k = 0."),
     )
-}
+}  # fmt: skip
 BODIES = (young_1, nu_1, young_2, nu_2)
 
 

@@ -231,7 +231,7 @@ class _Compact:
         composed: tuple[str, str] | None = None,
     ) -> Entry:
         exponent = (self.medium.k,) if self.medium.k != 0 else ()
-        material = exponent if suffix in ("d", "w", "ad") else (self.medium.modulus, *exponent)
+        material = (self.medium.modulus, *exponent) if COMPACT[suffix].elastic else exponent
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
@@ -330,8 +330,10 @@ class _Compact:
             "ad": self._entry("ad", "closed" if radius_d else "root", radius_d or equation_d),
             "aF": self._entry("aF", "closed" if radius_F else "root", radius_F or equation_F),
         }
-        routes = (("Fd", ("F", "ad"), radius_d, force, equation_d), ("dF", ("d", "aF"), radius_F, depth, equation_F))
-        for suffix, route, radius, outer, equation in routes:
+        for suffix, radius, outer, equation in (
+            ("Fd", radius_d, force, equation_d), ("dF", radius_F, depth, equation_F),
+        ):  # fmt: skip
+            route = COMPACT[suffix].composed
             if not radius:
                 entries[suffix] = self._entry(suffix, "root", equation, composed=route)
                 continue

@@ -22,13 +22,19 @@ GROUP = "tan"
 QUANTITIES = {
     q.suffix: q
     for q in (
-        Quantity("F", "tangential_force", "Tangential force", F_x, (a, c)),
-        Quantity("tau", "traction", "Tangential traction", tau, (r, a, c)),
-        Quantity("u", "tangential_displacement", "Tangential displacement", u_0, (a, c)),
-        Quantity("c", "stick_radius", "Stick radius", c, (F_x, a)),
-        Quantity("us", "full_slip_displacement", "Displacement at the onset of full slip", u_0, (a,)),
+        Quantity("F", "tangential_force", "Tangential force", F_x, (a, c),
+                 summary="Tangential force with a stick zone of radius c."),
+        Quantity("tau", "traction", "Tangential traction", tau, (r, a, c), written=r"\tau(r)", place="inside",
+                 row="Traction", summary="Tangential traction; zero outside the contact."),
+        Quantity("u", "tangential_displacement", "Tangential displacement", u_0, (a, c), written="u",
+                 row="Displacement", summary="Tangential displacement of the indenter with a stick zone of radius c."),
+        Quantity("c", "stick_radius", "Stick radius", c, (F_x, a), inverts="F",
+                 summary="Radius of the stick zone under a tangential force; NaN beyond full slip."),
+        Quantity("us", "full_slip_displacement", "Displacement at the onset of full slip", u_0, (a,),
+                 written=r"u_{\mathrm s}", row="Full slip: displacement",
+                 summary="Tangential displacement at the onset of full slip."),
     )
-}
+}  # fmt: skip
 
 REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("(11.78)",), "us": ("(11.80)",)}
 

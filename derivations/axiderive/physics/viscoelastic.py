@@ -7,6 +7,7 @@ does not obey this rule and is refused.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -32,6 +33,8 @@ class Law:
 
     name: str
     suffix: str
+    material: str
+    """What it describes, in words."""
     parameters: tuple[sp.Symbol, ...]
     relaxation: sp.Expr
     creep: sp.Expr
@@ -43,19 +46,22 @@ _fading = time / relaxation
 _glassy = E_inf + E_1
 
 LAWS = (
-    Law("maxwell", "mx", (E, relaxation), E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading)),
     Law(
-        "kelvin_voigt", "kv", (E, eta),
+        "maxwell", "mx", "a Maxwell fluid", (E, relaxation),
+        E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading),
+    ),
+    Law(
+        "kelvin_voigt", "kv", "a Kelvin-Voigt solid", (E, eta),
         E, (1 - sp.exp(-E * time / eta)) / E, E + eta * _m / time, eta,
     ),
     Law(
-        "standard_solid", "sls", (E_inf, E_1, relaxation),
+        "standard_solid", "sls", "a standard solid", (E_inf, E_1, relaxation),
         E_inf + E_1 * sp.exp(-_fading),
         (1 - E_1 / _glassy * sp.exp(-_fading * E_inf / _glassy)) / E_inf,
         E_inf + E_1 * Kummer(1, 1 + _m, -_fading),
     ),
     Law(
-        "power_creep", "pc", (E, alpha, t_0),
+        "power_creep", "pc", "a material of power-law creep", (E, alpha, t_0),
         E * (t_0 / time) ** alpha / (sp.gamma(1 + alpha) * sp.gamma(1 - alpha)),
         (time / t_0) ** alpha / E,
         E * (t_0 / time) ** alpha * sp.gamma(1 + _m) / (sp.gamma(1 + alpha) * sp.gamma(1 + _m - alpha)),
@@ -67,20 +73,30 @@ QUANTITIES = {
     q.suffix: q
     for law in LAWS
     for q in (
-        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,)),
-        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d)),
-        Quantity(
-            f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}", a, (time, F)
-        ),
+        Quantity(f"ramp_{law.suffix}", f"ramp_force_{law.name}", f"Force, depth ramp, {law.name}", F, (time,),
+                 row="Force: ramp of the depth",
+                 summary=f"Normal force at time t on {law.material}, indented at the constant speed v."),
+        Quantity(f"step_{law.suffix}", f"step_force_{law.name}", f"Force, depth step, {law.name}", F, (time, d),
+                 row="Force: step of the depth",
+                 summary=f"Normal force at time t on {law.material}, held at the indentation depth d from t = 0 on."),
+        Quantity(f"load_{law.suffix}", f"step_load_radius_{law.name}", f"Contact radius, load step, {law.name}",
+                 a, (time, F), row="Contact radius: step of the force",
+                 summary=f"Contact radius at time t on {law.material}, under the constant normal force F"
+                 " from t = 0 on."),
     )
-}
+}  # fmt: skip
+
+
+def of_depth(plain: Mapping[str, Entry]) -> Entry:
+    """The elastic force as a function of the depth, which a complete contact has at once."""
+    return plain.get("Fd", plain["F"])
 
 
 def derive(profile: Profile) -> dict[str, Entry]:
     """Force after a ramp (power laws and the flat punch), force after a step of depth, radius after a step of load."""
     plain = normal.derive(profile)
     out: dict[str, Entry] = {}
-    depth_route = plain["Fd"] if "Fd" in plain else plain["F"]
+    depth_route = of_depth(plain)
     exponent = elastic_exponent(depth_route)
     for law in LAWS:
         if exponent is not None:

@@ -17,7 +17,6 @@ from ..profiles import load
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .approach import NEAR, Approach, approach_row
-from .row import LEFT
 
 Entries = Mapping[str, Entry]
 Rows = list[dict[str, Any]]
@@ -45,7 +44,7 @@ def approach_rows(profile: Profile, entries: Entries) -> Rows:
 def _far(entries: Entries) -> Approach:
     """The displacement of the whole force in a point."""
     cases = tuple(Case(c.chain, c.expr / (sp.pi * E_star * r)) for c in entries["F"].cases)
-    return Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), cases, rf"\frac{{{LEFT['F']}}}{{\pi E^{{*}}r}}")
+    return Approach(entries["w"], "w(r)", ((r, a / NEAR),), cases, r"\frac{F_{\mathrm N}}{\pi E^{*}r}")
 
 
 def _far_slope(entries: Entries) -> Approach:
@@ -166,7 +165,7 @@ def _small(profile: Profile, entries: Entries) -> Rows:
     parts = [
         Approach(
             entries[suffix],
-            "g(a)" if suffix == "d" else LEFT[suffix],
+            entries[suffix].quantity.called,
             ((a, least * NEAR),),
             tuple(Case((), c.expr.subs(nt.R, 1 / curvature)) for c in simpler[suffix].cases),
         )
@@ -185,10 +184,11 @@ def _onset(profile: Profile, entries: Entries) -> Rows:
     if not profile.truncated:
         return []
     parts = []
-    for suffix, left in (("d", "g(a)"), ("F", LEFT["F"]), ("P", "P")):
+    for suffix in ("d", "F", "P"):
         if suffix in entries and not any(nt.L in c.chain for c in entries[suffix].cases):
             value = _leading(entries[suffix].cases[0].expr)
             if value is not None and value != entries[suffix].cases[0].expr:
+                left = entries[suffix].quantity.called
                 parts.append(Approach(entries[suffix], left, ((a, b * (1 + NEAR)),), (Case((b, a), value),)))
     return approach_row("Onset", r"a\to b", parts, half=len(parts) == 1)
 
@@ -209,9 +209,9 @@ def _load_rows(profile: Load, entries: Entries) -> Rows:
     """A prescribed pressure: its force in a point far away, the displacement in the middle."""
     force = sp.pi * nt.p_0 * a**2 / (profile.exponent + 1)
     (inside,) = (c.expr for c in entries["w"].cases if c.chain[0] == r)
-    far = Approach(entries["w"], LEFT["w"], ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
+    far = Approach(entries["w"], "w(r)", ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
     rows = approach_row("Far field", r"r\to\infty", [far])
     if inside.has(r):
-        middle = Approach(entries["w"], LEFT["w"], ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
+        middle = Approach(entries["w"], "w(r)", ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
         rows += approach_row("Middle", r"r\to 0", [middle])
     return rows

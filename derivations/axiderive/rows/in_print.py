@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..entry import FOUR
+from ..physics.adhesive import CONTROLS
 from ..physics.systems import System
 from .row import LETTER, WIDEST, Region, Row, fits_half
 from .special import SUMS
@@ -17,13 +19,11 @@ JOINT = r",\quad\enspace "
 JOINT_WIDTH = 15.0
 MOST_LINES = 10
 """Of a row in print; a longer one is left to the web edition and its definition."""
-PULL_OFF = (("ac", "Fc", "dc"), ("am", "Fm", "dm"))
-"""Radius, force and depth at pull-off, under force control and under depth control."""
 SAME_FOR_ALL = {
     "normal": ("k",),
     "graded.normal": ("k", "pm", "aF", "dF"),
-    "adhesive": ("Dl", "d", "F", "p", "w"),
-    "graded.adhesive": ("Dl", "d", "F", "p", "w"),
+    "adhesive": ("Dl", *FOUR),
+    "graded.adhesive": ("Dl", *FOUR),
     "tangential": ("F", "u", "us", "tau"),
     "graded.tangential": ("F", "u", "us", "tau", "c"),
 }
@@ -45,14 +45,13 @@ def printed(system: System, rows: Sequence[Row]) -> list[Row]:
 
 
 def _row(system: System, one: Row, known: dict[str, Row]) -> list[Row]:
-    if system.name == "normal" and one.suffix in ("ad", "aF") and one.kind == "root":
-        through = known["Fd" if one.suffix == "ad" else "dF"]
-        if through.kind == "composition":
+    if system.name == "normal" and one.kind == "root":
+        for through in [row for row in known.values() if row.kind == "composition" and row.uses == one.suffix]:
             del known[through.suffix]
-            return [joined((one, through), "From depth" if one.suffix == "ad" else "From force", "solved for $a$")]
+            return [joined((one, through), one.label[1].capitalize(), "solved for $a$")]
     if _is_ruled(system, one):
         return [replace(one, listed=True)]
-    for suffixes in PULL_OFF:
+    for suffixes in CONTROLS.values():
         if one.suffix == suffixes[0] and all(s in known and known[s].kind == "formula" for s in suffixes):
             return _packed([known.pop(suffix) for suffix in suffixes])
     return [one]
@@ -60,7 +59,7 @@ def _row(system: System, one: Row, known: dict[str, Row]) -> list[Row]:
 
 def _packed(rows: list[Row]) -> list[Row]:
     """Radius, force and depth at pull-off on one line, on two, or each on its own."""
-    title = "Pull-off", "force control" if rows[0].suffix == "ac" else "depth control"
+    title = "Pull-off", f"{rows[0].entry.quantity.control} control"
     for first in (len(rows), 1, 2):
         groups = [tuple(group) for group in (rows[:first], rows[first:]) if group]
         found = [joined(group, *title) for group in groups]

@@ -21,7 +21,7 @@ from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
 from ..print.width import width
-from .row import HALF, LEFT, Region, Row
+from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)
 """The power of d that the elastic force goes with, as the laws carry it."""
@@ -90,10 +90,6 @@ def _row(own: tuple[Entry, ...], regions: tuple[Region, ...], remark: str = "", 
     return Row(own[0], "rule", regions, remark, uses, also=own[1:])
 
 
-def _elastic(plain: Mapping[str, Entry]) -> Entry:
-    return plain["Fd"] if "Fd" in plain else plain["F"]
-
-
 def _simple(entry: Entry) -> bool:
     return entry.status == "closed" and len(entry.cases) == 1 and not entry.composed
 
@@ -104,7 +100,7 @@ def _text(entry: Entry, *replaced: tuple[sp.Expr, sp.Expr]) -> str:
 
 
 def _step(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
-    elastic = _elastic(plain)
+    elastic = viscoelastic.of_depth(plain)
     if _simple(elastic):
         text = _text(elastic, (E_star, RELAXATION))
         return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text}",)),))
@@ -118,11 +114,11 @@ def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     if _simple(radius):
         text = _text(radius, (E_star, 1 / COMPLIANCE))
         return _row(own, (Region("", (f"a={text}",)),))
-    return _row(own, (Region("", (rf"F_{{\mathrm N}}(a)=E^{{*}}J(t)\,{LEFT['F']}",)),), "solved for $a$")
+    return _row(own, (Region("", (r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",)),), "solved for $a$")
 
 
 def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
-    elastic = _elastic(plain)
+    elastic = viscoelastic.of_depth(plain)
     power = viscoelastic.elastic_exponent(elastic)
     if _simple(elastic):
         text = _text(elastic, (E_star, RAMP), (d, v * time))

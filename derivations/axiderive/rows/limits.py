@@ -25,10 +25,9 @@ from ..profiles import load
 from ..profiles import plane as flat
 from ..profiles.profile import Limit, Profile
 from .approach import NEAR, Approach, approach_row
-from .row import LEFT
 
-SHOWN = {"d": "g(a)", "F": LEFT["F"], "p": LEFT["p"]}
-"""The quantities whose limits are printed, with what stands before the arrow."""
+SHOWN = ("d", "F", "P", "p")
+"""The quantities whose limits are printed; the depth of the plane, which ends at L, is too long."""
 GAP = r",\enspace "
 WHOLE, HALF = LINE - 90.0, 139.0
 """Points for the formulas of a row with the name of the simpler profile behind it, and of half a row."""
@@ -41,9 +40,10 @@ def limit_rows(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping
         simpler = derive(load(limit.target))  # the simple ones take less than a tenth of a second
         shown: dict[str, str] = {}
         for suffix in SHOWN:
-            if not _passed(evidence, suffix, limit, simpler[suffix].key):
+            if suffix not in simpler or not _passed(evidence, suffix, limit, simpler[suffix].key):
                 continue
-            part = rf"{SHOWN[suffix]}\to {limit_tex(profile, limit, entries[suffix], simpler[suffix])}"
+            entry = entries[suffix]
+            part = rf"{entry.quantity.called}\to {limit_tex(profile, limit, entry, simpler[suffix])}"
             if width(GAP.join([*shown.values(), part])) <= (HALF if len(profile.limits) > 1 else WHOLE):
                 shown[suffix] = part
         if shown:
@@ -119,8 +119,6 @@ BEYOND: dict[str, tuple[Reduction, ...]] = {
     "concave_paraboloid": (Reduction("flat_punch", h, sp.S.Zero),),
     "concave_quartic": (Reduction("flat_punch", h, sp.S.Zero),),
 }
-QUANTITIES = (("d", "g(a)"), ("F", LEFT["F"]), ("P", "P"), ("p", LEFT["p"]))
-"""What is printed, in this order; the depth of the plane, which ends at L, is too long."""
 
 
 def reduction_rows(profile: Profile, entries: Entries) -> Rows:
@@ -145,14 +143,14 @@ def _reduction_row(profile: Profile, entries: Entries, one: Reduction, half: boo
     target = flat.load(one.target) if in_plane else load(one.target)
     simpler = _derived(target, in_plane)
     parts = []
-    for suffix, left in QUANTITIES:
+    for suffix in SHOWN:
         if suffix not in simpler or suffix not in entries or (in_plane and suffix == "d"):
             continue
         if entries[suffix].status == "integral":  # the quadrature of one takes minutes there
             continue
         cases = tuple(Case(c.chain, c.expr.subs(dict(one.parameters))) for c in simpler[suffix].cases)
-        shown = left.replace("r", "x") if in_plane and suffix == "p" else left
-        parts.append(Approach(entries[suffix], shown, _way(profile, one), cases))
+        left = entries[suffix].quantity.called
+        parts.append(Approach(entries[suffix], left, _way(profile, one), cases))
     title = target.title if half else target.title.lower()
     link = rf"\hyperref[sec:{'plane.' if in_plane else ''}{one.target}]{{{title}}}"
     end = r"\infty" if one.end == sp.oo else Printer()(one.end)

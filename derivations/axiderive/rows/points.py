@@ -13,7 +13,7 @@ from .. import notation as nt
 from ..entry import Case, Entry
 from ..oracle.evaluate import decades, evaluate, holds
 from ..oracle.sampling import points
-from .row import PULLED_OFF
+from ..physics.adhesive import CONTROLS
 
 Values = dict[Any, Any]
 SEPARATE = {nt.k, nt.e, nt.E_star, nt.n}
@@ -31,7 +31,7 @@ def points_of(
     """Points of every case; an inverse without a formula is met where its forward formula leads."""
     source = entry
     if kind in ("root", "composition"):
-        source = entries[{"ad": "d", "Fd": "d", "aP": "P"}.get(entry.suffix, "F")]
+        source = entries[entry.quantity.inverts]
     return [(case, values) for case in source.cases for values in _drawn(entries, entry, source, case, count, seed)]
 
 
@@ -48,9 +48,10 @@ def _drawn(
 
 def _pulls(entries: Mapping[str, Entry], entry: Entry, case: Case, values: Values) -> bool:
     """Whether the depth grows with the radius, which a pull-off needs; that of a bump falls far out."""
-    if entry.suffix not in PULLED_OFF or f"a{entry.suffix[-1]}" not in entries:
+    radius = CONTROLS[entry.quantity.control][0] if entry.quantity.control else ""
+    if radius not in entries:
         return True
-    slope = [own.expr for own in entries[f"a{entry.suffix[-1]}"].cases if own.chain == case.chain]
+    slope = [own.expr for own in entries[radius].cases if own.chain == case.chain]
     equations = [expr for expr in slope if isinstance(expr, sp.Equality)]
     return all(evaluate(expr.lhs, values, 5) > 0 for expr in equations)
 

@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from ..entry import Entry
-from ..notation import F, L, a, d, e, n, r, x
+from ..notation import F, L, a, c, d, e, n, r, x
 from ..print.formula import Printer
 from ..print.height import bracket
 
@@ -98,10 +98,10 @@ def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
         return ()
     radius = next((y for y in chain if not y.is_Symbol and a in chain and chain.index(y) < chain.index(a)), a)
     place = next((s for s in entry.quantity.arguments if s in (r, x)), r)
-    own = {"p": ((place, radius),), "w": ((radius, place),), "s": ((radius, place),)}
-    if e in entry.profile.parameters or entry.suffix not in own:
+    # a traction is told apart by its stick zone, which ends before the edge
+    if e in entry.profile.parameters or not entry.quantity.place or c in entry.quantity.arguments:
         return ((a, L),) if L in chain else ()
-    return own[entry.suffix]
+    return ((place, radius),) if entry.quantity.place == "inside" else ((radius, place),)
 
 
 def _implied(pair: tuple[sp.Expr, sp.Expr], pairs: Pairs) -> bool:

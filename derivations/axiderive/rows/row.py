@@ -16,9 +16,9 @@ from typing import Literal
 
 import sympy as sp
 
-from .. import notation as nt
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
+from ..physics import adhesive
 from ..physics.systems import BODIES, ROUND, SYSTEMS
 from ..print.formula import Printer
 from ..print.height import brackets_around, size_around
@@ -26,53 +26,10 @@ from ..print.shorthand import LINE, Short, shortened, with_kappa
 from ..print.terms import tidied
 from ..print.width import width
 from .ranges import Pairs, chain_of, condition, regions
-from .rules import radius_name, rule
+from .rules import rule
 
-LEFT = {
-    "d": "d=g(a)", "F": r"F_{\mathrm N}", "p": "p(r)", "w": "w(r)", "k": r"\frac{\mathrm{d}F_{\mathrm N}}{\mathrm{d}d}",
-    "pm": r"\bar p=\frac{F_{\mathrm N}}{\pi a^{2}}", "ad": "a", "aF": "a", "Fd": r"F_{\mathrm N}", "dF": "d",
-    "rz": "r_{0}", "rp": r"r_{\mathrm{max}}", "pp": r"p_{\mathrm{max}}",
-    "dmin": r"d_{\mathrm{min}}", "Fmin": r"F_{\mathrm{min}}",
-}  # fmt: skip
-ADHESIVE = {
-    "Dl": r"\Delta\ell", "d": r"d_{\mathrm{adh}}(a)", "F": r"F_{\mathrm{adh}}(a)",
-    "p": r"p_{\mathrm{adh}}(r)", "w": r"w_{\mathrm{adh}}(r)", "ad": "a", "aF": "a",
-    **{f"{x}{m}": rf"{x}_{{\mathrm {m}}}" for x in "aFd" for m in "cm"},
-}  # fmt: skip
-TANGENTIAL = {"F": "F_x", "tau": r"\tau(r)", "u": "u", "c": "c", "us": r"u_{\mathrm s}"}
-PLANE = {
-    "P": "P", "p": "p(x)", "s": r"\frac{\mathrm{d}w}{\mathrm{d}x}", "d": "d", "aP": "a", "xz": "x_{0}",
-    "Pmin": r"P_{\mathrm{min}}", "phi": r"\varphi", "cw": r"\ell",
-}  # fmt: skip
-LEFTS = {"adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE}
 GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
 PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
-
-LABELS = {
-    "ac": "Pull-off radius: force control", "am": "Pull-off radius: depth control",
-    "Fc": "Pull-off force: force control", "Fm": "Pull-off force: depth control",
-    "dc": "Pull-off depth: force control", "dm": "Pull-off depth: depth control", "us": "Full slip: displacement",
-    "u": "Displacement", "tau": "Traction", "xz": "Place: of first zero pressure",
-    "rz": "Ring: of first zero pressure", "aP": "Half-width from load",
-    "step": "Force: step of the depth", "load": "Contact radius: step of the force", "ramp": "Force: ramp of the depth",
-}  # fmt: skip
-"""Labels that say it shorter than those of the quantities."""
-
-
-def label_of(suffix: str, text: str) -> tuple[str, str]:
-    """Label of a quantity and the grey words under it."""
-    text = LABELS.get(suffix.partition("_")[0], text).removesuffix(", stable branch")
-    for word in (" from ", ": ", " relative to ", " of the "):
-        if word in text:
-            first, _, second = text.partition(word)
-            return _short(first), f"{word.strip(' :')} {second}".strip()
-    return _short(text), ""
-
-
-def _short(label: str) -> str:
-    if label in ("Displacement outside", "Surface displacement"):
-        return "Displacement"
-    return "Depth" if label == "Depth of the middle" else label
 
 
 def system_of(entry: Entry) -> str:
@@ -81,12 +38,6 @@ def system_of(entry: Entry) -> str:
     if first in BODIES.names:
         return first
     return PREFIXES.get(first) or GROUPS.get(".".join(groups), "normal")
-
-
-def left_of(entry: Entry) -> str:
-    """The left side of the row."""
-    table = LEFTS.get(system_of(entry).rpartition(".")[2], LEFT)
-    return table.get(entry.suffix) or nt.describe(entry.quantity.symbol).latex
 
 
 LETTER = 3.3
@@ -165,7 +116,7 @@ class Row:
     @property
     def label(self) -> tuple[str, str]:
         """Label and the grey words under it: Contact radius, from force."""
-        return self.title or label_of(self.suffix, self.entry.quantity.label)
+        return self.title or self.entry.quantity.heading
 
     @property
     def narrow(self) -> bool:
@@ -194,7 +145,7 @@ def _normal_row(entry: Entry) -> Row:
     if entry.composed:
         outer, inner = entry.composed
         function = "g(a)" if outer == "d" else r"F_{\mathrm N}(a)"
-        return Row(entry, "composition", (Region("", (f"{LEFT[entry.suffix]}={function}",)),), "with $a$ from", inner)
+        return Row(entry, "composition", (Region("", (f"{entry.quantity.left}={function}",)),), "with $a$ from", inner)
     return _root_or_formula(entry)
 
 
@@ -209,12 +160,9 @@ def _constant(entry: Entry) -> Row:
     return _formula(entry)
 
 
-SOLVED = {"ad": "g(a)=d", "aF": r"F_{\mathrm N}(a)=F_{\mathrm N}", "aP": "P(a)=P"}
-
-
 def _root_or_formula(entry: Entry) -> Row:
-    if entry.status == "root" and entry.suffix in SOLVED:
-        return Row(entry, "root", (Region("", (SOLVED[entry.suffix],)),), "solved for $a$")
+    if entry.status == "root" and entry.quantity.solves:
+        return Row(entry, "root", (Region("", (entry.quantity.solves,)),), "solved for $a$")
     return _formula(entry)
 
 
@@ -236,7 +184,7 @@ BETTER = {
 
 
 def _formula(entry: Entry) -> Row:
-    left = left_of(entry)
+    left = entry.quantity.left
     found = []
     for pairs, expr in regions(entry):
         found.append(_region(entry, pairs, expr, left))
@@ -270,20 +218,17 @@ def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
     return Row(entry, "rule", (Region(found.where, (found.tex,)),), found.remark, listed=listed)
 
 
-ALWAYS_RULED = ("p", "w", "tau")
-
-
 def _superposed(entry: Entry, system: str) -> Row:
     """An adhesive or tangential quantity: spelled out where that is short, else by its rule."""
     graded = system.startswith("graded")
     if entry.suffix == "Dl" and not graded:
         return _formula(entry)
-    spelled = entry.status == "closed" and len(entry.cases) == 1 and entry.suffix not in ALWAYS_RULED
+    spelled = entry.status == "closed" and len(entry.cases) == 1 and not entry.quantity.place
     if (
         spelled
         and not _is_long(entry.cases[0].expr)
         and _is_power(entry.cases[0].expr, a_c)
-        and not (graded and entry.suffix not in PULLED_OFF)
+        and not (graded and not entry.quantity.control)
     ):
         plain = _formula(entry)
         if len(plain.regions[0].lines) == 1 and plain.regions[0].width <= EXPLICIT:
@@ -301,12 +246,10 @@ def _is_power(expr: sp.Expr, symbol: sp.Symbol) -> bool:
     return expr.as_independent(symbol, as_Add=False)[1].as_base_exp()[0] in (symbol, 1)
 
 
-PULLED_OFF = ("ac", "Fc", "dc", "am", "Fm", "dm")
-
-
 def names_of(entry: Entry) -> dict[sp.Symbol, str]:
     """Names in print that differ from those of the notation."""
-    return {a_c: radius_name(entry.suffix)} if entry.suffix in PULLED_OFF else {}
+    control = entry.quantity.control
+    return {a_c: adhesive.QUANTITIES[adhesive.CONTROLS[control][0]].left} if control else {}
 
 
 def _region(entry: Entry, pairs: Pairs, expr: sp.Expr, left: str) -> Region:

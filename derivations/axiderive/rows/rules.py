@@ -28,8 +28,6 @@ class Rule:
 
 ADH = r"_{\mathrm{adh}}"
 INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
-PULL_OFF = {"c": "force", "m": "depth"}
-"""Subscripts of pull-off under force and under depth control."""
 
 
 def rule(system: str, suffix: str) -> Rule | None:
@@ -55,23 +53,18 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
         "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
     }
     for control, xi in adhesive.pull_off_number(medium).items():
-        letter = next(letter for letter, name in PULL_OFF.items() if name == control)
+        radius, force_then, depth_then = (adhesive.QUANTITIES[suffix] for suffix in adhesive.CONTROLS[control])
         level = sp.sqrt(sp.pi * dgamma / (2 * medium.modulus)) * a_c ** (-(1 + medium.k) / 2)
-        at = radius_name(f"a{letter}")
+        at = radius.left
         named = Printer(names={a_c: at})
         # the number stays in front of the root
         text = named(xi * level) if xi.free_symbols else (named(xi) if xi != 1 else "") + named(level)
         found |= {
-            f"a{letter}": Rule(f"g'({at})={text}"),
-            f"F{letter}": Rule(rf"F_{{\mathrm {letter}}}=F{ADH}({at})"),
-            f"d{letter}": Rule(rf"d_{{\mathrm {letter}}}=d{ADH}({at})"),
+            radius.suffix: Rule(f"g'({at})={text}"),
+            force_then.suffix: Rule(f"{force_then.left}=F{ADH}({at})"),
+            depth_then.suffix: Rule(f"{depth_then.left}=d{ADH}({at})"),
         }
     return found
-
-
-def radius_name(suffix: str) -> str:
-    """The contact radius at pull-off in print, for any quantity of the same control: ac, Fc, dc or am, Fm, dm."""
-    return rf"a_{{\mathrm {suffix[-1]}}}"
 
 
 def sliding_ratio(medium: Medium) -> str:

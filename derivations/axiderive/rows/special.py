@@ -47,12 +47,11 @@ COLUMNS = {
 """What each of the tables of a host gives."""
 UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}
 """Units in which a profile is r^n or -r^n; that of length is a, where the formula has it."""
-NAMES = {
-    "d": "g(a)", "F": r"F_{\mathrm N}", "aF": "a", "p": "p(r)", "w": "w(r)", "P": "P", "aP": "a",
+NARROW = {
     "s": r"\frac{\mathrm dw}{\mathrm dx}", "dmin": r"d_{\min}", "Fmin": r"F_{\min}", "rz": "r_0", "xz": "x_0",
     "Pmin": r"P_{\min}",
 }  # fmt: skip
-"""Heads of the columns."""
+"""Heads of columns that are not set as the left side of a row."""
 
 
 def hosted(host: str) -> list[str]:
@@ -75,19 +74,15 @@ def tables(host: str) -> list[dict[str, Any]]:
     """The tables of a profile: heads, and for every power the profile of its own and the cells."""
     if host not in MEMBERS:
         return []
+    own = problem(host).derive()
     return [
         {
-            "heads": [_head(suffix, host.startswith("plane.")) for suffix in suffixes],
+            "heads": [NARROW.get(suffix, own[suffix].quantity.called) for suffix in suffixes],
             "suffixes": suffixes,
             "rows": [_row(host, power, name, suffixes) for power, name in MEMBERS[host].items()],
         }
         for suffixes in COLUMNS[host]
     ]
-
-
-def _head(suffix: str, in_plane: bool) -> str:
-    named = {"d": "d", "p": "p(x)"}
-    return named.get(suffix, NAMES[suffix]) if in_plane else NAMES[suffix]
 
 
 def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[str, Any]:
@@ -106,7 +101,7 @@ def value(entries: Mapping[str, Entry], suffix: str, power: int) -> sp.Expr:
     """The formula of a quantity in the units of the table."""
     entry = entries[suffix]
     expr = entry.cases[-1].expr.subs({**UNIT, n: sp.Integer(power)})
-    return expr if suffix in ("aF", "aP") else expr.subs(a, 1)
+    return expr if entry.quantity.inverts else expr.subs(a, 1)
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..code import docstring
-from ..code import plane as plane_text
-from ..code.physics import adhesive as adhesive_text
-from ..code.physics import loads as loads_text
-from ..code.physics import tangential as tangential_text
-from ..code.physics import viscoelastic as viscoelastic_text
+from ..code.plane import SHAPE
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace
@@ -33,8 +28,6 @@ from ..profiles.profile import Profile, Rule
 LAWS = {law.name: law for law in viscoelastic.LAWS}
 LETTERS = {"tau": "relaxation", "t": "time"}
 """Parameters of the material, and the time, that share their letter with another symbol of the notation."""
-THRESHOLDS = ("rz", "dmin", "Fmin", "xz", "Pmin")
-"""Results about the least load of complete contact, which a concave face has."""
 CONCAVE = "concave"
 """A complete contact from some least load on."""
 TILTED = "tilted"
@@ -57,10 +50,10 @@ GROUP = {
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
 """What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
-INVERSES = frozenset(["radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"])
+INVERSES = frozenset(quantity.function for quantity in COMPACT.values() if quantity.inverts)
 BELOW = {"tangential": "normal", "graded.tangential": "graded"}
 """The contact whose functions come with those of another."""
-SIGNED = frozenset(["radius_from_depth", "radius_from_force"])
+SIGNED = frozenset(quantity.function for quantity in adhesive.QUANTITIES.values() if quantity.inverts)
 """Fields that are negative where adhesion pulls."""
 
 
@@ -70,7 +63,6 @@ class Function:
 
     physics: str
     quantity: Quantity
-    summary: str
     contact: str = "compact"
 
     @property
@@ -109,12 +101,12 @@ class Function:
     def parity(self) -> str:
         """Whether a field takes places on both sides of the middle, where it is even or odd."""
         mirrored = self.physics == "plane" and not self.leaning
-        return plane_text.EVALUATED.get(self.quantity.suffix, "") if mirrored else ""
+        return self.quantity.parity if mirrored else ""
 
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
         unit = nt.describe(self.quantity.symbol).unit
-        return f"{self.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.module]}{self.quantity.suffix}."
+        return f"{self.quantity.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.module]}{self.quantity.suffix}."
 
 
 def law_of(physics: str) -> str:
@@ -154,24 +146,21 @@ def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
         return _viscoelastic(physics, contact)
     if physics.startswith("graded"):
         return {name: replace(own, physics=physics) for name, own in functions(kind_of(physics), contact).items()}
-    if physics == "adhesive" and contact != "compact":
-        table, text = detachment.QUANTITIES, {"Dl": "Retraction of the edge at which it peels off."}
-    elif physics == "adhesive":
-        table, text = adhesive.QUANTITIES, adhesive_text.SUMMARY
+    if physics == "adhesive":
+        table = adhesive.QUANTITIES if contact == "compact" else detachment.QUANTITIES
     elif physics == "tangential":
-        table, text = tangential.QUANTITIES, tangential_text.SUMMARY
+        table = tangential.QUANTITIES
     elif physics == "loads":
-        table, text = loads.QUANTITIES, loads_text.SUMMARY
+        table = loads.QUANTITIES
     elif physics == "plane":
         own = {"compact": PLANE, TILTED: PLANE_ECCENTRIC}.get(contact, PLANE_COMPLETE)
-        shape = {} if contact == TILTED else {"f": plane_text.SHAPE}
-        table, text = {**shape, **own}, plane_text.document.SUMMARY
+        table = own if contact == TILTED else {"f": SHAPE, **own}
     else:
-        table, text = COMPACT if contact == "compact" else COMPLETE, docstring.SUMMARY
+        table = COMPACT if contact == "compact" else COMPLETE
     return {
-        quantity.function: Function(physics, quantity, text[suffix], contact)
-        for suffix, quantity in table.items()
-        if suffix in text and not quantity.member and (suffix not in THRESHOLDS or contact == CONCAVE)
+        quantity.function: Function(physics, quantity, contact)
+        for quantity in table.values()
+        if not quantity.control and not quantity.member and (not quantity.threshold or contact == CONCAVE)
     }
 
 
@@ -179,16 +168,15 @@ def peaks(profile: Profile | None) -> dict[str, Function]:
     """The greatest pressure and its radius, of a profile that has them: a function of a scene has one result."""
     if profile is None or profile.name not in NAMES or "rp" not in normal.derive(profile):
         return {}
-    own = [replace(q, function=f"peak_{q.member}") for q in COMPACT.values() if q.member]
-    return {q.function: Function("normal", q, docstring.SUMMARY[q.suffix].partition(",")[0]) for q in own}
+    own = [q for q in COMPACT.values() if q.member]
+    alone = [replace(q, function=f"peak_{q.member}", summary=q.summary.partition(",")[0]) for q in own]
+    return {q.function: Function("normal", q) for q in alone}
 
 
 def _viscoelastic(physics: str, contact: str) -> dict[str, Function]:
     law = LAWS[physics.partition(".")[2]]
-    text = {kind: line.format(viscoelastic_text.MATERIAL[law.name]) for kind, line in viscoelastic_text.SUMMARY.items()}
     loadings = [kind for kind in LOADED if kind != "load" or contact == "compact"]
-    kinds = ((kind, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"]) for kind in loadings)
-    found = [Function(physics, quantity, text[kind], contact) for kind, quantity in kinds]
+    found = [Function(physics, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"], contact) for kind in loadings]
     return {function.name: function for function in found}
 
 
@@ -201,8 +189,8 @@ def record(name: str, profile: Profile | None = None) -> nt.Notation:
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:
     """Fields of a function; the stiffness of a capped cylinder takes the depth."""
     entry = entries.get(function.quantity.suffix)
-    if function.quantity.suffix == "k" and entry is not None and any(c.expr.has(nt.d) for c in entry.cases):
-        return ("d",)
+    if entry is not None and entry.arguments != entry.quantity.arguments:
+        return tuple(map(str, entry.arguments))
     return function.fields
 
 

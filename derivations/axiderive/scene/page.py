@@ -148,7 +148,6 @@ def _law(request: Request) -> str:
     return "\n".join([rf"\par\vspace{{3mm}}\textbf{{{own.name}}}", *lines, r"\vspace{4mm}", ""])
 
 
-INTEGRALS = {"d": "d=g(a)", "F": r"F_{\mathrm N}", "w": "w(r)"}
 PRESSURE = r"p(r)=\frac{E^{*}}{\pi}\int_{0}^{\sqrt{a^{2}-r^{2}}}\frac{g'(t)}{t}\,\mathrm{d}u,\quad t=\sqrt{r^{2}+u^{2}}"
 FITTED = r"\par\vspace{2mm}\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{$\displaystyle %s$}"
 
@@ -156,7 +155,8 @@ FITTED = r"\par\vspace{2mm}\resizebox{\ifdim\width>\linewidth\linewidth\else\wid
 def integrals(profile: Profile, entries: Mapping[str, Entry]) -> str:
     """What is outside the normal form: integrals over the profile, and the pressure as one over g'(t), itself one."""
     lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
-    for suffix, left in INTEGRALS.items():
+    for suffix in ("d", "F", "w"):
+        left = entries[suffix].quantity.left
         for pairs, expr in regions(entries[suffix]):
             chain = chain_of(entries[suffix], expr)
             printer = Printer(chain, {})

@@ -32,7 +32,7 @@ from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Case, Entry
 from ..letters import name_of
-from .reference import CURVES, UnknownError, of_contact, reference
+from .reference import UnknownError, is_inverse, of_contact, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ class Errors:
 def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: int, seed: int = 17) -> Iterator[Sample]:
     """Calls whose exact value is a normal number, or zero everywhere."""
     entry = entries[suffix]
-    like = CURVES[suffix][0] if _inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
+    like = entry.quantity.inverts if is_inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
     for values in floats(entries[like], domain, count, seed, entry.parameters):
         try:
             _complete(entries, values)
@@ -86,11 +86,12 @@ def value(function: Callable[..., float], point: Sample) -> float:
 
 def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
     """Raise depth, force and load above the threshold of complete contact, a depth by its own size over the contact."""
-    for suffix, symbol in (("dmin", nt.d), ("Fmin", nt.F), ("Pmin", nt.P)):
-        if suffix in entries and symbol in values:
-            least = float(of_contact(entries, suffix, values))
+    for entry in entries.values():
+        symbol = entry.quantity.symbol
+        if entry.quantity.threshold and symbol in values:
+            least = float(of_contact(entries, entry.suffix, values))
             if not SMALLEST < least < LARGEST:
-                message = f"{suffix} = {least} is no normal number"
+                message = f"{entry.suffix} = {least} is no normal number"
                 raise UnknownError(message)
             values[symbol] = least * max(1.0 + 1e-12, values[symbol] / values[nt.a] if symbol == nt.d else 2.0)
 
@@ -100,20 +101,10 @@ def count_for(entry: Entry, count: int) -> int:
     return count // 10 if any(case.expr.has(sp.Integral, C0) for case in entry.cases) else count
 
 
-def _inverse(entry: Entry) -> bool:
-    return entry.suffix in CURVES and entry.profile.contact == "compact"
-
-
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:
-    fields = _fields(entry)
+    fields = entry.arguments
     keywords = {name_of(s): values[s] for s in entry.parameters if s not in fields}
     return tuple(values[symbol] for symbol in fields), keywords
-
-
-def _fields(entry: Entry) -> tuple[sp.Symbol, ...]:
-    """The arguments of the emitted function; a stiffness that depends on the depth asks for it."""
-    depth = entry.suffix == "k" and any(case.expr.has(nt.d) for case in entry.cases)
-    return (nt.d,) if depth else entry.quantity.arguments
 
 
 def function_of(entry: Entry, module: Any = None) -> Callable[..., float]:

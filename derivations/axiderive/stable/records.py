@@ -9,10 +9,10 @@ from typing import Any
 
 import sympy as sp
 
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..physics.systems import problem
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
-from .reference import CURVES, UnknownError, condition
+from .reference import UnknownError, condition, is_inverse
 from .samples import DOMAINS
 
 COUNT, SEED = 30, 17
@@ -20,7 +20,7 @@ OWN = ("normal", "plane", "loads")
 """Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 SYSTEMS = (*OWN, "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
 """Systems whose functions are measured."""
-DIRECT = ("d", "F", "p", "w", "k", "pm", "Dl", "tau", "u", "us")
+DIRECT = (*FOUR, "k", "pm", "Dl", "tau", "u", "us")
 """Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
 TOLERANCE = 5.0
 CHECKED = 4
@@ -79,7 +79,7 @@ def record(
 
 def _direct(entry: Entry, system: str) -> bool:
     """Whether the exact value is an enclosure of the printed formula, or a root of one, without an integral in it."""
-    known = entry.status == "closed" or entry.suffix in CURVES
+    known = entry.status == "closed" or is_inverse(entry)
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
     return system in OWN or entry.suffix in DIRECT and entry.profile.contact == "compact"

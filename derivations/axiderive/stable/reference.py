@@ -17,11 +17,7 @@ from ..oracle.shape import coefficient, concrete
 from .samples import TERMS, Floats
 
 BITS, HIGHEST, WANTED, STEP = 160, 1 << 13, 70, 90
-CURVES = {"ad": ("d", None), "aF": ("F", None), "aP": ("P", None), "Fd": ("d", "F"), "dF": ("F", "d")}
-"""Inverse entries: the curve whose value is given, and the one that is asked for at its root, if not the radius."""
-
-
-RINGS = {"rz": nt.r_zero, "xz": nt.x_zero, "rp": nt.r_peak}
+RINGS = (nt.r_zero, nt.x_zero, nt.r_peak)
 """Where the pressure of a complete contact vanishes first, round and plane, and that of a compact one is greatest."""
 
 
@@ -56,9 +52,9 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
     rounded to a double there, and the radius that belongs to it found again.
     """
     entry = entries[suffix]
-    if not _is_inverse(entry):
+    if not is_inverse(entry):
         return values, of_contact(entries, suffix, values)
-    target = float(enclosed(entries[CURVES[suffix][0]], values, ()))
+    target = float(enclosed(entries[entry.quantity.inverts], values, ()))
     if not 2.3e-308 < target < 1.7e308:
         message = f"{entry.key}: the argument {target} is no normal number"
         raise UnknownError(message)
@@ -69,7 +65,7 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
 def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: Collection[sp.Symbol] = ()) -> float:
     """The sum of |d ln value/d ln x| over the arguments but for those that are `held`, by exact differences."""
     entry, total = entries[suffix], arb(0)
-    hidden = {*held, nt.a} if _is_inverse(entry) else set(held)
+    hidden = {*held, nt.a} if is_inverse(entry) else set(held)
     with _precision(4 * BITS):
         here = _at(entries, suffix, arguments, STEP + WANTED)
         for symbol, number in arguments.items():
@@ -83,10 +79,11 @@ def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: C
 def of_contact(entries: Mapping[str, Entry], suffix: str, values: Floats, wanted: int = WANTED) -> arb:
     """The value of an entry, at the ring where the pressure vanishes first, or is greatest, if it depends on that."""
     entry = entries[suffix]
-    if suffix in RINGS and entry.status == "root":
+    if entry.quantity.symbol in RINGS and entry.status == "root":
         return _ring(entry, values)
-    rests = [(place, own) for own, place in RINGS.items() if any(case.expr.has(place) for case in entry.cases)]
-    return enclosed(entry, values, tuple((place, _ring(entries[own], values)) for place, own in rests), wanted)
+    named = {place for place in RINGS if any(case.expr.has(place) for case in entry.cases)}
+    rests = [own for own in entries.values() if own.quantity.symbol in named]
+    return enclosed(entry, values, tuple((own.quantity.symbol, _ring(own, values)) for own in rests), wanted)
 
 
 def _ring(entry: Entry, values: Floats) -> arb:
@@ -95,13 +92,13 @@ def _ring(entry: Entry, values: Floats) -> arb:
         equation = _case(entry, _balls(entry, values)).expr
         if not isinstance(equation, sp.Equality):
             return arb(0)
-        if entry.suffix == "rp":
+        if entry.quantity.symbol == nt.r_peak:
             (edge,), a = entry.profile.breaks, arb(values[nt.a])
             b = arb(values[edge])
             return b + (a - b) * share_of_peak(_plain(equation.lhs - equation.rhs), edge, b / a)
         n = values[nt.n]
         find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
-        rest = (equation.lhs - equation.rhs).subs(RINGS[entry.suffix], nt.r_zero)
+        rest = (equation.lhs - equation.rhs).subs(entry.quantity.symbol, nt.r_zero)
         return arb(values[nt.a]) * find(_plain(rest), n)
 
 
@@ -153,17 +150,18 @@ def _between(missed: Callable[[arb], arb], low: arb, high: arb, message: str) ->
     return share
 
 
-def _is_inverse(entry: Entry) -> bool:
-    return entry.suffix in CURVES and entry.profile.contact != "complete"
+def is_inverse(entry: Entry) -> bool:
+    """Whether a depth or force of a growing contact is given, so that its radius has to be found."""
+    return bool(entry.quantity.inverts) and entry.quantity.symbol != nt.c and entry.profile.contact != "complete"
 
 
 def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:
     entry = entries[suffix]
-    if not _is_inverse(entry):
+    if not is_inverse(entry):
         return of_contact(entries, suffix, arguments, wanted)
-    given, asked = CURVES[suffix]
-    radius = _root(entries[given], arguments, arguments[entry.quantity.arguments[0]])
-    return radius if asked is None else enclosed(entries[asked], arguments, ((nt.a, radius),), wanted)
+    asked, (given,) = entry.quantity.symbol, entry.quantity.arguments
+    radius = _root(entries[entry.quantity.inverts], arguments, arguments[given])
+    return radius if asked == nt.a else enclosed(entries[str(asked)], arguments, ((nt.a, radius),), wanted)
 
 
 @contextmanager

@@ -178,7 +178,9 @@ def read_entry(record: Record, profile: Profile) -> Entry:
     if not isinstance(entry, Entry):
         message = f"{profile.name}: a stored entry is a {type(entry).__name__}; run axicontact build --fresh"
         raise RecordError(message)
-    return entry
+    # stored by the name of the first quantity that computes the same: the depth under adhesion as that without it
+    own = adhesive.QUANTITIES.get(entry.suffix) if f".{adhesive.GROUP}." in entry.key else None
+    return dataclasses.replace(entry, quantity=own) if own == entry.quantity else entry
 
 
 def _encode(value: Any, profiles: Mapping[str, Profile]) -> Record:

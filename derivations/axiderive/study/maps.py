@@ -15,13 +15,12 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from .naive import Judged, Point, judged, reference
 from .problems import GRADED, NAMES, PARAMETERS
 from .report import Record, rounded, table, versions
 from .subject import entries
 
-QUANTITIES = ("d", "F", "p", "w")
 DECADES = 12
 CELLS, SAMPLES = 24, 3
 QUICK_CELLS, QUICK_SAMPLES = 4, 1
@@ -85,7 +84,7 @@ def measure(
     *,
     seed: int = 17,
     quick: bool = False,
-    quantities: Sequence[str] = QUANTITIES,
+    quantities: Sequence[str] = FOUR,
 ) -> Record:
     """The record of the study: one map for each formula that depends on a ratio."""
     cells, samples = (QUICK_CELLS, QUICK_SAMPLES) if quick else (CELLS, SAMPLES)

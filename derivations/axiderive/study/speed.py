@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..entry import Entry
+from ..entry import FOUR, Entry
 from ..physics import systems
 from .methods import arguments
 from .naive import naive
@@ -26,7 +26,6 @@ from .report import Record, rounded, table, versions
 from .subject import Subject, subject
 from .timing import paired
 
-SUFFIXES = ("d", "F", "p", "w")
 POINTS = 24
 SIZES = (10_000, 1_000_000)
 LARGEST = 10_000_000
@@ -68,7 +67,7 @@ def measure(names: Sequence[str] = NAMES, *, quick: bool = False) -> Record:
 def _rows(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> Iterator[Record]:
     found = systems.problem(subject.name)
     module = import_module(f"{found.system.package}.{found.name}")
-    for suffix in SUFFIXES:
+    for suffix in FOUR:
         entry = subject.entries[suffix]
         field = entry.quantity.arguments[0]
         values = {symbol: PARAMETERS.get(symbol, RADIUS) for symbol in (*entry.parameters, *entry.quantity.arguments)}

@@ -10,6 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ...entry import COMPACT
+from ...physics.plane_quantities import PLANE
 from ..evidence import power_of_ten
 from .error import DIGITS, FEW, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
 
@@ -40,7 +42,6 @@ NAMED = {
 }
 
 GRADED = "graded half-space"
-LEFT = {"p": "p(r)", "w": "w(r)", "Fd": r"F_{\mathrm N}(d)"}
 
 Row = Mapping[str, Any]
 
@@ -125,8 +126,9 @@ def _named(key: str) -> str:
     """What stands on the left of the formula, and the half-space where it is not the homogeneous one."""
     problem, _, suffix = key.rpartition(".")
     if problem.startswith("plane."):
-        return f"${LEFT[suffix].replace('(r)', '(x)')}$"
-    return f"{GRADED.capitalize()}, ${LEFT[suffix]}$" if problem.endswith(".fgm") else f"${LEFT[suffix]}$"
+        return f"${PLANE[suffix].left}$"
+    left = COMPACT[suffix].left + ("(d)" if COMPACT[suffix].inverts else "")
+    return f"{GRADED.capitalize()}, ${left}$" if problem.endswith(".fgm") else f"${left}$"
 
 
 def _reaches(row: Row, goal: float) -> bool:

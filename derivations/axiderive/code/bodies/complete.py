@@ -55,17 +55,18 @@ class Complete:
         entry = self.entries[suffix]
         form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
         lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
-        if suffix in ("F", "dF"):
-            value, needs = self._from_threshold(lines, value, needs, "dmin" if suffix == "F" else "Fmin")
+        if entry.quantity.arguments:
+            value, needs = self._from_threshold(lines, value, needs, entry.quantity.arguments[-1])
         return self._add(suffix, value, lines, needs)
 
-    def _from_threshold(self, lines: list[str], value: str, needs: set[str], least: str) -> tuple[str, set[str]]:
-        """NaN where the contact is not complete."""
+    def _from_threshold(self, lines: list[str], value: str, needs: set[str], given: sp.Symbol) -> tuple[str, set[str]]:
+        """NaN where the depth or force that is given leaves the contact incomplete."""
         if not self.concave:
             return value, needs
-        threshold = self.functions.functions[self.entries[least].quantity.function]
-        field = "d" if least == "dmin" else "F"
-        lines.append(COMPLETE_FROM.format(field=field, least=threshold.call()))
+        known = (entry.quantity for entry in self.entries.values() if entry.quantity.threshold)
+        least = next(quantity for quantity in known if quantity.symbol == given)
+        threshold = self.functions.functions[least.function]
+        lines.append(COMPLETE_FROM.format(field=given, least=threshold.call()))
         lines.append(f"result = {value}")
         return "np.where(complete, result, np.nan)", needs | set(threshold.needs)
 
@@ -112,7 +113,7 @@ class Complete:
             value = f"{python(scale)} * (d - {least.call()} + face) / root"
             needs = {str(s) for s in (scale * excess).free_symbols} | {*least.needs, "a"}
         value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
-        value, needs = self._from_threshold(lines, value, needs | {"a"}, "dmin")
+        value, needs = self._from_threshold(lines, value, needs | {"a"}, d)
         self._add("p", value, lines, needs - {"r"})
 
     def _displacement(self) -> None:
@@ -128,7 +129,7 @@ class Complete:
         profile = self.functions.functions["profile"]
         lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
         value = "np.where(r > a, outside, inside)"
-        value, needs = self._from_threshold(lines, value, needs | set(profile.needs) | {"a"}, "dmin")
+        value, needs = self._from_threshold(lines, value, needs | set(profile.needs) | {"a"}, d)
         self._add("w", value, lines, needs - {"r"})
 
     def _capped(self) -> None:

@@ -29,6 +29,7 @@ from dataclasses import dataclass
 import mpmath as mp
 import sympy as sp
 
+from ...entry import COMPACT
 from ...notation import a, r
 from ...profiles.profile import Profile
 from ...stable.opaque import Root
@@ -143,7 +144,6 @@ def _range(expr: sp.Expr) -> Range | None:
 DIGITS = 60
 DEGREE = 8
 """Coefficients of a start: its error is below 1e-3 then, and the iteration does the rest."""
-QUANTITY = {"ad": "d", "aF": "F"}
 Power = tuple[float, float]
 """c and e of c t**e."""
 
@@ -162,7 +162,7 @@ class Growth:
         values[sp.Symbol("E_star", positive=True)] = sp.Float(1, DIGITS)
         short = {symbol: sp.N(expr.subs(values), DIGITS) for symbol, expr in self.profile.abbreviations}
         self.known = values | short
-        regimes = compact.regimes(QUANTITY[suffix])
+        regimes = compact.regimes(COMPACT[suffix].inverts)
         self.curves = {key: sp.lambdify(a, case.expr.subs(self.known), NUMERIC) for key, case in regimes.items()}
 
     @property

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...abel import masters
-from ...entry import Entry
+from ...entry import COMPACT, Entry
 from ...notation import a
 from ...physics.medium import HOMOGENEOUS
 from ...profiles.profile import Profile
@@ -30,7 +30,7 @@ from ...stable.slopes import ROOT
 from ..private import Private
 from ..text import python
 from .compact import Compact
-from .growth import QUANTITY, exponents, powers, start, tip_exponent
+from .growth import exponents, powers, start, tip_exponent
 
 
 def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> tuple[list[str], set[str]]:
@@ -65,7 +65,8 @@ def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> tuple[list[str],
 
 BEYOND, BELOW = "{0} * np.sqrt(1.0 + t * t), {0} * t", "{0} * np.tanh(t), {0} / np.cosh(t)"
 """A radius and its root over the unknown, exact next to a flat face or a break, and to an end of the profile."""
-TARGET = {"ad": ("depth", "d"), "aF": ("force", "F")}
+TARGET = {q.suffix: (COMPACT[q.inverts].function, q.inverts) for q in COMPACT.values() if q.symbol == a}
+"""Of an inverse: the curve of which it is a root, and the field that is given."""
 
 
 def changed(field: str, target: Private, curve: Private, *given: str) -> list[str]:
@@ -91,8 +92,8 @@ class Inverses:
 
     def add_all(self) -> dict[str, Private]:
         """Functions of `ad`, `aF`, `Fd`, `dF`."""
-        radius = {suffix: self._radius(suffix) for suffix in ("ad", "aF")}
-        return radius | {"Fd": self._through("Fd", "force", "ad"), "dF": self._through("dF", "depth", "aF")}
+        own = [q for q in COMPACT.values() if q.inverts]
+        return {q.suffix: self._through(q.suffix, *q.composed) if q.composed else self._radius(q.suffix) for q in own}
 
     def closed(self, entry: Entry) -> EvaluationForm | None:
         """The closed form if there is one regime, nothing cancels and no large angle is raised to an exponential.
@@ -133,7 +134,7 @@ class Inverses:
     def _through(self, suffix: str, outer: str, inner: str) -> Private:
         """F(a(d)) or d(a(F)), closed or as that composition."""
         entry, (_, field) = self.compact.entries[suffix], TARGET[inner]
-        name = entry.quantity.function
+        name, outer = entry.quantity.function, COMPACT[outer].function
         form = self.closed(entry) if entry.composed is None else None
         if form is not None:
             lines = self.functions.returned(form)
@@ -263,8 +264,8 @@ class Inverses:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
         if not self.compact.summed:
             return []
-        quantity, field = QUANTITY[suffix], TARGET[suffix][1]
-        value = evaluation_form(self.compact.entries[quantity].cases[0].expr, facts_of((a,))).value
+        _, field = TARGET[suffix]
+        value = evaluation_form(self.compact.entries[field].cases[0].expr, facts_of((a,))).value
         (series,) = value.atoms(sp.Sum)
         (coefficient,) = series.function.atoms(sp.Indexed)
         share = python(sp.Symbol(field, positive=True) / value.subs(series, (series.function / coefficient).subs(a, 1)))

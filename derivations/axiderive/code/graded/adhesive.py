@@ -10,7 +10,7 @@ from ...entry import Entry
 from ...letters import name_of
 from ...notation import n
 from ..physics import text
-from ..physics.adhesive import SUMMARY
+from ..physics.adhesive import stated
 from ..physics.branches import own_units, radii, returned, unknowns
 from ..physics.text import Function
 from ..text import python
@@ -27,7 +27,6 @@ ORDER = [
     "    k=k,",
     ")",
 ]
-INVERSES = ("ad", "aF")
 ORDERS = {"depth": ("d", "", "(1.0 - k) / 2.0"), "force": ("F", " + 1.0 + k", "(3.0 + k) / 2.0")}
 """Field, what the exponent of the load gains on that of the profile, and the exponent of the pull."""
 
@@ -53,8 +52,8 @@ class _Adhesive:
 
     def source(self) -> str:
         """The text of the whole module: public functions, pull-off, and the private rules below them."""
-        for suffix in SUMMARY:
-            self.public(suffix)
+        for entry in stated(self.entries):
+            self.public(entry)
         self.pull_off()
         self.rules()
         if self.power is not None:
@@ -63,14 +62,15 @@ class _Adhesive:
             self.general()
         return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half-space")
 
-    def public(self, suffix: str) -> None:
+    def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        entry, writer = self.entries[suffix], self.writer
-        keywords = [name for name in self.keywords if suffix != "Dl" or name in ("H", "k", "dgamma")]
-        symbols = [symbol for symbol in self.symbols if name_of(symbol) in keywords]
+        writer, symbols = self.writer, entry.parameters
+        keywords = [name_of(symbol) for symbol in symbols]
+        # the retraction is the same for every profile
+        own = set(self.profile.parameters) <= set(symbols)
         fields = [str(argument) for argument in entry.quantity.arguments]
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
-        if suffix in INVERSES:
+        if entry.quantity.inverts:
             body = [*writer.checks(symbols), *self.order()]
             signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
             body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', [], keywords, **signed)}")
@@ -78,10 +78,10 @@ class _Adhesive:
             if self.power is None:
                 notes += " Where several radii are stable, the largest, which is reached on unloading."
         else:
-            body = writer.checks(symbols, reach=self.profile.truncated and suffix != "Dl")
-            function = "graded_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+            body = writer.checks(symbols, reach=self.profile.truncated and own)
+            function = f"_{entry.quantity.function}" if own else "graded_retraction"
             body.append(f"return {writer.evaluated(function, fields, keywords)}")
-        writer.add(entry, SUMMARY[suffix], notes, body, keywords)
+        writer.add(entry, notes, body)
 
     def order(self) -> list[str]:
         """The lines that check a free exponent of a power law; none for any other profile."""

@@ -12,7 +12,6 @@ from ...letters import name_of
 from ...notation import a, d, r
 from ...physics.medium import GRADED
 from ...profiles.profile import Profile
-from ..docstring import SUMMARY
 from ..text import python
 from .module import Writer
 
@@ -71,7 +70,7 @@ class _Complete:
         if fields:
             notes += " Negative or NaN field values give NaN"
             notes += ", and so do loads below those of complete contact." if self.concave and suffix != "k" else "."
-        writer.add(entry, SUMMARY[suffix], notes, body)
+        writer.add(entry, notes, body)
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
         """Adds a private function of these lines; `needs` are the parameters it takes behind its fields."""
@@ -197,6 +196,4 @@ def order_of(profile: Profile) -> str:
 
 def _with_depth(entry: Entry) -> Entry:
     """A stiffness of two branches, told apart by the depth."""
-    if entry.suffix == "k" and any(case.expr.has(d) for case in entry.cases):
-        return replace(entry, quantity=replace(entry.quantity, arguments=(d,)))
-    return entry
+    return replace(entry, quantity=replace(entry.quantity, arguments=entry.arguments))

@@ -26,7 +26,6 @@ def module_source(entries: Mapping[str, Entry]) -> str:
     checks = [f"require({named})", *(ORDER if "n" in keywords else [])]
     writer.add(
         entries["Dl"],
-        "Retraction of the edge at which it peels off.",
         f"Valid for {profile.validity}.",
         [
             f"require({', '.join(f'{name_of(s)}={name_of(s)}' for s in edge)})",

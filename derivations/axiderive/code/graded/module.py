@@ -30,8 +30,6 @@ from ..physics.text import Function, evaluate, private
 from ..text import python
 
 MATERIAL: Values = {nt.H: sp.S.One, nt.k: sp.Rational(1, 4), nt.H_x: sp.Rational(4, 5)}
-GIVEN = {"ad": "d", "aF": "F", "Fd": "d", "dF": "F", "c": "F"}
-"""Inverses, and the entry whose value in the drawn state they start from."""
 DIGITS = 15
 
 
@@ -55,9 +53,9 @@ class Example(examples.Example):
         entry, at = self.entries[suffix], dict(self.known)
         if entry.quantity.symbol == nt.w:
             at[nt.r] = 2 * at[nt.a]
-        if suffix in GIVEN:
+        if entry.quantity.inverts:
             field = entry.quantity.arguments[0]
-            at[field] = _rounded(self.number(self.entries[GIVEN[suffix]], at))
+            at[field] = _rounded(self.number(self.entries[entry.quantity.inverts], at))
         passed = [example.literal(at[symbol]) for symbol in entry.quantity.arguments]
         passed += [self.keyword(symbol, at) for symbol in entry.parameters]
         first, *others = fit(f"value = {self.profile.name}.{entry.quantity.function}({', '.join(passed)})", 12)
@@ -74,7 +72,7 @@ class Example(examples.Example):
         if entry.suffix == "rz" and isinstance(example._case(entry, at | {nt.r_zero: at[nt.r]}).expr, sp.Eq):
             return example._root(self.profile, entry, at)
         ring = self.entries.get("rz")
-        if entry.suffix in ("dmin", "Fmin") and ring is not None:
+        if entry.quantity.threshold and ring is not None and entry is not ring:
             at = at | {nt.r_zero: self.number(ring, at)}
         return super().number(entry, at)
 
@@ -158,13 +156,14 @@ class Writer:
             lines.append(f'require_reach(a, {self.profile.breaks[0]}, "graded.normal.flat_punch")')
         return lines
 
-    def add(self, entry: Entry, summary: str, notes: str, body: Sequence[str], keywords: Sequence[str] = ()) -> None:
+    def add(self, entry: Entry, notes: str, body: Sequence[str]) -> None:
         """A public function that one entry backs."""
         fields = [str(argument) for argument in entry.quantity.arguments]
-        names = list(keywords) or [name_of(symbol) for symbol in entry.parameters]
+        names = [name_of(symbol) for symbol in entry.parameters]
         document = text.document(entry, fields, names, notes)
         shown = ["", "Examples", "--------", *self.example.lines(entry.suffix)]
-        self.public.append(Function(entry.quantity.function, fields, names, summary, [*document, *shown], list(body)))
+        quantity, doc = entry.quantity, [*document, *shown]
+        self.public.append(Function(quantity.function, fields, names, quantity.summary, doc, list(body)))
 
     def profile_function(self) -> None:
         """The shape of the indenter, which no medium changes."""
@@ -176,7 +175,7 @@ class Writer:
         notes = [f"Valid for {own.validity}. Negative or NaN field values give NaN."]
         doc = docstring.docstring(own, quantity, None, notes, [*shown, example.result(number)])
         body = [HOMOGENEOUS, "", f"return normal.profile(r, {', '.join(f'{name}={name}' for name in self.geometry)})"]
-        self.public.append(Function("profile", ["r"], self.geometry, docstring.SUMMARY["f"], doc, body))
+        self.public.append(Function("profile", ["r"], self.geometry, COMPACT["f"].summary, doc, body))
 
     def shape_of(self, place: str) -> str:
         """The call of f(r) in the module of the homogeneous half-space."""

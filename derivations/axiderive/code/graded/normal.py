@@ -9,15 +9,13 @@ import sympy as sp
 from ...entry import COMPACT, Entry
 from ...letters import name_of
 from ...notation import a
-from ..docstring import SUMMARY
 from ..layout import fit
 from .families import Family, family
 from .module import HOMOGENEOUS, Writer
 
-INVERSES = ("ad", "aF", "Fd", "dF")
 METHOD = {
-    "p": "Evaluated as an integral over the growing contact, by a rule that carries the weight of the grading.",
-    "w": "Evaluated as an integral over the displacement inside the contact.",
+    "inside": "Evaluated as an integral over the growing contact, by a rule that carries the weight of the grading.",
+    "outside": "Evaluated as an integral over the displacement inside the contact.",
 }
 
 
@@ -64,11 +62,11 @@ class _Normal:
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
         notes = [f"Valid for {profile.validity}. {outside} give NaN."]
-        if suffix in METHOD:
-            notes.append(METHOD[suffix])
-        if suffix in INVERSES and self.family.power is None:
+        if entry.quantity.place:
+            notes.append(METHOD[entry.quantity.place])
+        if entry.quantity.inverts and self.family.power is None:
             notes.append("Evaluated by a safeguarded Newton iteration.")
-        writer.add(entry, SUMMARY[suffix], " ".join(notes), body)
+        writer.add(entry, " ".join(notes), body)
 
     def check(self) -> None:
         """The rules between the parameters; that of the waves depends on the grading."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from ...entry import Entry
 from ...letters import name_of
-from ..physics.tangential import ORDER, SUMMARY
+from ..physics.tangential import ORDER
 from .families import Family, family
 from .module import Writer
 
@@ -21,8 +21,7 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
     """The module of one profile; `plain` are the entries of its normal contact."""
     profile = plain["d"].profile
     writer = Writer(profile, entries, "tangential", plain)
-    for suffix, summary in SUMMARY.items():
-        entry = entries[suffix]
+    for entry in entries.values():
         fields = [str(argument) for argument in entry.quantity.arguments]
         keywords = [name_of(symbol) for symbol in entry.parameters]
         body = writer.checks(entry.parameters, reach=profile.truncated)
@@ -31,7 +30,7 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
         notes = f"Valid for {profile.validity}; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN."
         if profile.truncated:
             notes += " The stick zone is never smaller than the flat face: NaN for c < b."
-        writer.add(entry, summary, notes, body)
+        writer.add(entry, notes, body)
     _rules(writer)
     return writer.source(f"{profile.title} under a tangential load on a power-law graded half-space")
 

@@ -14,9 +14,9 @@ import sympy as sp
 from ...entry import Entry
 from ...letters import name_of
 from ...notation import E_star, a, a_c, dgamma, n, r
-from ...physics.adhesive import pull_off_rule
+from ...physics.adhesive import CONTROLS, pull_off_rule
 from ...profiles.profile import Profile
-from ...stable.forms import evaluation_form
+from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ..layout import OFFERED
 from ..public import literal
@@ -25,8 +25,6 @@ from . import text
 from .branches import branch_functions
 from .examples import Example
 from .text import Function, NormalModule, evaluate, private
-
-ENTRY = {"force": "ac", "depth": "am"}
 
 
 def power_law_functions(module: NormalModule, entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
@@ -37,8 +35,12 @@ def power_law_functions(module: NormalModule, entries: Mapping[str, Entry], powe
     return [radius, *(function for pair in own for function in pair)]
 
 
+def _form(entry: Entry) -> EvaluationForm:
+    return evaluation_form(entry.cases[0].expr, facts_of(()))
+
+
 def _radius(entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
-    forms = {control: evaluation_form(entries[own].cases[0].expr, facts_of(())) for control, own in ENTRY.items()}
+    forms = {control: _form(entries[suffixes[0]]) for control, suffixes in CONTROLS.items()}
     shared = [step for step in forms["force"].steps if step in forms["depth"].steps]
     lines = [f"{name} = {python(expr)}" for name, expr in shared]
     for head, form in zip(('if control == "force":', "else:"), forms.values(), strict=True):
@@ -88,20 +90,16 @@ IMPORTS = (
     "physics.stable: growth, stable_radius",
     "physics.unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
 )
-SUMMARY = {
-    "Dl": "Retraction of the indenter from the state without adhesion, at constant contact radius.",
-    "d": "Indentation depth at contact radius a; negative where adhesion pulls the surface up.",
-    "F": "Normal force at contact radius a, negative in tension.",
-    "p": "Contact pressure, positive in compression, infinite tension at the edge; zero outside the contact.",
-    "w": "Displacement of the surface into the half-space, inside and outside the contact.",
-    "ad": "Contact radius at indentation depth d, on the branch that is stable under a given depth.",
-    "aF": "Contact radius under the normal force F, on the branch that is stable under a given force.",
-}
 
 
 def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
     """The module of one profile with a compact contact; without its interface, what that rests on."""
     return _Adhesive(module, entries).source(interface=interface)
+
+
+def stated(entries: Mapping[str, Entry]) -> list[Entry]:
+    """The entries that have a function of their own; the state at pull-off is the result of one."""
+    return [entry for entry in entries.values() if not entry.quantity.control]
 
 
 def exponent(profile: Profile) -> sp.Expr | None:
@@ -128,38 +126,38 @@ class _Adhesive:
             if self.power is None
             else power_law_functions(self.module, self.entries, self.power)
         )
-        public = [*map(self.public, SUMMARY), self.pull_off()] if interface else []
+        public = [*map(self.public, stated(self.entries)), self.pull_off()] if interface else []
         title = f"{self.profile.title} with adhesion"
         body = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules() + inverse)
         return body.replace(text.NORMAL, self.profile.name)
 
-    def public(self, suffix: str) -> Function:
+    def public(self, entry: Entry) -> Function:
         """The public function of one quantity, with its checks, docstring and doctest."""
-        entry = self.entries[suffix]
         fields = [str(argument) for argument in entry.quantity.arguments]
-        symbols = [E_star, dgamma] if suffix == "Dl" else self.symbols
-        keywords = [name_of(symbol) for symbol in symbols]
-        body = self.module.check(symbols)
-        summed = self.module.summed and suffix != "Dl"
-        name = "hess_retraction" if suffix == "Dl" else f"_{entry.quantity.function}"
+        keywords = [name_of(symbol) for symbol in entry.parameters]
+        body = self.module.check(entry.parameters)
+        # the retraction is the same for every profile
+        own = set(self.profile.parameters) <= set(entry.parameters)
+        summed = self.module.summed and own
+        name = f"_{entry.quantity.function}" if own else "hess_retraction"
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
-        if suffix in ("ad", "aF"):
+        if entry.quantity.inverts:
             body += self.order()
             signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
             body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
             notes = self.notes_of_inverse()
         else:
-            if self.profile.truncated and suffix != "Dl":
+            if self.profile.truncated and own:
                 body.append(f"require_reach(a, {self.profile.breaks[0]})")
             body.append(f"return {evaluate(name, fields, keywords, summed)}")
         return Function(
             entry.quantity.function,
             fields,
             keywords,
-            SUMMARY[suffix],
+            entry.quantity.summary,
             text.document(entry, fields, keywords, notes),
             body,
-            example=self.example.lines(suffix),
+            example=self.example.lines(entry.suffix),
         )
 
     def order(self) -> list[str]:
@@ -219,8 +217,8 @@ class _Adhesive:
 
     def pull_off_document(self) -> list[str]:
         """The lines of the docstring of `pull_off`, with the formulas under either control."""
-        lines = ["Under control of the force:", "", *self.pull_off_formulas(("ac", "Fc", "dc"))]
-        lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(("am", "Fm", "dm"))]
+        lines = ["Under control of the force:", "", *self.pull_off_formulas(CONTROLS["force"])]
+        lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(CONTROLS["depth"])]
         note = f" {text.capital(self.entries['ac'].note)}." if self.power == n else ""
         note += "" if self.power is not None else text.SEVERAL
         return text.pull_off(lines, self.keywords, self.entries["ac"].parameters, self.entries, note)

@@ -63,11 +63,12 @@ class _Detachment:
         """The public function of the retraction of the edge."""
         keywords = [name_of(symbol) for symbol in EDGE]
         notes = f"Valid for {self.profile.validity}."
+        entry = self.entries["Dl"]
         return Function(
-            "retraction", [], keywords, "Retraction of the edge at which it peels off.",
-            text.document(self.entries["Dl"], [], keywords, notes),
+            entry.quantity.function, [], keywords, entry.quantity.summary,
+            text.document(entry, [], keywords, notes),
             [text.required(EDGE), f"return {evaluate('hess_retraction', [], keywords, False)}"],
-            example=self.example.lines("Dl"),
+            example=self.example.lines(entry.suffix),
         )  # fmt: skip
 
     def pull_off(self) -> Function:

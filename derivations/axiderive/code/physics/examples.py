@@ -58,9 +58,10 @@ class Example:
         at = dict(self.known)
         if entry.quantity.symbol == nt.w:
             at[nt.r] = 2 * at[nt.a]
-        if suffix in SOURCES:
-            at[SOURCES[suffix][1]] = _rounded(self.number(self.entries[SOURCES[suffix][0]], at))
-        loads = [own for own in entry.quantity.arguments if own in (nt.d, nt.F) and suffix not in SOURCES]
+        given = entry.quantity.inverts
+        if given:
+            at[entry.quantity.arguments[0]] = _rounded(self.number(self.entries[given], at))
+        loads = [own for own in entry.quantity.arguments if own in (nt.d, nt.F) and not given]
         at |= self.loads if loads else {}
         fields = [symbol for symbol in entry.quantity.arguments if symbol not in loads]
         passed = [example.literal(at[symbol]) for symbol in fields]
@@ -132,10 +133,6 @@ def _typed(line: str) -> list[str]:
 def _closed(entry: Entry, at: Values) -> sp.Float:
     expr = example._plain(example._case(entry, at).expr)
     return example.number(expr.rhs if isinstance(expr, sp.Eq) else expr, at)
-
-
-SOURCES = {"ad": ("d", nt.d), "aF": ("F", nt.F), "c": ("F", nt.F_x)}
-"""Inverses: the entry that gives the value to start from, and the field it is."""
 
 
 class _Numeric:

@@ -29,7 +29,6 @@ IMPORTS = (
     "special: arctan_gap",
     "kernels: OUTSIDE_2",
 )
-SUMMARY = {"w": "Displacement of the surface into the half-space."}
 RULES = {sp.S.Zero: "uniform(r, a)", sigma: "power(r, a, s)"}
 """Exponents whose displacement is no elementary function, and w E*/(p_0 a) in the runtime."""
 ROOT = named("root")
@@ -43,7 +42,7 @@ def module_source(load: Load, entry: Entry) -> str:
     body = [text.required(entry.parameters), f"return {evaluate('_displacement', ['r'], keywords, False)}"]
     document = text.document(entry, ["r"], keywords, "Frictionless half-space. Negative or NaN radii give NaN.")
     example = Example(load, {"w": entry}, "loads").lines("w")
-    public = Function("displacement", ["r"], keywords, SUMMARY["w"], document, body, example=example)
+    public = Function("displacement", ["r"], keywords, entry.quantity.summary, document, body, example=example)
     return text.module(load.title, load.subtitle, IMPORTS, [public], _private(functions))
 
 

@@ -17,12 +17,6 @@ IMPORTS = (
     "interface: Array, Result, elementwise, numbers, require",
     "functions: gamma",
 )
-SUMMARY = {
-    "E_star": "Effective modulus E_star of two bodies; the modulus of a rigid one is infinite.",
-    "G_star": "Effective shear modulus G_star of two bodies; the modulus of a rigid one is infinite.",
-    "H": "Foundation modulus H of a half-space of modulus E_0 (z/c_0)**k under a rigid indenter.",
-    "h_N": "Factor h_N of a graded half-space, 1 for k = 0.",
-}
 NOTES = {
     "h_N": "Compared with a numerical solution of the equations of equilibrium of the graded half-space.",
 }
@@ -61,7 +55,7 @@ VALUES = {
 
 def module_source(entries: Mapping[str, Entry]) -> str:
     """The module of the four constants."""
-    public = [_public(entries[suffix]) for suffix in SUMMARY]
+    public = [_public(entry) for entry in entries.values()]
     functions = [
         private(f"_{entries[suffix].quantity.function}", [], _names(entries[suffix]), lines)
         for suffix, lines in FORMULAS.items()
@@ -95,7 +89,7 @@ def _public(entry: Entry) -> Function:
     if entry.references:
         sources = "; ".join(f"chapter 11, equation {reference}" for reference in entry.references)
         lines += ["", "References", "----------", f"{sources}."]
-    return Function(function, names, [], SUMMARY[entry.suffix], lines, body, example=_example(entry))
+    return Function(function, names, [], entry.quantity.summary, lines, body, example=_example(entry))
 
 
 def _formula(entry: Entry) -> list[str]:

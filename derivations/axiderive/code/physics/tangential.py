@@ -18,13 +18,6 @@ IMPORTS = (
     "physics.slip: CLOSE, arc_gain, even_gain, gained_share, power_gain, root_gain, stick_force",
     "physics.slip: growth, growth_below, growth_beyond, growth_waves",
 )
-SUMMARY = {
-    "F": "Tangential force with a stick zone of radius c.",
-    "tau": "Tangential traction; zero outside the contact.",
-    "u": "Tangential displacement of the indenter with a stick zone of radius c.",
-    "c": "Radius of the stick zone under a tangential force; NaN beyond full slip.",
-    "us": "Tangential displacement at the onset of full slip.",
-}
 ORDER = [
     "require_order(",
     '    np.all(~(numbers("c", c) > numbers("a", a))),',
@@ -39,7 +32,7 @@ ORDER = [
 def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
     """The module of one profile with a compact contact; without its interface, what that rests on."""
     example = Example(module.profile, entries, "tangential", module.entries)
-    public = [_public(module, entries[suffix], example) for suffix in SUMMARY] if interface else []
+    public = [_public(module, entry, example) for entry in entries.values()] if interface else []
     title = f"{module.profile.title} under a tangential load"
     source = text.module(title, module.profile.subtitle, IMPORTS, public, _private(module))
     return source.replace(text.NORMAL, module.profile.name)
@@ -58,7 +51,7 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
         notes += " The stick zone is never smaller than the flat face: NaN for c < b."
     document = text.document(entry, fields, keywords, notes)
     shown = example.lines(entry.suffix)
-    return Function(entry.quantity.function, fields, keywords, SUMMARY[entry.suffix], document, body, example=shown)
+    return Function(entry.quantity.function, fields, keywords, entry.quantity.summary, document, body, example=shown)
 
 
 def _private(module: NormalModule) -> list[str]:

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...entry import Entry, Quantity
 from ...letters import name_of
-from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent
+from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth
 from ..text import python
 from . import text
 from .examples import Example
@@ -19,15 +19,6 @@ IMPORTS = (
     "interface: Array, Result, elementwise, require, require_coefficients, require_order",
     f"physics.relaxation: {_NAMES}",
 )
-MATERIAL = {
-    "maxwell": "a Maxwell fluid", "kelvin_voigt": "a Kelvin-Voigt solid", "standard_solid": "a standard solid",
-    "power_creep": "a material of power-law creep",
-}  # fmt: skip
-SUMMARY = {
-    "ramp": "Normal force at time t on {}, indented at the constant speed v.",
-    "step": "Normal force at time t on {}, held at the indentation depth d from t = 0 on.",
-    "load": "Contact radius at time t on {}, under the constant normal force F from t = 0 on.",
-}
 
 
 def module_source(module: NormalModule, entries: Mapping[str, Entry]) -> str:
@@ -56,7 +47,6 @@ def kind_and_law(quantity: Quantity) -> tuple[str, Law]:
 
 
 def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
-    kind, law = kind_and_law(entry.quantity)
     symbols = [*entry.quantity.arguments[1:], *entry.parameters]
     keywords, name = [name_of(symbol) for symbol in symbols], entry.quantity.function
     body = [*module.check(symbols), f"return {evaluate(f'_{name}', ['t'], keywords, module.summed)}"]
@@ -64,8 +54,7 @@ def _public(module: NormalModule, entry: Entry, example: Example) -> Function:
     if entry.note:
         notes += f" Here {entry.note}: {'; '.join(text.formula(module.entries['ad']))}."
     document = text.document(entry, ["t"], keywords, notes)
-    summary = SUMMARY[kind].format(MATERIAL[law.name])
-    return Function(name, ["t"], keywords, summary, document, body, example=example.lines(entry.suffix))
+    return Function(name, ["t"], keywords, entry.quantity.summary, document, body, example=example.lines(entry.suffix))
 
 
 def _formula(module: NormalModule, quantity: Quantity) -> str:
@@ -84,7 +73,7 @@ def _formula(module: NormalModule, quantity: Quantity) -> str:
 
 
 def _exponent(module: NormalModule) -> sp.Expr | None:
-    return elastic_exponent(module.entries["Fd"] if "Fd" in module.entries else module.entries["F"])
+    return elastic_exponent(of_depth(module.entries))
 
 
 def _ramp(module: NormalModule, law: Law, elastic: str, passed: str) -> list[str]:

@@ -20,7 +20,7 @@ from .compact import Compact
 from .complete import Complete
 
 TITLE = "Plane contact without adhesion: rigid strips on an elastic half plane, per length of the strip"
-SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,))
+SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,), parity="even", summary="Profile f(x) of the indenter.")
 IMPORTS = (
     "interface: Array, Result, elementwise, require, require_order, require_reach",
     *OFFERED,
@@ -30,7 +30,6 @@ IMPORTS = (
     "shapes.ring: outside_zero_pressure, ring_of_zero_pressure",
     "rules: pressure_integral_beyond",
 )
-EVALUATED = {"f": "even", "p": "even", "s": "odd"}
 
 
 def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
@@ -103,7 +102,7 @@ class _Module:
         doc = document.text(
             self.profile, quantity, entry, symbols, document.notes(self.profile, quantity, whole), example
         )
-        return text.Function(quantity.function, fields, keywords, document.SUMMARY[quantity.suffix], doc, body)
+        return text.Function(quantity.function, fields, keywords, quantity.summary, doc, body)
 
     def _checks(self, keywords: list[str], fields: list[str]) -> list[str]:
         if self.eccentric:
@@ -118,7 +117,7 @@ class _Module:
     def _evaluation(self, quantity: Quantity, private: Private, fields: list[str], keywords: list[str]) -> str:
         given = {"e": "turned(x, e)"} if quantity.suffix == "p" else {}
         passed = [f"{name}={given.get(name, name)}" for name in private.needs]
-        wrapper = EVALUATED.get(quantity.suffix, "elementwise")
+        wrapper = quantity.parity or "elementwise"
         spread = unused(name for name in keywords if name not in private.needs)
         return f"{wrapper}({', '.join([private.name, *fields, *passed, *spread])})"
 

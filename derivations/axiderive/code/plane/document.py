@@ -18,18 +18,6 @@ from ...profiles.profile import Profile
 from .. import docstring, example
 from ..physics.text import capital, wrapped
 
-SUMMARY = {
-    "f": "Profile f(x) of the indenter.",
-    "P": "Line load at half-width a.",
-    "p": "Contact pressure, positive in compression; zero outside the contact.",
-    "s": "Slope dw/dx of the surface, inside and outside the contact.",
-    "d": "Indentation depth relative to the surface at the distance L.",
-    "aP": "Half-width of the contact under the line load P.",
-    "xz": "Distance from the middle where the pressure first vanishes on unloading.",
-    "Pmin": "Least line load of complete contact.",
-    "phi": "Inclination of the punch under an eccentric load.",
-    "cw": "Width of the contact, smaller than the punch once an edge has lifted off.",
-}
 MEANING = {
     nt.a: "half-width of the contact",
     nt.d: "depth of the middle of the contact relative to the surface at the distance L",
@@ -39,7 +27,6 @@ MEANING = {
 }
 OF_PUNCH = {nt.a: "half-width of the punch", nt.f: "height of the face"}
 NAMES = {"slope = ": "dw/dx = ", "tilt = ": "phi = ", "width = ": "l = ", "Abs(": "abs(", "Max(": "max("}
-PARITY = {"f": "even", "p": "even", "s": "odd"}
 
 
 def text(
@@ -99,8 +86,8 @@ def notes(profile: Profile, quantity: Quantity, body: str) -> list[str]:
     """Validity, what gives NaN, parity, evaluation, singularities and the key."""
     fields = [str(argument) for argument in quantity.arguments if argument != nt.x]
     out = [f"Valid for {profile.validity}."]
-    if quantity.suffix in PARITY and nt.e not in profile.parameters:
-        out.append(f"The formula is for x >= 0; the function is {PARITY[quantity.suffix]}.")
+    if quantity.parity and nt.e not in profile.parameters:
+        out.append(f"The formula is for x >= 0; the function is {quantity.parity}.")
     out += [_outside(profile, quantity, fields)]
     if "_integral" in body or "_beyond(_growth" in body or "power_" in body:
         out.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ... import __version__
-from ...code.physics.viscoelastic import MATERIAL
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
 from .. import interface
@@ -33,11 +32,12 @@ if TYPE_CHECKING:
 def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
     physics = request.physics
-    own = MATERIAL.get(interface.law_of(physics), "")
+    law = interface.LAWS.get(interface.law_of(physics))
+    material = law.material if law else ""
     kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
             "loads": "under a prescribed pressure",
             "plane": "of a strip without adhesion, per length",
-            "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
+            "viscoelastic": f"on {material}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
     if physics.startswith("graded"):
         kind += " on a half-space whose modulus grows as a power of depth"
     title = _plain(request.title)

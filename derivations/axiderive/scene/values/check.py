@@ -126,13 +126,12 @@ def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
             return [((a,), moved)]
         case "peak_pressure" | "peak_radius":
             return [((a,), contact.peak(a)[name == "peak_radius"])]
-        case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force":
-            source = "d" if name.endswith("depth") else "F"
-            if physics == "adhesive" and not contact.outermost(source, a):
+        case _ if name in interface.INVERSES:
+            quantity = interface.functions("normal")[name].quantity
+            if physics == "adhesive" and not contact.outermost(quantity.inverts, a):
                 return []
-            given = float(contact.depth(a) if source == "d" else contact.force(a))
-            target = {"radius": mp.mpf, "force": contact.force, "depth": contact.depth}[name.split("_")[0]]
-            return [((given,), target(a))]
+            state = {nt.a: mp.mpf, nt.d: contact.depth, nt.F: contact.force}
+            return [((float(state[quantity.arguments[0]](a)),), state[quantity.symbol](a))]
     return []
 
 

@@ -24,6 +24,7 @@ import sympy as sp
 from ... import notation as nt
 from ...checks.physics_quadrature import contact as of_depth
 from ...checks.plane_quadrature import defined
+from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
@@ -93,12 +94,11 @@ class _Radius:
             case "displacement":
                 under = [((r, a), self.load("d") - height(r)) for r in places]
                 return [((outside, a), self.load("w", r=outside)), *under]
-            case "radius_from_depth" | "radius_from_force" | "force_from_depth" | "depth_from_force":
-                source = "d" if name.endswith("depth") else "F"
+            case _ if source := function.quantity.inverts:
                 if self.adhesive and not self.outermost(source):
                     return []
-                target = {"radius": "", "force": "F", "depth": "d"}[name.split("_")[0]]
-                return [((float(self.load(source)),), self.load(target) if target else mp.mpf(a))]
+                target = function.quantity.symbol
+                return [((float(self.load(source)),), mp.mpf(a) if target == nt.a else self.load(str(target)))]
         return [((a,), self.load(suffix))]
 
     def outermost(self, source: str) -> bool:
@@ -108,8 +108,8 @@ class _Radius:
         """
         if nt.wavelength in self.contact.profile.parameters:
             return False
-        own, control = self.half_space(), {"d": "depth", "F": "force"}[source]
-        if not own.separation(control, mp.mpf(self.a)) > own.at(nt.dgamma):
+        own = self.half_space()
+        if not own.separation(COMPACT[source].function, mp.mpf(self.a)) > own.at(nt.dgamma):
             return False
         here = self.load(source, digits=COARSE)
         end = self.contact.end()
