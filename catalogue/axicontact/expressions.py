@@ -12,7 +12,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ._trace import Node, needed, trace
+from ._runtime.programs.trace import Node, needed, trace
 
 __all__ = ["expression"]
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._domain import numbers, require
-from ._elementwise import Array, Result, elementwise
-from ._gamma import gamma
+from ._runtime.functions import gamma
+from ._runtime.interface import Array, Result, elementwise, numbers, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, require_control
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._special import gamma_ratio
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control
+from .._runtime.special import gamma_ratio
 from ..normal import concave_power as normal
 
 if TYPE_CHECKING:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, require_control
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

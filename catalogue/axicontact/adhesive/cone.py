@@ -10,9 +10,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, power_law_radius, pull, require_control, tension
-from .._domain import numbers, require
-from .._elementwise import Array, Result, elementwise
+from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.physics.adhesion import (
+    XI,
+    PullOff,
+    hess_retraction,
+    lift,
+    power_law_radius,
+    pull,
+    require_control,
+    tension,
+)
 from ..normal import cone as normal
 
 if TYPE_CHECKING:

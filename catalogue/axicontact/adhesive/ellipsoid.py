@@ -10,12 +10,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_below
-from .._domain import numbers, require
-from .._elementwise import Array, Result, elementwise
-from .._stable import growth, stable_radius
-from .._unknowns import up_to
+from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.physics.adhesion import (
+    Branches,
+    PullOff,
+    branches,
+    exponent_of,
+    hess_retraction,
+    lift,
+    lowest,
+    pull,
+    radii_below,
+    require_control,
+    tension,
+)
+from .._runtime.physics.stable import growth, stable_radius
+from .._runtime.physics.unknowns import up_to
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:

@@ -10,12 +10,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, decades, lowest
-from .._domain import numbers, require, require_coefficients
-from .._elementwise import Array, Result, elementwise
-from .._stable import growth, stable_radius
-from .._unknowns import radius_itself
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients
+from .._runtime.physics.adhesion import (
+    Branches,
+    PullOff,
+    branches,
+    decades,
+    hess_retraction,
+    lift,
+    lowest,
+    pull,
+    require_control,
+    tension,
+)
+from .._runtime.physics.stable import growth, stable_radius
+from .._runtime.physics.unknowns import radius_itself
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:

@@ -10,11 +10,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import XI, PullOff, hess_retraction, lift, power_law_radius, pull, require_control, tension
-from .._domain import numbers, require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._functions import nth_root
-from .._special import gamma_ratio
+from .._runtime.functions import nth_root
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from .._runtime.physics.adhesion import (
+    XI,
+    PullOff,
+    hess_retraction,
+    lift,
+    power_law_radius,
+    pull,
+    require_control,
+    tension,
+)
+from .._runtime.special import gamma_ratio
 from ..normal import power_law as normal
 
 if TYPE_CHECKING:

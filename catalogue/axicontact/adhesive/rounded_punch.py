@@ -10,12 +10,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_beyond
-from .._domain import numbers, require, require_reach
-from .._elementwise import Array, Result, elementwise
-from .._stable import growth, stable_radius
-from .._unknowns import beyond_edge, radius_itself
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_reach
+from .._runtime.physics.adhesion import (
+    Branches,
+    PullOff,
+    branches,
+    exponent_of,
+    hess_retraction,
+    lift,
+    lowest,
+    pull,
+    radii_beyond,
+    require_control,
+    tension,
+)
+from .._runtime.physics.stable import growth, stable_radius
+from .._runtime.physics.unknowns import beyond_edge, radius_itself
 from ..normal import rounded_punch as normal
 
 if TYPE_CHECKING:

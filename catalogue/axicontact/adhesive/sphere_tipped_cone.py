@@ -10,13 +10,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._adhesion import PullOff, hess_retraction, lift, pull, require_control, tension
-from .._branches import Branches, branches, exponent_of, lowest, radii_around
-from .._domain import numbers, require
-from .._elementwise import Array, Result, elementwise
-from .._functions import sine_root
-from .._stable import growth, stable_radius
-from .._unknowns import beyond_edge, up_to
+from .._runtime.functions import sine_root
+from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.physics.adhesion import (
+    Branches,
+    PullOff,
+    branches,
+    exponent_of,
+    hess_retraction,
+    lift,
+    lowest,
+    pull,
+    radii_around,
+    require_control,
+    tension,
+)
+from .._runtime.physics.stable import growth, stable_radius
+from .._runtime.physics.unknowns import beyond_edge, up_to
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:

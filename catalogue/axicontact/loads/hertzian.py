@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import beside
-from .._kernels import OUTSIDE_2
+from .._runtime.functions import beside
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._circle import uniform
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.circle import uniform
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

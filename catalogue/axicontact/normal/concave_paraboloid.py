@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._numbers import with_math
-from .._powers import power_punches
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.shapes.powers import power_punches
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import beside_cone
-from .._numbers import with_math
+from .._runtime.functions import beside_cone
+from .._runtime.interface import Array, Result, elementwise, require, with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._numbers import with_math
+from .._runtime.interface import Array, Result, elementwise, require, with_math
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,13 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse_below
-from .._numbers import with_math
-from .._rules import displacement_integral, force_integral, pressure_integral
-from .._special import dawson
-from .._starts import between
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.inverse import between, inverse_below
+from .._runtime.rules import displacement_integral, force_integral, pressure_integral
+from .._runtime.special import dawson
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse
-from .._numbers import with_math
-from .._rules import displacement_integral_sinh, pressure_integral_sinh
-from .._special import arctan_gap
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.inverse import inverse
+from .._runtime.rules import displacement_integral_sinh, pressure_integral_sinh
+from .._runtime.special import arctan_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

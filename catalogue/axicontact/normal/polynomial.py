@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require, require_coefficients
-from .._elementwise import Array, Result, elementwise
-from .._functions import depth_over_height
-from .._inverse import inverse
-from .._powers import power_displacement, power_pressure
+from .._runtime.functions import depth_over_height
+from .._runtime.interface import Array, Result, elementwise, require, require_coefficients
+from .._runtime.inverse import inverse
+from .._runtime.shapes.powers import power_displacement, power_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import lower_power, nth_root, without_root
-from .._numbers import with_math
-from .._powers import power_displacement, power_pressure
-from .._special import gamma_ratio
+from .._runtime.functions import lower_power, nth_root, without_root
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.shapes.powers import power_displacement, power_pressure
+from .._runtime.special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

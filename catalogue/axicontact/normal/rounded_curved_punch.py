@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._across import inverse_beyond
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import beside
-from .._kernels import OUTSIDE_2
-from .._numbers import with_math
-from .._rules import displacement_integral_beyond, pressure_integral_beyond
-from .._special import arctan_gap, root_gap
+from .._runtime.functions import beside
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.kernels import OUTSIDE_2
+from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
+from .._runtime.shapes.across import inverse_beyond
+from .._runtime.special import arctan_gap, root_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

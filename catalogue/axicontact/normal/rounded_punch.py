@@ -9,14 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require, require_reach
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse
-from .._numbers import with_math
-from .._peak import PeakPressure, peak_share
-from .._rules import displacement_integral_beyond, peak_integral_beyond, pressure_integral_beyond
-from .._special import arctan_gap, root_gap
-from .._starts import between
+from .._runtime.interface import Array, Result, elementwise, require, require_reach, with_math
+from .._runtime.inverse import between, inverse
+from .._runtime.rules import displacement_integral_beyond, peak_integral_beyond, pressure_integral_beyond
+from .._runtime.special import PeakPressure, arctan_gap, peak_share, root_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

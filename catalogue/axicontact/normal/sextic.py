@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import beside, nth_root, without_root
-from .._kernels import OUTSIDE_6
-from .._numbers import with_math
-from .._peak import PeakPressure
+from .._runtime.functions import beside, nth_root, without_root
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.kernels import OUTSIDE_6
+from .._runtime.special import PeakPressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,14 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arcs import arc_strips
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse
-from .._numbers import with_math
-from .._rules import displacement_integral_tanh
-from .._special import tanh_gap
-from .._starts import between
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.inverse import between, inverse
+from .._runtime.rules import displacement_integral_tanh
+from .._runtime.shapes.arcs import arc_strips
+from .._runtime.special import tanh_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,19 +9,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._across import inverse_across
-from .._arcs import arc_strips
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import sine_root
-from .._numbers import with_math
-from .._rules import (
+from .._runtime.functions import sine_root
+from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.rules import (
     displacement_integral_beyond,
     displacement_integral_tanh,
     force_integral_beyond,
     pressure_integral_beyond,
 )
-from .._special import tanh_gap
+from .._runtime.shapes.across import inverse_across
+from .._runtime.shapes.arcs import arc_strips
+from .._runtime.special import tanh_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,12 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require, require_reach
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse
-from .._numbers import with_math
-from .._rules import displacement_integral_beyond, pressure_integral_beyond
-from .._starts import between
+from .._runtime.interface import Array, Result, elementwise, require, require_reach, with_math
+from .._runtime.inverse import between, inverse
+from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._rules import displacement_integral_waves, pressure_integral_waves
-from .._special import struve_h0, struve_h1
-from .._waves import inverse_over_waves
+from .._runtime.interface import Array, Result, elementwise, require, require_order
+from .._runtime.rules import displacement_integral_waves, pressure_integral_waves
+from .._runtime.shapes.waves import inverse_over_waves
+from .._runtime.special import struve_h0, struve_h1
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

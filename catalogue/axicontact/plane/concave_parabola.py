@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._plane import even, odd
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.plane import even, odd
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

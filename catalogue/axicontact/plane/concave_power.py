@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._functions import lower_power
-from .._plane import even, odd
-from .._powers import power_pressure, power_strips
-from .._ring import outside_zero_pressure, ring_of_zero_pressure
-from .._special import gamma_ratio
+from .._runtime.functions import lower_power
+from .._runtime.interface import Array, Result, elementwise, require, require_order
+from .._runtime.physics.plane import even, odd
+from .._runtime.shapes.powers import power_pressure, power_strips
+from .._runtime.shapes.ring import outside_zero_pressure, ring_of_zero_pressure
+from .._runtime.special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

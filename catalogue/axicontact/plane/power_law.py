@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import lower_power, nth_root
-from .._plane import even, odd
-from .._powers import power_pressure, power_strips
-from .._special import gamma_ratio
+from .._runtime.functions import lower_power, nth_root
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.plane import even, odd
+from .._runtime.shapes.powers import power_pressure, power_strips
+from .._runtime.special import gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

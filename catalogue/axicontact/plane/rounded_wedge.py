@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._inverse import inverse
-from .._plane import depth_beyond, even, odd, slope_beyond
-from .._rules import pressure_integral_beyond
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.inverse import inverse
+from .._runtime.physics.plane import depth_beyond, even, odd, slope_beyond
+from .._runtime.rules import pressure_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

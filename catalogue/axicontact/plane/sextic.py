@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._functions import nth_root
-from .._plane import even, odd
+from .._runtime.functions import nth_root
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.plane import even, odd
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

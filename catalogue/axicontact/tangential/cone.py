@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import numbers, require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._slip import arc_gain, gained_share, stick_force
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from .._runtime.physics.slip import arc_gain, gained_share, stick_force
 from ..normal import cone as normal
 
 if TYPE_CHECKING:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import numbers, require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._slip import gained_share, root_gain, stick_force
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from .._runtime.physics.slip import gained_share, root_gain, stick_force
 from ..normal import paraboloid as normal
 
 if TYPE_CHECKING:

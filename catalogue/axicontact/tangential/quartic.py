@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import numbers, require, require_order
-from .._elementwise import Array, Result, elementwise
-from .._slip import even_gain, gained_share, stick_force
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from .._runtime.physics.slip import even_gain, gained_share, stick_force
 from ..normal import quartic as normal
 
 if TYPE_CHECKING:

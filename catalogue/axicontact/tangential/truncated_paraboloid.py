@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import numbers, require, require_order, require_reach
-from .._elementwise import Array, Result, elementwise
-from .._slip import CLOSE, stick_force
-from .._slip_rules import growth_beyond
+from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
+from .._runtime.physics.slip import CLOSE, growth_beyond, stick_force
 from ..normal import truncated_paraboloid as normal
 
 if TYPE_CHECKING:

@@ -7,9 +7,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._relaxation import relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.relaxation import (
+    relaxation_kelvin_voigt,
+    relaxation_maxwell,
+    relaxation_power_creep,
+    relaxation_standard_solid,
+)
 from ..normal import capped_cylinder as normal
 
 if TYPE_CHECKING:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._domain import require
-from .._elementwise import Array, Result, elementwise
-from .._relaxation import (
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.relaxation import (
     ramp_kelvin_voigt,
     ramp_maxwell,
     ramp_power_creep,

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._elementwise import Array, Result, elementwise
-from .._relaxation import (
+from .._runtime.interface import Array, Result, elementwise
+from .._runtime.physics.relaxation import (
     creep_kelvin_voigt,
     creep_maxwell,
     creep_power_creep,

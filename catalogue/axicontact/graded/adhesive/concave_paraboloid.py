@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..._adhesion import PullOff, require_control
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_factor
-from ..._graded_punch import graded_retraction, punch_stiffness
+from ..._runtime.graded.growth import power_factor
+from ..._runtime.graded.punch import graded_retraction, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

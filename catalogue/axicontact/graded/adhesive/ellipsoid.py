@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_below
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_below, require_control
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -489,13 +487,13 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array, dg
 
 
 def _branches(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
+    from ..._runtime.graded.branches import graded_branches
 
     return graded_branches(normal._rate, (h, b, k), radii_below(b), np.atleast_1d(b), H, k, dgamma, control)
 
 
 def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._graded_branches import stress_at
+    from ..._runtime.graded.branches import stress_at
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
@@ -509,9 +507,9 @@ def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, cont
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import up_to
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import up_to
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
@@ -527,9 +525,9 @@ def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import up_to
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import up_to
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_to
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_to, require_control
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -492,8 +490,8 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dg
 
 
 def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
-    from ..._graded_inverse import gaussian_reach
+    from ..._runtime.graded.branches import graded_branches
+    from ..._runtime.graded.inverse import gaussian_reach
 
     return graded_branches(
         normal._rate,
@@ -508,7 +506,7 @@ def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: st
 
 
 def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._graded_branches import stress_at
+    from ..._runtime.graded.branches import stress_at
 
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
@@ -522,9 +520,9 @@ def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, cont
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import on_the_bump
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import on_the_bump
 
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
@@ -540,9 +538,9 @@ def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import on_the_bump
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import on_the_bump
 
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)

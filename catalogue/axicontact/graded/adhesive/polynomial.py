@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, decades, lowest
-from ..._domain import numbers, require, require_coefficients
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients
+from ..._runtime.physics.adhesion import Branches, PullOff, decades, lowest, require_control
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -470,7 +468,7 @@ def _displacement(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, 
 
 
 def _branches(A: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
+    from ..._runtime.graded.branches import graded_branches
 
     return graded_branches(normal._rate, (A, k), decades(), np.inf, H, k, dgamma, control)
 
@@ -482,9 +480,9 @@ def _pull_off_radius(A: Array, H: Array, k: Array, dgamma: Array, control: str) 
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of
-    from ..._stable import stable_radius
-    from ..._unknowns import radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import radius_itself
 
     found = _branches(A, H, k, dgamma, control="depth")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="depth")
@@ -493,9 +491,9 @@ def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamm
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of
-    from ..._stable import stable_radius
-    from ..._unknowns import radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import radius_itself
 
     found = _branches(A, H, k, dgamma, control="force")
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="force")

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_around
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_around, require_control
 from ..normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
@@ -533,13 +531,13 @@ def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, 
 
 
 def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
+    from ..._runtime.graded.branches import graded_branches
 
     return graded_branches(normal._rate, (R1, R2, b, k), radii_around(b), np.inf, H, k, dgamma, control)
 
 
 def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._graded_branches import stress_at
+    from ..._runtime.graded.branches import stress_at
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
@@ -554,9 +552,9 @@ def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import beyond_edge, radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import beyond_edge, radius_itself
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
@@ -575,9 +573,9 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Ar
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import beyond_edge, radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import beyond_edge, radius_itself
 
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)

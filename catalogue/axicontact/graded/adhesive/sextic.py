@@ -10,10 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, power_law_radius, require_control
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import (
+from ..._runtime.graded.punch import (
     graded_retraction,
     punch_displacement,
     punch_stiffness,
@@ -21,6 +18,8 @@ from ..._graded_punch import (
     tension,
     unloading_radius,
 )
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import PullOff, power_law_radius, require_control
 from ..normal import sextic as normal
 
 if TYPE_CHECKING:

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_below
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_below, require_control
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -470,13 +468,13 @@ def _displacement(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Arra
 
 
 def _branches(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
+    from ..._runtime.graded.branches import graded_branches
 
     return graded_branches(normal._rate, (R, k), radii_below(R), np.atleast_1d(R), H, k, dgamma, control)
 
 
 def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._graded_branches import stress_at
+    from ..._runtime.graded.branches import stress_at
 
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)
@@ -489,9 +487,9 @@ def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) 
 
 
 def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import up_to
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import up_to
 
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)
@@ -506,9 +504,9 @@ def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) ->
 
 
 def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import up_to
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import up_to
 
     unit = exponent_of(R)
     stress, H = stress_at(unit, H, k)

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._adhesion import PullOff, require_control
-from ..._branches import Branches, exponent_of, lowest, radii_of_waves
-from ..._domain import numbers, require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
+from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_of_waves, require_control
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -544,7 +542,7 @@ def _displacement(
 
 
 def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._graded_branches import graded_branches
+    from ..._runtime.graded.branches import graded_branches
 
     return graded_branches(
         normal._rate, (R, h, wavelength, k), radii_of_waves(wavelength, 4.0 * wavelength), np.inf, H, k, dgamma, control
@@ -552,7 +550,7 @@ def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma:
 
 
 def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._graded_branches import stress_at
+    from ..._runtime.graded.branches import stress_at
 
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
@@ -567,9 +565,9 @@ def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, 
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import radius_itself
 
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
@@ -588,9 +586,9 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._graded_branches import growth_of, pull_of, stress_at
-    from ..._stable import stable_radius
-    from ..._unknowns import radius_itself
+    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
+    from ..._runtime.physics.stable import stable_radius
+    from ..._runtime.physics.unknowns import radius_itself
 
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)

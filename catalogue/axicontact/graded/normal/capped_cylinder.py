@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_depth, power_force
-from ..._graded_punch import punch_displacement, punch_pressure, punch_stiffness
+from ..._runtime.graded.growth import power_depth, power_force
+from ..._runtime.graded.punch import punch_displacement, punch_pressure, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -336,7 +335,7 @@ def _force(d: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, d: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure
+    from ..._runtime.graded.pressure import power_pressure
 
     rho, rest = _contact(d, a, R, k)
     edge = np.where(rest > 0.0, rest * punch_pressure(r, rho, H, k), 0.0)
@@ -345,7 +344,7 @@ def _pressure(r: Array, d: Array, a: Array, R: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, R: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_displacement
+    from ..._runtime.graded.displacement import power_displacement
 
     rho, rest = _contact(d, a, R, k)
     cap = power_displacement(r, rho, 2.0, k) / (2 * R)

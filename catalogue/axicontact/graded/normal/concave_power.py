@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_factor
-from ..._graded_punch import punch_pressure, punch_stiffness
-from ..._ring import lifted_at_zero_pressure, ring_of_zero_pressure
+from ..._runtime.graded.growth import power_factor
+from ..._runtime.graded.punch import punch_pressure, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require, require_order
+from ..._runtime.shapes.ring import lifted_at_zero_pressure, ring_of_zero_pressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -556,7 +555,7 @@ def _force(d: Array, a: Array, h: Array, n: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure
+    from ..._runtime.graded.pressure import power_pressure
 
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
     edge = (d + h * power_factor(n, k)) * punch_pressure(r, a, H, k)
@@ -565,7 +564,7 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, n: Array, H: Array, k: Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_sag, punch_share
+    from ..._runtime.graded.displacement import power_sag, punch_share
     from ...normal import concave_power as normal
 
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_factor
-from ..._graded_punch import punch_pressure, punch_stiffness
+from ..._runtime.graded.growth import power_factor
+from ..._runtime.graded.punch import punch_pressure, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -476,7 +475,7 @@ def _pressure(r: Array, d: Array, a: Array, h: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_sag, punch_share
+    from ..._runtime.graded.displacement import power_sag, punch_share
     from ...normal import concave_quartic as normal
 
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._integrals import difference_root
+from ..._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.integrals import difference_root
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -617,7 +616,7 @@ def _mean_pressure(a: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import sphere_pressure
+    from ..._runtime.graded.pressure import sphere_pressure
 
     inside = np.minimum(r, a)
     growth = h * sphere_pressure(inside, a, b, k) / b
@@ -625,14 +624,14 @@ def _pressure(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, h: Array, b: Array, k: Array) -> Array:
-    from ..._graded_fall import sphere_displacement
+    from ..._runtime.graded.displacement import sphere_displacement
 
     return h * sphere_displacement(r, a, b, k) / b
 
 
 def _contact_from_depth(d: Array, h: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(b**2 - a**2)."""
-    from ..._graded_inverse import contact_below
+    from ..._runtime.graded.inverse import contact_below
 
     return contact_below(_depth_at, _rate_at, d, b, (h, b, k), 2.0, k)
 
@@ -643,7 +642,7 @@ def _radius_from_depth(d: Array, h: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, h: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(b**2 - a**2)."""
-    from ..._graded_inverse import contact_below
+    from ..._runtime.graded.inverse import contact_below
 
     return contact_below(_force_at, _force_rate_at, F, b, (h, b, H, k), 3.0 + k, k)
 

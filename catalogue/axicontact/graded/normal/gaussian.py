@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.graded.growth import gaussian_depth, gaussian_force, gaussian_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -605,7 +604,7 @@ def _mean_pressure(a: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import gaussian_pressure
+    from ..._runtime.graded.pressure import gaussian_pressure
 
     inside = np.minimum(r, a)
     growth = h * gaussian_pressure(inside, a, s, k)
@@ -613,21 +612,21 @@ def _pressure(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, h: Array, s: Array, k: Array) -> Array:
-    from ..._graded_fall import gaussian_displacement
+    from ..._runtime.graded.displacement import gaussian_displacement
 
     return h * gaussian_displacement(r, a, s, k)
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, k: Array) -> Array:
-    from ..._graded_inverse import gaussian_reach, radius_up_to
-    from ..._unknowns import on_the_bump
+    from ..._runtime.graded.inverse import gaussian_reach, radius_up_to
+    from ..._runtime.physics.unknowns import on_the_bump
 
     return radius_up_to(_depth, _rate, d, gaussian_reach(s, k), (h, s, k), on_the_bump(s))
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
-    from ..._graded_inverse import gaussian_reach, radius_up_to
-    from ..._unknowns import on_the_bump
+    from ..._runtime.graded.inverse import gaussian_reach, radius_up_to
+    from ..._runtime.physics.unknowns import on_the_bump
 
     return radius_up_to(_force, _force_rate, F, gaussian_reach(s, k), (h, s, H, k), on_the_bump(s))
 

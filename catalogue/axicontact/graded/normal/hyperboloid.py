@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.graded.growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -604,7 +603,7 @@ def _mean_pressure(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import hyperboloid_pressure
+    from ..._runtime.graded.pressure import hyperboloid_pressure
 
     inside = np.minimum(r, a)
     growth = hyperboloid_pressure(inside, a, b, k) * np.tan(theta)
@@ -612,19 +611,19 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    from ..._graded_fall import hyperboloid_displacement
+    from ..._runtime.graded.displacement import hyperboloid_displacement
 
     return hyperboloid_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_depth, _rate, d, 1.5 * b, (theta, b, k))
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_force, _force_rate, F, 1.5 * b, (theta, b, H, k))
 

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require, require_coefficients
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.graded.growth import power_depth, power_force, power_mean, power_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require, require_coefficients
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -592,7 +591,7 @@ def _mean_pressure(a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure
+    from ..._runtime.graded.pressure import power_pressure
 
     inside = np.minimum(r, a)
     growth = sum(A_j * power_pressure(inside, a, j, k) for j, A_j in enumerate(A, 1) if A_j)
@@ -600,19 +599,19 @@ def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array) -> A
 
 
 def _displacement(r: Array, a: Array, A: tuple[float, ...], k: Array) -> Array:
-    from ..._graded_displacement import power_displacement
+    from ..._runtime.graded.displacement import power_displacement
 
     return sum(A_j * power_displacement(r, a, j, k) for j, A_j in enumerate(A, 1))
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_depth, _rate, d, 1.0, (A, k))
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_force, _force_rate, F, 1.0, (A, H, k))
 

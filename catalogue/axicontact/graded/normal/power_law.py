@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_depth, power_force, power_mean, power_rate
-from ..._graded_punch import punch_stiffness
+from ..._runtime.graded.growth import power_depth, power_force, power_mean, power_rate
+from ..._runtime.graded.punch import punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -602,7 +601,7 @@ def _mean_pressure(a: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure
+    from ..._runtime.graded.pressure import power_pressure
 
     inside = np.minimum(r, a)
     growth = A * power_pressure(inside, a, n, k)
@@ -610,7 +609,7 @@ def _pressure(r: Array, a: Array, A: Array, n: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, A: Array, n: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_displacement
+    from ..._runtime.graded.displacement import power_displacement
 
     return A * power_displacement(r, a, n, k)
 

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rounded_depth, rounded_force, rounded_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._integrals import difference_root
+from ..._runtime.graded.breaks import rounded_depth, rounded_force, rounded_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.integrals import difference_root
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -629,7 +628,7 @@ def _mean_pressure(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import rounded_pressure
+    from ..._runtime.graded.pressure import rounded_pressure
 
     inside = np.minimum(r, a)
     growth = rounded_pressure(inside, a, b, k) * np.tan(theta)
@@ -637,19 +636,19 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    from ..._graded_fall import rounded_displacement
+    from ..._runtime.graded.displacement import rounded_displacement
 
     return rounded_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     return radius_across(_depth_at, _rate_at, d, b, (theta, b, k), 2.0)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     return radius_across(_force_at, _force_rate_at, F, b, (theta, b, H, k), 3.0 + k)
 

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._graded_growth import power_depth, power_force, power_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._integrals import difference_root
+from ..._runtime.graded.breaks import rounding_depth, rounding_force, rounding_rate
+from ..._runtime.graded.growth import power_depth, power_force, power_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.integrals import difference_root
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -656,7 +655,7 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array)
 
 
 def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure, rounding_pressure
+    from ..._runtime.graded.pressure import power_pressure, rounding_pressure
 
     inside = np.minimum(r, a)
     growth = power_pressure(inside, a, 2.0, k) / (2 * R1) + rounding_pressure(inside, a, b, k) / R2
@@ -664,20 +663,19 @@ def _pressure(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, k: A
 
 
 def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_displacement
-    from ..._graded_fall import rounding_displacement
+    from ..._runtime.graded.displacement import power_displacement, rounding_displacement
 
     return power_displacement(r, a, 2.0, k) / (2 * R1) + rounding_displacement(r, a, b, k) / R2
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     return radius_across(_depth_at, _rate_at, d, b, (R1, R2, b, k), 2.0)
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     return radius_across(_force_at, _force_rate_at, F, b, (R1, R2, b, H, k), 3.0 + k)
 

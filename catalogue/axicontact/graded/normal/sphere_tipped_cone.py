@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require
-from ..._elementwise import Array, Result, elementwise
-from ..._functions import sine_root
-from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.functions import sine_root
+from ..._runtime.graded.breaks import tipped_depth, tipped_force, tipped_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -650,7 +649,7 @@ def _mean_pressure(a: Array, R: Array, theta: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import tipped_pressure
+    from ..._runtime.graded.pressure import tipped_pressure
 
     b = R * np.sin(theta)
     inside = np.minimum(r, a)
@@ -659,21 +658,21 @@ def _pressure(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, R: Array, theta: Array, k: Array) -> Array:
-    from ..._graded_fall import tipped_displacement
+    from ..._runtime.graded.displacement import tipped_displacement
 
     b = R * np.sin(theta)
     return tipped_displacement(r, a, R, b, R * np.cos(theta), k)
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     b = R * np.sin(theta)
     return radius_across(_depth_at, _rate_at, d, b, (R, theta, k), 2.0, end=R)
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array) -> Array:
-    from ..._graded_across import radius_across
+    from ..._runtime.graded.inverse import radius_across
 
     b = R * np.sin(theta)
     return radius_across(_force_at, _force_rate_at, F, b, (R, theta, H, k), 3.0 + k, end=R)

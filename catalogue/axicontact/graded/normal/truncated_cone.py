@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require, require_reach
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import flank_depth, flank_force, flank_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._integrals import difference_root
+from ..._runtime.graded.breaks import flank_depth, flank_force, flank_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.integrals import difference_root
+from ..._runtime.interface import Array, Result, elementwise, require, require_reach
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -642,7 +641,7 @@ def _mean_pressure(a: Array, theta: Array, b: Array, H: Array, k: Array) -> Arra
 
 
 def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import flank_pressure
+    from ..._runtime.graded.pressure import flank_pressure
 
     inside = np.minimum(r, a)
     growth = flank_pressure(inside, a, b, k) * np.tan(theta)
@@ -650,14 +649,14 @@ def _pressure(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array) ->
 
 
 def _displacement(r: Array, a: Array, theta: Array, b: Array, k: Array) -> Array:
-    from ..._graded_fall import flank_displacement
+    from ..._runtime.graded.displacement import flank_displacement
 
     return flank_displacement(r, a, b, k) * np.tan(theta)
 
 
 def _contact_from_depth(d: Array, theta: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
-    from ..._graded_inverse import contact_beyond
+    from ..._runtime.graded.inverse import contact_beyond
 
     return contact_beyond(_depth_at, _rate_at, d, b, (theta, b, k), (1.0 + k, 1.0))
 
@@ -668,7 +667,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
-    from ..._graded_inverse import contact_beyond
+    from ..._runtime.graded.inverse import contact_beyond
 
     return contact_beyond(_force_at, _force_rate_at, F, b, (theta, b, H, k), (1.0 + k, 2.0 + k))
 

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require, require_reach
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._integrals import difference_root
+from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.integrals import difference_root
+from ..._runtime.interface import Array, Result, elementwise, require, require_reach
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -622,7 +621,7 @@ def _mean_pressure(a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
 
 
 def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import rim_pressure
+    from ..._runtime.graded.pressure import rim_pressure
 
     inside = np.minimum(r, a)
     growth = rim_pressure(inside, a, b, k) / R
@@ -630,14 +629,14 @@ def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array) -> Arr
 
 
 def _displacement(r: Array, a: Array, R: Array, b: Array, k: Array) -> Array:
-    from ..._graded_fall import rim_displacement
+    from ..._runtime.graded.displacement import rim_displacement
 
     return rim_displacement(r, a, b, k) / R
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
-    from ..._graded_inverse import contact_beyond
+    from ..._runtime.graded.inverse import contact_beyond
 
     return contact_beyond(_depth_at, _rate_at, d, b, (R, b, k), (1.0 + k, 2.0))
 
@@ -648,7 +647,7 @@ def _radius_from_depth(d: Array, R: Array, b: Array, k: Array) -> Array:
 
 def _contact_from_force(F: Array, R: Array, b: Array, H: Array, k: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
-    from ..._graded_inverse import contact_beyond
+    from ..._runtime.graded.inverse import contact_beyond
 
     return contact_beyond(_force_at, _force_rate_at, F, b, (R, b, H, k), (1.0 + k, 3.0 + k))
 

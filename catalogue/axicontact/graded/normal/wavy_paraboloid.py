@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import power_depth, power_force, power_rate
-from ..._graded_punch import punch_depth, punch_force, punch_stiffness
-from ..._graded_waves import steepest_waves, waves_depth, waves_force, waves_rate
+from ..._runtime.graded.growth import power_depth, power_force, power_rate
+from ..._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
+from ..._runtime.graded.waves import steepest_waves, waves_depth, waves_force, waves_rate
+from ..._runtime.interface import Array, Result, elementwise, require, require_order
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -649,7 +648,7 @@ def _mean_pressure(a: Array, R: Array, h: Array, wavelength: Array, H: Array, k:
 
 
 def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array) -> Array:
-    from ..._graded_pressure import power_pressure, waves_pressure
+    from ..._runtime.graded.pressure import power_pressure, waves_pressure
 
     inside = np.minimum(r, a)
     growth = power_pressure(inside, a, 2.0, k) / (2 * R) + h * waves_pressure(inside, a, 2 * np.pi / wavelength, k)
@@ -657,20 +656,19 @@ def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Arra
 
 
 def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array, k: Array) -> Array:
-    from ..._graded_displacement import power_displacement
-    from ..._graded_fall import waves_displacement
+    from ..._runtime.graded.displacement import power_displacement, waves_displacement
 
     return power_displacement(r, a, 2.0, k) / (2 * R) + h * waves_displacement(r, a, 2 * np.pi / wavelength, k)
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_depth, _rate, d, 1.5 * wavelength, (R, h, wavelength, k))
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array) -> Array:
-    from ..._graded_inverse import radius_to
+    from ..._runtime.graded.inverse import radius_to
 
     return radius_to(_force, _force_rate, F, 1.5 * wavelength, (R, h, wavelength, H, k))
 

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._slip import stick_force
+from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import capped_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -388,7 +387,7 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import beyond_gain, power_gain
+    from ..._runtime.graded.slip import beyond_gain, power_gain
 
     power = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R1)
     rim = beyond_gain("force", rim_force, rim_rate, (b,), 0.0, c, a, k) * (R1 - R2) / (R1 * R2)
@@ -397,8 +396,8 @@ def _tangential_force(a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Arr
 
 
 def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import rim_pressure
-    from ..._graded_slip import beyond_gain, power_gain
+    from ..._runtime.graded.pressure import rim_pressure
+    from ..._runtime.graded.slip import beyond_gain, power_gain
 
     inside = np.minimum(r, c)
     power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
@@ -410,7 +409,7 @@ def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: A
 def _tangential_displacement(
     a: Array, c: Array, R1: Array, R2: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import beyond_gain, power_gain
+    from ..._runtime.graded.slip import beyond_gain, power_gain
 
     power = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R1)
     rim = beyond_gain("depth", rim_depth, rim_rate, (b,), 0.0, c, a, k) * (R1 - R2) / (R1 * R2)

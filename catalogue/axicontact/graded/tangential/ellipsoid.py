@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import sphere_depth, sphere_force, sphere_rate
-from ..._slip import stick_force
+from ..._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -333,15 +332,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, h: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import below_gain
+    from ..._runtime.graded.slip import below_gain
 
     gain = h * below_gain("force", sphere_force, sphere_rate, (b,), 0.0, c, a, k) / b
     return np.where(a <= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import sphere_pressure
-    from ..._graded_slip import below_gain
+    from ..._runtime.graded.pressure import sphere_pressure
+    from ..._runtime.graded.slip import below_gain
 
     inside = np.minimum(r, c)
     gain = h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
@@ -351,7 +350,7 @@ def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, h: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import below_gain
+    from ..._runtime.graded.slip import below_gain
 
     gain = h * below_gain("depth", sphere_depth, sphere_rate, (b,), 0.0, c, a, k) / b
     return np.where(a <= b, mu * (H / H_x) * gain, np.nan)

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import gaussian_depth, gaussian_force, gaussian_rate
-from ..._slip import stick_force
+from ..._runtime.graded.growth import gaussian_depth, gaussian_force, gaussian_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -333,15 +332,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, h: Array, s: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.slip import smooth_gain
 
     gain = h * smooth_gain("force", gaussian_force, gaussian_rate, (s,), 0.0, c, a, k)
     return np.where(normal._rate(a, h, s, k) >= 0.0, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import gaussian_pressure
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.pressure import gaussian_pressure
+    from ..._runtime.graded.slip import smooth_gain
 
     inside = np.minimum(r, c)
     gain = h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
@@ -355,7 +354,7 @@ def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, h: Array, s: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.slip import smooth_gain
 
     gain = h * smooth_gain("depth", gaussian_depth, gaussian_rate, (s,), 0.0, c, a, k)
     return np.where(normal._rate(a, h, s, k) >= 0.0, mu * (H / H_x) * gain, np.nan)

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
-from ..._slip import stick_force
+from ..._runtime.graded.growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import hyperboloid as normal
 
 if TYPE_CHECKING:
@@ -349,15 +348,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.slip import smooth_gain
 
     gain = smooth_gain("force", hyperboloid_force, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import hyperboloid_pressure
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.pressure import hyperboloid_pressure
+    from ..._runtime.graded.slip import smooth_gain
 
     inside = np.minimum(r, c)
     gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
@@ -367,7 +366,7 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import smooth_gain
+    from ..._runtime.graded.slip import smooth_gain
 
     gain = smooth_gain("depth", hyperboloid_depth, hyperboloid_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (H / H_x) * gain

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_coefficients, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._slip import stick_force
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -329,14 +328,14 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: tuple[float, ...], H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     gain = sum(A_j * power_gain("force", 0.0, c, a, j, k) for j, A_j in enumerate(A, 1))
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     inside = np.minimum(r, c)
     gain = sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
@@ -346,7 +345,7 @@ def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: A
 def _tangential_displacement(
     a: Array, c: Array, A: tuple[float, ...], H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     gain = sum(A_j * power_gain("depth", 0.0, c, a, j, k) for j, A_j in enumerate(A, 1))
     return mu * (H / H_x) * gain

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rounded_depth, rounded_force, rounded_rate
-from ..._slip import stick_force
+from ..._runtime.graded.breaks import rounded_depth, rounded_force, rounded_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import rounded_cone as normal
 
 if TYPE_CHECKING:
@@ -353,15 +352,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import rounded_gain
+    from ..._runtime.graded.slip import rounded_gain
 
     gain = rounded_gain("force", rounded_force, rounded_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import rounded_pressure
-    from ..._graded_slip import rounded_gain
+    from ..._runtime.graded.pressure import rounded_pressure
+    from ..._runtime.graded.slip import rounded_gain
 
     inside = np.minimum(r, c)
     gain = rounded_gain("pressure", rounded_pressure, rounded_rate, (b,), inside, c, a, k) * np.tan(theta)
@@ -371,7 +370,7 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
 def _tangential_displacement(
     a: Array, c: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import rounded_gain
+    from ..._runtime.graded.slip import rounded_gain
 
     gain = rounded_gain("depth", rounded_depth, rounded_rate, (b,), 0.0, c, a, k) * np.tan(theta)
     return mu * (H / H_x) * gain

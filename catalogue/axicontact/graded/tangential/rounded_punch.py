@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order, require_reach
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rounding_depth, rounding_force, rounding_rate
-from ..._slip import stick_force
+from ..._runtime.graded.breaks import rounding_depth, rounding_force, rounding_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
+from ..._runtime.physics.slip import stick_force
 from ..normal import rounded_punch as normal
 
 if TYPE_CHECKING:
@@ -353,15 +352,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.slip import beyond_gain
 
     gain = beyond_gain("force", rounding_force, rounding_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import rounding_pressure
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.pressure import rounding_pressure
+    from ..._runtime.graded.slip import beyond_gain
 
     inside = np.minimum(r, c)
     gain = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R
@@ -371,7 +370,7 @@ def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, R: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.slip import beyond_gain
 
     gain = beyond_gain("depth", rounding_depth, rounding_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (H / H_x) * gain, np.nan)

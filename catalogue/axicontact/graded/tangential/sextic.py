@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._slip import stick_force
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import sextic as normal
 
 if TYPE_CHECKING:
@@ -316,14 +315,14 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, A: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     gain = A * power_gain("force", 0.0, c, a, 6.0, k)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
 def _traction(r: Array, a: Array, c: Array, A: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     inside = np.minimum(r, c)
     gain = A * power_gain("pressure", inside, c, a, 6.0, k)
@@ -331,7 +330,7 @@ def _traction(r: Array, a: Array, c: Array, A: Array, H: Array, k: Array, mu: Ar
 
 
 def _tangential_displacement(a: Array, c: Array, A: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import power_gain
+    from ..._runtime.graded.slip import power_gain
 
     gain = A * power_gain("depth", 0.0, c, a, 6.0, k)
     return mu * (H / H_x) * gain

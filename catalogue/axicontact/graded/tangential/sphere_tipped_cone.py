@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import tipped_depth, tipped_force, tipped_rate
-from ..._slip import stick_force
+from ..._runtime.graded.breaks import tipped_depth, tipped_force, tipped_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -365,7 +364,7 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import tipped_gain
+    from ..._runtime.graded.slip import tipped_gain
 
     b = R * np.sin(theta)
     gain = tipped_gain("force", tipped_force, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)
@@ -373,8 +372,8 @@ def _tangential_force(a: Array, c: Array, R: Array, theta: Array, H: Array, k: A
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import tipped_pressure
-    from ..._graded_slip import tipped_gain
+    from ..._runtime.graded.pressure import tipped_pressure
+    from ..._runtime.graded.slip import tipped_gain
 
     b = R * np.sin(theta)
     inside = np.minimum(r, c)
@@ -385,7 +384,7 @@ def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k:
 def _tangential_displacement(
     a: Array, c: Array, R: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import tipped_gain
+    from ..._runtime.graded.slip import tipped_gain
 
     b = R * np.sin(theta)
     gain = tipped_gain("depth", tipped_depth, tipped_rate, (R, b, R * np.cos(theta)), 0.0, c, a, k)

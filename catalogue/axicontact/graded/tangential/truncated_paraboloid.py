@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require, require_order, require_reach
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_breaks import rim_depth, rim_force, rim_rate
-from ..._slip import stick_force
+from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
+from ..._runtime.physics.slip import stick_force
 from ..normal import truncated_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -334,15 +333,15 @@ def full_slip_displacement(
 
 
 def _tangential_force(a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.slip import beyond_gain
 
     gain = beyond_gain("force", rim_force, rim_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (2.0 * H / (1.0 + k)) * gain, np.nan)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
-    from ..._graded_pressure import rim_pressure
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.pressure import rim_pressure
+    from ..._runtime.graded.slip import beyond_gain
 
     inside = np.minimum(r, c)
     gain = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) / R
@@ -352,7 +351,7 @@ def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Arr
 def _tangential_displacement(
     a: Array, c: Array, R: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import beyond_gain
+    from ..._runtime.graded.slip import beyond_gain
 
     gain = beyond_gain("depth", rim_depth, rim_rate, (b,), 0.0, c, a, k) / R
     return np.where(c >= b, mu * (H / H_x) * gain, np.nan)

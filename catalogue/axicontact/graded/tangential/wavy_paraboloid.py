@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._domain import numbers, require_order
-from ..._elementwise import Array, Result, elementwise
-from ..._graded_waves import waves_depth, waves_force, waves_rate
-from ..._slip import stick_force
+from ..._runtime.graded.waves import waves_depth, waves_force, waves_rate
+from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
+from ..._runtime.physics.slip import stick_force
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -389,7 +388,7 @@ def full_slip_displacement(
 def _tangential_force(
     a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import power_gain, waves_gain
+    from ..._runtime.graded.slip import power_gain, waves_gain
 
     power = power_gain("force", 0.0, c, a, 2.0, k) / (2 * R)
     waves = h * waves_gain("force", waves_force, waves_rate, (2 * np.pi / wavelength,), 0.0, c, a, k)
@@ -400,8 +399,8 @@ def _tangential_force(
 def _traction(
     r: Array, a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_pressure import waves_pressure
-    from ..._graded_slip import power_gain, waves_gain
+    from ..._runtime.graded.pressure import waves_pressure
+    from ..._runtime.graded.slip import power_gain, waves_gain
 
     inside = np.minimum(r, c)
     power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
@@ -413,7 +412,7 @@ def _traction(
 def _tangential_displacement(
     a: Array, c: Array, R: Array, h: Array, wavelength: Array, H: Array, H_x: Array, k: Array, mu: Array
 ) -> Array:
-    from ..._graded_slip import power_gain, waves_gain
+    from ..._runtime.graded.slip import power_gain, waves_gain
 
     power = power_gain("depth", 0.0, c, a, 2.0, k) / (2 * R)
     waves = h * waves_gain("depth", waves_depth, waves_rate, (2 * np.pi / wavelength,), 0.0, c, a, k)

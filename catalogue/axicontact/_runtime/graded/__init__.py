@@ -1,0 +1,1 @@
+"""What contacts on the power-law graded half-space need."""

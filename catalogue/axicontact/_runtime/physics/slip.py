@@ -1,0 +1,163 @@
+"""Partial slip in the Cattaneo-Mindlin approximation: mu times the difference of two normal contacts.
+
+The difference of the contacts with radii a and c is what the contact gains while
+it grows from c to a.  Written as that growth nothing cancels, however close c and
+a are; for one power of r it is closed, for other profiles it is an integral of g'(t) t**order/sqrt(t**2 - r**2):
+the depth that of order 1 with r = 0, the force 2 E* times that of order 2, and the pressure at r < c E*/pi times
+that of order 0.  The path is counted from c in the variable of `integrals` that keeps all singularities pi/2 away,
+whose length is a logarithm free of differences; `close` tells where the integral is wanted.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..integrals import WAVES, Slope, Strip, difference_root, in_groups, integral, integral_in_strip
+from ..interface import Array
+
+CLOSE = 0.25
+"""Below this share of a, or of the value at a, what is subtracted costs a third of its own error at most."""
+NODES = 64
+DECAY = 42.0
+"""exp(-42) = 6e-19: what is left of a power beyond it does not count."""
+
+
+def log_ratio(a: Array, c: Array) -> Array:
+    """ln(a/c) for c <= a."""
+    return np.where(a > c, np.log1p((a - c) / c), 0.0)
+
+
+def gained_share(c: Array, a: Array, n: Array) -> Array:
+    """1 - (c/a)**n."""
+    return -np.expm1(-n * log_ratio(a, c))
+
+
+def root_gain(r: Array, c: Array, a: Array) -> Array:
+    """sqrt(a**2 - r**2) - sqrt(c**2 - r**2) for r <= c <= a."""
+    return np.where(a > c, (a - c) * (a + c) / (difference_root(a, r) + difference_root(c, r)), 0.0)
+
+
+def arc_gain(r: Array, c: Array, a: Array) -> Array:
+    """Integral of 1/sqrt(t**2 - r**2) from c to a."""
+    return np.log1p(((a - c) + root_gain(r, c, a)) / (c + difference_root(c, r)))
+
+
+def even_gain(r: Array, c: Array, a: Array, n: int) -> Array:
+    """Integral of t**(n - 1)/sqrt(t**2 - r**2) from c to a for an even n, by parts."""
+    outer, inner = difference_root(a, r), difference_root(c, r)
+    quotient, power, total = 0.0, 1.0, 1.0
+    for j in range(4, n + 1, 2):
+        # (a**(j - 2) - c**(j - 2))/(a**2 - c**2) and c**(j - 2)
+        quotient, power = a * a * quotient + power, c * c * power
+        total = ((j - 2) * r * r * total + quotient * (outer + inner) * outer + power) / (j - 1)
+    return root_gain(r, c, a) * total
+
+
+def power_gain(r: Array, c: Array, a: Array, n: Array) -> Array:
+    """Integral of t**(n - 1)/sqrt(t**2 - r**2) from c to a, over a**(n - 1), for r < c.
+
+    In s with t = r exp(s**2) every integrand is smooth; its nearest singularity is at abs(s) = sqrt(pi).
+    """
+    growth, depth = log_ratio(a, c), log_ratio(a, r)
+    outer, inner = np.sqrt(depth), np.sqrt(log_ratio(c, r))
+    steep, rate = n > 1.0, np.abs(n - 1.0)
+    end = DECAY / np.maximum(rate, 1e-3)
+    # counted from the end where the power is largest, so that the difference to it is exact
+    start: Array = np.where(steep, outer, inner)
+    side = 1.0 - 2.0 * steep
+    cut = np.sqrt(np.maximum(start * start + side * end, 0.0))
+    reach = np.where(growth > end, end / (start + cut), growth / (outer + inner))
+
+    def integrand(step: Array) -> Array:
+        fall = step * (2.0 * start + side * step)
+        return np.exp(-rate * fall) * _weight(np.maximum(start + side * step, 0.0))
+
+    largest = np.where(steep, 1.0, (c / a) ** n * (a / c))
+    within = np.where(reach > 0.0, integral(integrand, reach, NODES), 0.0)
+    centre = -np.expm1(-rate * growth) / np.where(rate > 0.0, rate, 1.0)
+    return np.where(rate > 0.0, largest * np.where(r > 0.0, within, centre), arc_gain(r, c, a))
+
+
+def _weight(s: Array) -> Array:
+    """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
+    return np.where(s > 0.0, 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s)), np.sqrt(2.0))
+
+
+def stick_force(F: Array, F_x: Array, mu: Array) -> Array:
+    """The normal force of the stick zone, F - F_x/mu; NaN beyond full slip."""
+    rest = F - F_x / mu
+    rest = np.where(np.abs(rest) <= 2e-16 * F, 0.0, rest)
+    return np.where(rest >= 0.0, rest, np.nan)
+
+
+LONGEST = 256.0
+"""Waves between c and a beyond which they are left to the difference."""
+
+
+@in_groups
+def growth(slope: Slope, order: int, r: Array, c: Array, a: Array, close: Array) -> Strip:
+    """For g' without singularities near the real axis, or with those on the imaginary axis only."""
+    root = difference_root(c, r)
+    stop = np.log1p(((a - c) + _gap(a, c, difference_root(a, r), root)) / (c + root))
+
+    def integrand(v: Array) -> Array:
+        t = c * np.cosh(v) + root * np.sinh(v)
+        return slope(t) * t**order
+
+    return integrand, np.where(close & (a > c), stop, 0.0), 1.0, close & (a > c), 0.0
+
+
+@in_groups
+def growth_beyond(slope: Slope, order: int, r: Array, c: Array, a: Array, b: Array, close: Array) -> Strip:
+    """From max(b, c) on; `slope` takes t and sqrt(t**2 - b**2)."""
+    start = np.maximum(b, c)
+    beyond, root = difference_root(start, b), difference_root(start, r)
+    gaps = _gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root)
+    holds = close & (a > start)
+
+    def integrand(v: Array) -> Array:
+        # beyond**2 and root**2 differ by a constant: they are a cosh and a sinh of v, in either order
+        side = beyond * np.cosh(v) + root * np.sinh(v)
+        t = np.sqrt(b * b + side * side)
+        return slope(t, side) * (side / t) * t**order
+
+    return integrand, np.where(holds, np.log1p(gaps / (beyond + root)), 0.0), 1.0, holds, 0.0
+
+
+@in_groups
+def growth_below(slope: Slope, order: int, r: Array, c: Array, a: Array, R: Array, close: Array) -> Strip:
+    """For g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
+    scale, root, below = difference_root(R, r), difference_root(c, r), difference_root(R, c)
+    outer, last = difference_root(a, r), difference_root(R, a)
+    ratio = 2.0 * scale * _gap(a, c, outer, root) / last * ((scale + outer) / (scale + root)) / last
+    holds = close & (a > c)
+
+    def integrand(v: Array) -> Array:
+        even, odd = np.cosh(v), np.sinh(v)
+        secant = scale * even + root * odd
+        u, side = scale * (root * even + scale * odd) / secant, scale * below / secant
+        t = np.sqrt(r * r + u * u)
+        return slope(t, side) * (side / scale) * (side / t) * t**order
+
+    return integrand, np.where(holds, 0.5 * np.log1p(ratio), 0.0), 1.0, holds, 0.0
+
+
+def growth_waves(
+    slope: Slope, parameters: tuple[Array, ...], order: int, r: Array, c: Array, a: Array, wavelength: Array,
+    close: Array,
+) -> Array:  # fmt: skip
+    """For g' that oscillates with a wavelength."""
+    root = difference_root(c, r)
+    gap = _gap(a, c, difference_root(a, r), root)
+    holds = close & (a > c) & (gap < LONGEST * wavelength)
+
+    def integrand(u: Array) -> Array:
+        t = np.sqrt(r * r + (root + u) ** 2)
+        return slope(t, *parameters) * t ** (order - 1)
+
+    return integral_in_strip(integrand, np.where(holds, gap, 0.0), wavelength, WAVES)
+
+
+def _gap(a: Array, c: Array, outer: Array, inner: Array) -> Array:
+    """outer - inner, their squares being a**2 and c**2 less the same number."""
+    return np.where(a > c, (a - c) * (a + c) / (outer + inner), 0.0)

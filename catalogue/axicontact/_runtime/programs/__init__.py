@@ -1,0 +1,1 @@
+"""Formulas as graphs, and what is compiled of them at the first call."""

@@ -1,0 +1,1 @@
+"""What some shapes of indenter need: powers of any exponent, arcs, hollows, breaks, waves."""
