@@ -192,8 +192,8 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
         start = LOAD_START % ("$s$" if free else f"$s={Printer()(profile.exponent)}$")
     elif profile_id.startswith("plane."):
         face = CONCAVE_START if nt.h in profile.parameters else FLAT_START
-        start = face if profile.contact == "complete" else PLANE_START
-    elif profile.contact == "complete":
+        start = face if profile.complete else PLANE_START
+    elif profile.complete:
         start = (
             r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ "
             r"the edge term of (11.107), "
@@ -285,7 +285,7 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
         lines.append(("Shorthand", ", ".join(shorthands)))
     lines.append(("Medium", HALF_SPACE.replace("half-space", "half-plane") if plane else HALF_SPACE))
     span = r"$|x|\le a$" if plane else r"$0\le r\le a$"
-    if profile.contact == "compact":
+    if profile.compact:
         start = Printer()(profile.breaks[0]) if profile.truncated else None
         lines.append(("Contact", rf"frictionless, compact, {span}" + (f", $a\\ge {start}$" if start else "")))
     elif plane:

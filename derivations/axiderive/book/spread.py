@@ -133,10 +133,10 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
-        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else None,
+        "curves": curves(profile, rough) if profile.compact and not prefix else None,
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),
-        "complete": profile.contact == "complete",
+        "complete": profile.complete,
     }

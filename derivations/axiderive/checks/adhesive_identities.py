@@ -29,7 +29,7 @@ def check_profile(
     profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50, seed: int = 0
 ) -> list[Evidence]:
     """`plain` are the entries of the contact without adhesion; a fixed edge leaves nothing to compare here."""
-    if profile.contact == "complete":
+    if profile.complete:
         return []
     found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in ("d", "F", "p", "w")]
     for control in CONTROLS:

@@ -72,7 +72,7 @@ def superposed(entry: Entry, pressure: Entry) -> Evidence:
 
 def stiffness(profile: Profile, entries: Entries, *, digits: int = 50, seed: int = 0) -> Evidence:
     """dF/dd by differentiating force and depth, or the force by a depth that is free."""
-    free = profile.contact == "complete"
+    free = profile.complete
     rows: Rows = []
     for point in drawn_points(profile, entries, "F", "graded", 1, seed):
         if point.extreme:
@@ -125,7 +125,7 @@ def elastic(profile: Profile, entries: Entries, plain: Entries, *, digits: int =
             drawn = [point.values for point in points(profile, case.chain, 9, seed, fields) if not point.extreme]
             values = {**drawn[0], nt.v: drawn[0][nt.d] / drawn[0][nt.time]}
             values |= {nt.E_star: modulus(values), **limit(values)}
-            if profile.contact == "compact":
+            if profile.compact:
                 values.pop(nt.a, None)
             with mp.workdps(digits + GUARD):
                 got, want = (evaluate(case_at(e, values).expr, values, digits) for e in (entry, source))

@@ -54,13 +54,13 @@ def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, 
     graded = nt.k in source.parameters
     if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
         source = entries["d"]
-    elif suffix in INVERSES and profile.contact == "compact":
+    elif suffix in INVERSES and profile.compact:
         source = entries[INVERSES[suffix][0]]
-    elif (suffix == "dF" and profile.contact == "complete") or (physics == "tangential" and suffix == "c"):
+    elif (suffix == "dF" and profile.complete) or (physics == "tangential" and suffix == "c"):
         source = entries["F"]
     elif suffix in ("k", "pm", "Dl") and "d" in entries:
         source = entries["d"]
-    fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
+    fields = (*source.quantity.arguments, *FIELDS[physics], *profile.free_depth)
     # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
     tame = graded and (suffix in ("p", "tau") or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
     many = len(source.cases) > MANY
@@ -71,7 +71,7 @@ def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, 
         chains = chains[:: -(-len(chains) // MANY)]
     for chain in chains:
         candidates = (_point(profile, chain, i, len(out), seed, fields, graded, tame) for i in itertools.count())
-        growing = profile.contact == "compact" and suffix in PULL_OFF
+        growing = profile.compact and suffix in PULL_OFF
         kept = (p for p in candidates if not growing or _grows(profile, p.values, graded))
         for _ in range(each):
             out.append(next(kept))
@@ -216,7 +216,7 @@ def _residual(
 
 def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
     """Contact radius and free depth; at a small depth a convex face of a complete contact is partly out of contact."""
-    if here.profile.contact == "compact":
+    if here.profile.compact:
         return a, None
     depth, full = here.at(nt.d), here.depth(a)
     if depth >= full:
@@ -246,7 +246,7 @@ def formula_value(entry: Entry, values: Values, digits: int) -> Number:
 
 def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
     entry, values = entries[suffix], here.values
-    if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
+    if here.profile.complete:  # the edge peels off where the free depth is short by the retraction
         defined = here.adhesive({"Fc": "F", "dc": "d"}.get(suffix, suffix), a)
         return residual(formula_value(entry, values, digits), defined)
     if suffix in PULL_OFF:

@@ -70,8 +70,8 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
         # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
         drawn = points(profile, entries[suffix].cases[0].chain, count, seed)
         return [point for point in drawn if not point.extreme][:3]
-    source = entries[INVERSES[suffix][0]] if suffix in INVERSES and profile.contact == "compact" else entries[suffix]
-    if suffix == "dF" and profile.contact == "complete":
+    source = entries[INVERSES[suffix][0]] if suffix in INVERSES and profile.compact else entries[suffix]
+    if suffix == "dF" and profile.complete:
         source = entries["F"]
     chains = [case.chain for case in source.cases]
     if suffix in ("k", "pm") and "d" in entries:
@@ -105,8 +105,8 @@ def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number
     """A closed inverse evaluated, or the root of its equation found and, where asked for, carried on to d or F."""
     entry = entries[suffix]
     if entry.status != "root":
-        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.contact == "complete"}
-        if entry.profile.contact == "complete" and suffix == "dF":
+        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.complete}
+        if entry.profile.complete and suffix == "dF":
             without.pop(nt.d, None)
         return evaluate(case_at(entry, without).expr, without, digits)
     largest = entry.profile.largest

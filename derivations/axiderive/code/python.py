@@ -87,7 +87,7 @@ def source_of(entry: Entry, entries: Mapping[str, Entry] | None = None) -> str:
 def _module(entries: Mapping[str, Entry]) -> ModuleText:
     profile = next(iter(entries.values())).profile
     functions = _private_functions(profile, entries)
-    quantities = COMPACT if profile.contact == "compact" else COMPLETE
+    quantities = COMPACT if profile.compact else COMPLETE
     module = ModuleText(profile.title, _module_text(profile))
     fields = example.field_values(profile, entries)
     for suffix, quantity in quantities.items():
@@ -121,7 +121,7 @@ def _private_functions(profile: Profile, entries: Mapping[str, Entry]) -> Privat
 def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
     """Add the private functions but for the inverses of a compact contact, which follow its curves."""
     _profile_function(functions)
-    if functions.profile.contact == "complete":
+    if functions.profile.complete:
         Complete(entries, functions).add_all()
         return None
     compact = Compact(entries, functions)
@@ -157,7 +157,7 @@ def _profile_function(functions: PrivateFunctions) -> None:
     text = values[-1][1]
     for upper, value in reversed(values[:-1]):
         text, needs = f"np.where(r < {upper}, {value}, {text})", needs | {str(upper)}
-    if profile.contact == "complete":
+    if profile.complete:
         text, needs = f"np.where(r <= a, {text}, np.nan)", needs | {"a"}
     if text == "0":
         text = "np.zeros_like(r)"

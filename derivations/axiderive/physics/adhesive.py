@@ -75,7 +75,7 @@ def _least_exponent(medium: Medium) -> str:
 
 def refusal(profile: Profile) -> str:
     """Why a profile has no adhesive entries; empty if it has."""
-    if profile.contact == "compact":
+    if profile.compact:
         return ""
     return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
 

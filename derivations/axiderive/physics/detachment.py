@@ -45,7 +45,7 @@ CONVEX = (
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no adhesive entries; empty if it has."""
     (*_, face) = profile.pieces
-    if profile.contact == "compact" or face.expr == 0 or face.expr.has(a):
+    if profile.compact or face.expr == 0 or face.expr.has(a):
         return ""
     return CONVEX.format(name=profile.name, package=PACKAGES[medium])
 

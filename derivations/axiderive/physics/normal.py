@@ -170,7 +170,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     ValueError
         If the profile does not start at zero or has a jump.
     """
-    if profile.contact == "complete":
+    if profile.complete:
         return complete.derive(profile, medium)
     return _Compact(profile, medium).entries()
 

@@ -118,7 +118,7 @@ def _graded_adhesive_refusal(profile: Profile) -> str:
 
 
 def _adhesive(profile: Profile, medium: Medium) -> dict[str, Entry]:
-    rule = adhesive.derive if profile.contact == "compact" else detachment.derive
+    rule = adhesive.derive if profile.compact else detachment.derive
     return rule(profile, medium)
 
 

@@ -35,7 +35,7 @@ REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("
 
 def refusal(profile: Profile) -> str:
     """Why a profile has no tangential entries; empty if it has."""
-    if profile.contact == "compact":
+    if profile.compact:
         return ""
     return f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
 

@@ -127,7 +127,7 @@ def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) 
     stated, found = medium, entries
     if medium.k != 0:
         found, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
-    if profile.contact == "compact":
+    if profile.compact:
         frames = frame.compact(profile, stated)
         return Prover(entries, frames, COMPACT, lambda: Compact(profile, found, medium, bounds))
     frames = frame.complete(profile, stated)
@@ -166,7 +166,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         rules = viscoelastic.rules(entries, plain.entries)
         frames = frame.relaxing(profile)
         return Prover(entries, frames, rules, lambda: viscoelastic.Viscoelastic(plain.built(), found), plain)
-    above = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES, frame.peeling)
+    above = ABOVE[kind] if profile.compact else (detachment.Detachment, detachment.RULES, frame.peeling)
     statements, rules, stated = above
     return Prover(entries, stated(profile, medium), rules, lambda: statements(plain.built(), found), plain)
 

@@ -99,7 +99,7 @@ def _with_functions(entries: Entries, values: Values) -> dict[str, Any]:
     env = Printed(entries, entries).environment(values)
     profile = entries["F"].profile
     shape = profile.pieces[-1].expr
-    power = sp.degree(shape, nt.r) if profile.contact == "complete" else None
+    power = sp.degree(shape, nt.r) if profile.complete else None
     env["f'()"] = _shape(profile, values, 1)
     env["cuts"] = {name: [number(values[b]) for b in profile.breaks] for name in ("t", "r")}
     if power is not None:

@@ -34,7 +34,7 @@ def printed(system: System, rows: Sequence[Row]) -> list[Row]:
     """The rows in print; those the book says by a rule are marked as listed."""
     if not rows or system.name in ("plane", "loads"):
         return list(rows)
-    if rows[0].entry.profile.contact != "compact":
+    if not rows[0].entry.profile.compact:
         return [replace(one, listed=system.name == "graded.normal" and one.suffix in ("k", "dF")) for one in rows]
     known = {one.suffix: one for one in rows}
     found: list[Row] = []

@@ -179,13 +179,13 @@ def row(entry: Entry) -> Row:
     system = system_of(entry)
     if system in ("normal", "graded.normal"):
         plain = _normal_row(entry)
-        compact = entry.profile.contact == "compact"
+        compact = entry.profile.compact
         return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
     if system in BODIES.names:
         return _constant(entry)
     if system in ("plane", "loads", "viscoelastic"):
         return _root_or_formula(entry)
-    if entry.profile.contact == "complete":
+    if entry.profile.complete:
         return _formula(entry)
     return _superposed(entry, system)
 

@@ -136,7 +136,7 @@ def id_of(physics: str, profile: str) -> str:
 
 def contact_of(profile: Profile) -> str:
     """Compact, complete or prescribed, as the profile says; a concave face and an eccentric load are told apart."""
-    if profile.contact == "complete" and profile.pieces[0].expr.has(nt.a):
+    if profile.complete and profile.pieces[0].expr.has(nt.a):
         return CONCAVE
     return TILTED if nt.e in profile.parameters else profile.contact
 
@@ -221,14 +221,14 @@ def between(profile: Profile, physics: str) -> list[Rule]:
 
 
 def _graded(profile: Profile, rule: Rule) -> Rule:
-    if profile.contact == "complete" and rule.right == nt.n:
+    if profile.complete and rule.right == nt.n:
         return replace(rule, left=1 - nt.k, reason=rule.reason.replace("n > 1", "n > 1 - k"))
     return rule
 
 
 def of_pull_off(profile: Profile, physics: str) -> list[Rule]:
     """What the exponent of a power law must be for a contact that is stable under tension."""
-    if kind_of(physics) != "adhesive" or profile.contact != "compact":
+    if kind_of(physics) != "adhesive" or not profile.compact:
         return []
     rule = pull_off_rule(profile, GRADED if physics.startswith("graded") else HOMOGENEOUS)
     return [rule] if rule else []

@@ -94,7 +94,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     profile = scene.profile
     if profile is None:  # which is a problem of its own
         return
-    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile.contact != "compact":
+    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or not profile.compact:
         message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
         text.problem("want", "at", message)
         return

@@ -101,7 +101,7 @@ def count_for(entry: Entry, count: int) -> int:
 
 
 def _inverse(entry: Entry) -> bool:
-    return entry.suffix in CURVES and entry.profile.contact == "compact"
+    return entry.suffix in CURVES and entry.profile.compact
 
 
 def _call(entry: Entry, values: Floats) -> tuple[tuple[float, ...], dict[str, Any]]:

@@ -82,7 +82,7 @@ def _direct(entry: Entry, system: str) -> bool:
     known = entry.status == "closed" or entry.suffix in CURVES
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
-    return system in OWN or entry.suffix in DIRECT and entry.profile.contact == "compact"
+    return system in OWN or entry.suffix in DIRECT and entry.profile.compact
 
 
 def _form(source: str, entry: Entry) -> Record:

@@ -154,7 +154,7 @@ def _between(missed: Callable[[arb], arb], low: arb, high: arb, message: str) ->
 
 
 def _is_inverse(entry: Entry) -> bool:
-    return entry.suffix in CURVES and entry.profile.contact != "complete"
+    return entry.suffix in CURVES and not entry.profile.complete
 
 
 def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:

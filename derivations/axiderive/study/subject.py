@@ -268,7 +268,7 @@ class Subject:
     @property
     def complete(self) -> bool:
         """The radius is that of the body and the depth is free, or the load of a strip."""
-        return self.profile.contact == "complete"
+        return self.profile.complete
 
     @property
     def free(self) -> sp.Symbol:

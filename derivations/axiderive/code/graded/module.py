@@ -190,7 +190,7 @@ class Writer:
         for symbol, expr in self.profile.abbreviations:
             if str(symbol) in used:
                 used = used - {str(symbol)} | {str(s) for s in expr.free_symbols}
-        if self.profile.contact == "complete":
+        if self.profile.complete:
             used.add("a")
         return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
 

@@ -53,9 +53,9 @@ def _module(group: str, module: NormalModule, derived: Derived) -> str:
     own = derived[group].get(module.profile.name)
     if own is not None:
         return WRITERS[group](module, own)
-    refused = module.profile.contact == "complete" and group != "viscoelastic"
+    refused = module.profile.complete and group != "viscoelastic"
     return refusals.module_source(module.profile, group) if refused else ""
 
 
 def _adhesive(profile: Profile) -> Callable[[NormalModule, Mapping[str, Entry]], str]:
-    return adhesive.module_source if profile.contact == "compact" else detachment.module_source
+    return adhesive.module_source if profile.compact else detachment.module_source

@@ -175,7 +175,7 @@ def _graded(profile: Profile, wanted: str) -> dict[str, str]:
     if len(found) == len(keys):
         return found
     pressed = plain.derive(profile, GRADED)
-    if profile.contact == "complete":
+    if profile.complete:
         found = {keys[0]: graded_complete.module_source(pressed)}
         above = {keys[1]: graded_detachment.module_source(detachment.derive(profile, GRADED))} if kind else {}
         return found | above
@@ -213,7 +213,7 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         )
         return modules | {key: _module(key, text)}
     own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
-    if profile.contact == "complete":
+    if profile.complete:
         peeling = peeled.module_source(own, detachment.derive(profile))
         return modules | {key: _module(key, peeling)}
     write, above = {

@@ -98,7 +98,7 @@ class Contact:
         self.profile, self.entries, self.request = profile, entries, request
         self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}
-        self.compact = profile.contact == "compact"
+        self.compact = profile.compact
         round_contact = self.compact and request.physics != "plane"
         self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
         self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
