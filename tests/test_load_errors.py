@@ -15,7 +15,6 @@ from axiderive.code.imports import RUNTIME as EVERYWHERE
 from axiderive.code.physics import RUNTIME as PHYSICS
 from axiderive.code.physics import loads
 from axiderive.physics.systems import problem
-from axiderive.profiles.loads import load
 from axiderive.stable.measure import closure
 from axiderive.stable.records import record
 
@@ -34,7 +33,7 @@ def measured(name: str, runtime: Mapping[str, str] = FRESH) -> dict[str, Any]:
     """The errors of the displacement under a prescribed pressure."""
     own = problem(f"loads.{name}")
     entries = own.derive()
-    sources = {**runtime, own.module: loads.module_source(load(name), entries["w"])}
+    sources = {**runtime, own.module: loads.module_source(entries["w"])}
     found: dict[str, Any] = record(own.key, closure(sources, own.module), entries)["w"]
     return found
 

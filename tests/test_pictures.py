@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from stored_book import stored
 
-from axiderive.book.spread import pool_of
 from axiderive.figures import plots
 from axiderive.figures.curves import WIDEST, curves
 from axiderive.figures.labels import HIGHEST
@@ -19,6 +18,7 @@ from axiderive.figures.sketch_given import load_sketch
 from axiderive.figures.sketch_tilted import RADIUS, TiltedSketch, tilted_sketch
 from axiderive.notation import R1, R2, R, b, describe, h, s, wavelength
 from axiderive.oracle.values import Numbers, StripNumbers, sketch_values
+from axiderive.physics.systems import pool_of
 from axiderive.profiles import NAMES
 from axiderive.web.figures import pairs, sketch
 

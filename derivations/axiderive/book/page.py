@@ -1,13 +1,4 @@
-"""Parts of a page as plain data.
-
-Parts of a page as plain data: rows, check values, calls, derivation, evidence, notation.
-
-The definition panel of a spread: profile, parameters, medium, contact, validity.
-
-How the generated functions are called, read off their definitions.
-
-Check values of what has no profile: prescribed pressures, and the punch that an eccentric load tilts.
-"""
+"""Parts of a page as plain data: rows, definition panel, check values, calls, derivation, evidence, notation."""
 
 from __future__ import annotations
 
@@ -24,11 +15,12 @@ from ..abel import masters
 from ..entry import Entry
 from ..figures.given import Strip
 from ..oracle.values import Numbers, Values
-from ..physics.systems import Problem
+from ..physics.systems import Problem, pool_of
 from ..print.formula import Printer
 from ..print.width import width
 from ..print.words import domain, prose
 from ..profiles.loads import Load
+from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
 from ..rows.row import kappa_row
 from ..rows.rules import PULL_OFF
@@ -181,16 +173,14 @@ TILTED_START = (
 
 def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
-    if not entries:
-        return ""
-    if profile_id == "materials":
+    if not entries or profile == ELASTIC:
         return ""
     if nt.e in profile.parameters:
         return TILTED_START
     if isinstance(profile, Load):
         free = profile.exponent == nt.sigma
         start = LOAD_START % ("$s$" if free else f"$s={Printer()(profile.exponent)}$")
-    elif profile_id.startswith("plane."):
+    elif pool_of(profile_id).strip:
         face = CONCAVE_START if nt.h in profile.parameters else FLAT_START
         start = face if profile.complete else PLANE_START
     elif profile.complete:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from .. import notation as nt
 from ..entry import Entry
 from ..figures.curves import curves
 from ..figures.given import axes_of
@@ -15,7 +16,7 @@ from ..figures.sketch import sketch
 from ..figures.sketch_given import load_sketch
 from ..figures.sketch_tilted import tilted_sketch
 from ..oracle.values import Numbers, StripNumbers, sketch_values
-from ..physics.systems import POOLS, SYSTEMS, Pool, Problem
+from ..physics.systems import ROUND, SYSTEMS, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -27,12 +28,6 @@ from .page import given_table, panel
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
-
-
-def pool_of(profile_id: str) -> Pool:
-    """The pool a profile belongs to."""
-    prefix, _, name = profile_id.rpartition(".")
-    return next(pool for pool in POOLS if pool.prefix == prefix and name in pool.names)
 
 
 def problems_of(profile_id: str) -> list[Problem]:
@@ -56,9 +51,9 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "number": number,
         "chapter": int(number.partition(".")[0]),
         "subtitle": prose(profile.subtitle),
-        "panel": panel(profile, main, pool.prefix == "plane") if main else [],
-        "place": "x" if pool.prefix == "plane" else "r",
-        "load": "P" if pool.prefix == "plane" else r"F_{\mathrm N}",
+        "panel": panel(profile, main, pool.strip) if main else [],
+        "place": str(pool.place),
+        "load": nt.describe(pool.force).latex,
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
@@ -112,7 +107,7 @@ NOTHING: dict[str, Any] = {
 
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
-    prefix = profile_id.rpartition(".")[0]
+    pool = pool_of(profile_id)
     texts = NOTHING | {"derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
@@ -125,7 +120,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     if not main or "p" not in main:
         return texts
     values = sketch_values(profile)
-    if prefix == "plane":
+    if pool.strip:
         rough: Numbers = StripNumbers(profile, main, values, PLOT_DIGITS)
         exact: Numbers = StripNumbers(profile, main, values)
     else:
@@ -133,7 +128,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
-        "curves": curves(profile, rough) if profile.compact and not prefix else None,
+        "curves": curves(profile, rough) if profile.compact and pool is ROUND else None,
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough),
         "plots": plots(profile, rough),

@@ -14,6 +14,7 @@ from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number
+from ..physics import normal, tangential
 from ..profiles.profile import Profile
 from . import resultants
 from .physics_quadrature import Entries, drawn_points
@@ -37,7 +38,7 @@ def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50
     floor = profile.breaks[0] if profile.truncated else None
     for suffix, source, compared in (("F", "F", "mu F"), ("u", "us", "displacement at full slip")):
         rows: Rows = []
-        for point in drawn_points(profile, entries, "us", "tangential", 1, seed):
+        for point in drawn_points(profile, entries, "us", tangential.PHYSICS, 1, seed):
             values = dict(point.values)
             with mp.workdps(3 * digits):
                 least = (
@@ -74,7 +75,7 @@ def stiffness(profile: Profile, entries: Entries, *, digits: int = 50, seed: int
     """dF/dd by differentiating force and depth, or the force by a depth that is free."""
     free = profile.complete
     rows: Rows = []
-    for point in drawn_points(profile, entries, "F", "graded", 1, seed):
+    for point in drawn_points(profile, entries, "F", normal.PHYSICS, 1, seed):
         if point.extreme:
             continue
         values = point.values

@@ -1,8 +1,4 @@
-"""Contact beyond the normal one against its definitions.
-
-Points at which the formulas of graded, adhesive and tangential contact are checked.
-
-Every formula of graded, adhesive, tangential, viscoelastic contact and prescribed pressure against its definition.
+"""Contact beyond the normal one on the homogeneous half-space, and prescribed pressure, against their definitions.
 
 Roots and inverses are checked by round trip: the known side is the definition
 at a chosen contact radius, the entry must lead back to it.
@@ -12,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mpmath as mp
 import sympy as sp
@@ -27,6 +23,8 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, shape
+from ..physics import Physics, adhesive, normal, tangential
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import graded_threshold, viscoelastic_quadrature
 from .quadrature import INVERSES, KNOWN, LOST, inverse, root
@@ -42,21 +40,24 @@ PULL_OFF = {
     "am": ("depth", "a"), "Fm": ("depth", "F"), "dm": ("depth", "d"),
 }  # fmt: skip
 FIELDS = {
-    "graded": (nt.H,),
-    "adhesive": (nt.dgamma, nt.H),
-    "tangential": (nt.mu, nt.G_star, nt.H, nt.H_x),
+    normal.PHYSICS: (nt.H,),
+    adhesive.PHYSICS: (nt.dgamma, nt.H),
+    tangential.PHYSICS: (nt.mu, nt.G_star, nt.H, nt.H_x),
 }
+"""What is drawn of the material."""
 
 
-def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, count: int, seed: int) -> list[Point]:
+def drawn_points(
+    profile: Profile, entries: Entries, suffix: str, physics: Physics, count: int, seed: int
+) -> list[Point]:
     """Points spread over the cases, those of an inverse over the cases of what it inverts."""
     source = entries[suffix]
     graded = nt.k in source.parameters
-    if physics == "adhesive" and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
+    if physics.tension and (suffix in INVERSES or suffix in PULL_OFF) and "d" in entries:
         source = entries["d"]
     elif suffix in INVERSES and profile.compact:
         source = entries[INVERSES[suffix][0]]
-    elif (suffix == "dF" and profile.complete) or (physics == "tangential" and suffix == "c"):
+    elif suffix in ("dF", "c"):
         source = entries["F"]
     elif suffix in ("k", "pm", "Dl") and "d" in entries:
         source = entries["d"]
@@ -104,7 +105,6 @@ def _exponent(index: int, name: str, seed: int) -> sp.Rational:
     return (*EXPONENTS, random_one)[(index + shift) % (len(EXPONENTS) + 1)]
 
 
-PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
 NESTED = 46
 """Digits of a pressure on the graded half-space, which is an integral of integrals."""
 NESTED_LOST = 6
@@ -115,30 +115,28 @@ ILL = 60
 
 
 def check_profile(
-    profile: Profile, entries: Entries, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+    profile: Profile, entries: Entries, physics: Physics, *, digits: int = 50, points: int = 4, seed: int = 0
 ) -> dict[str, Evidence]:
-    """The evidence for every entry of a profile, keyed by suffix.
-
-    Raises
-    ------
-    ValueError
-        If `physics` is not one of PHYSICS.
-    """
-    if physics not in PHYSICS:
-        message = f"physics {physics!r} has no definitions here; use one of {', '.join(PHYSICS)}"
-        raise ValueError(message)
+    """The evidence for every entry of a profile, keyed by suffix."""
     return {
         suffix: check(profile, entries, suffix, physics, digits=digits, points=points, seed=seed) for suffix in entries
     }
 
 
 def check(
-    profile: Profile, entries: Entries, suffix: str, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+    profile: Profile,
+    entries: Entries,
+    suffix: str,
+    physics: Physics,
+    *,
+    digits: int = 50,
+    points: int = 4,
+    seed: int = 0,
 ) -> Evidence:
     """Compare one entry with its definition."""
-    if physics == "load":
+    if isinstance(profile, Load):
         return load_quadrature.check(profile, entries, suffix, digits=digits, points=points, seed=seed)
-    if physics == "viscoelastic":
+    if physics.laws:
         return viscoelastic_quadrature.check(profile, entries, suffix, points=points, seed=seed)
     entry = entries[suffix]
     graded = nt.k in entry.parameters
@@ -171,9 +169,9 @@ def _sum_of_powers(profile: Profile) -> bool:
     )
 
 
-def _compared(suffix: str, physics: str) -> str:
+def _compared(suffix: str, physics: Physics) -> str:
     """What stands against the entry."""
-    if physics == "adhesive" and suffix in PULL_OFF:
+    if suffix in PULL_OFF:
         control, sought = PULL_OFF[suffix]
         place = f"the radius at which the {control} by quadrature is stationary"
         return place if sought == "a" else f"{sought} by quadrature at {place}"
@@ -182,29 +180,20 @@ def _compared(suffix: str, physics: str) -> str:
         return f"round trip: {target} of the contact whose {given} is known by quadrature"
     if suffix == "c":
         return "round trip: the stick radius whose tangential force is known by quadrature"
-    return {
-        "graded": "mpmath quadrature of the definition",
-        "adhesive": "mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
-        "tangential": "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)",
-    }[physics]
-
-
-def _is_round_trip(suffix: str, physics: str) -> bool:
-    return suffix in INVERSES or suffix in ("ac", "am") or (physics == "tangential" and suffix == "c")
+    return COMPARED[physics][0]
 
 
 def _residual(
-    profile: Profile, entries: Entries, suffix: str, physics: str, values: Values, digits: int, graded: bool
+    profile: Profile, entries: Entries, suffix: str, physics: Physics, values: Values, digits: int, graded: bool
 ) -> Number:
-    extra = ILL if suffix == "c" else 20 if _is_round_trip(suffix, physics) or physics == "tangential" else 0
+    _, rule, more = COMPARED[physics]
+    extra = ILL if suffix == "c" else 20 if suffix in INVERSES or suffix in ("ac", "am") else more
     here = HalfSpace(profile, values, digits + extra, graded)
-    a = number(values[nt.a])
-    if physics == "adhesive":
-        return _adhesive(here, entries, suffix, a, digits)
-    if physics == "tangential":
-        if suffix != "c":
-            return residual(formula_value(entries[suffix], values, digits), here.tangential(suffix, a))
-        return _stick_radius(here, entries["c"], a, digits)
+    return rule(here, entries, suffix, number(values[nt.a]), digits)
+
+
+def _pressed(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
+    values = here.values
     radius, free_depth = contact(here, a)
     if suffix not in INVERSES:
         return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
@@ -266,7 +255,10 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
     return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
-def _stick_radius(here: HalfSpace, entry: Entry, a: Number, digits: int) -> Number:
+def _slipping(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
+    entry = entries[suffix]
+    if suffix != "c":
+        return residual(formula_value(entry, here.values, digits), here.tangential(suffix, a))
     known = {**here.values, nt.F_x: here.tangential("F", a), nt.F: here.force(a)}
     return residual(_radius(entry, nt.c, known, digits), here.at(nt.c))
 
@@ -278,3 +270,13 @@ def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Num
     largest = entry.profile.largest
     beyond = () if largest is None else (largest.subs(nt.a, unknown),)
     return root(Case(case.chain, case.expr), unknown, known, digits, beyond)
+
+
+COMPARED: dict[Physics, tuple[str, Callable[[HalfSpace, Entries, str, Number, int], Number], int]] = {
+    normal.PHYSICS: ("mpmath quadrature of the definition", _pressed, 0),
+    adhesive.PHYSICS: ("mpmath quadrature of the contact that is short of its depth by Dl, (11.63)", _adhesive, 0),
+    tangential.PHYSICS: (
+        "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)", _slipping, 20,
+    ),
+}  # fmt: skip
+"""What stands against an entry, the relative difference from it, and the digits that this takes more."""

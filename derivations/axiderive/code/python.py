@@ -1,9 +1,4 @@
-"""The text of the generated package.
-
-The generated package: every module as text, a pure function of the derived entries.
-
-The generated package: the modules of all systems, from the entries of all problems.
-"""
+"""The generated package: every module as text, a pure function of the derived entries."""
 
 from __future__ import annotations
 
@@ -222,7 +217,7 @@ def parameter_names(derived: Derived) -> set[str]:
     unbound = {coefficients, e}  # a sequence, and a place between the edges of the strip
     found = set()
     for key, entries in derived.items():
-        loaded = systems.problem(key).system.name == "viscoelastic"
+        loaded = systems.problem(key).system.physics.laws
         for entry in entries.values():
             # a depth or a load that is held is a keyword beside the time
             held = entry.quantity.arguments[1:] if loaded else ()

@@ -1,8 +1,6 @@
-"""The commands `axicontact derive` and `axicontact emit`, and what they print.
+"""The commands `axicontact derive` and `axicontact emit`.
 
-The commands `axicontact derive` and `axicontact emit`.
-
-What `axicontact derive` prints: f, g, F, p and w with their status, and what was checked.
+The first prints f, g, F, p and w with their status, and what was checked.
 """
 
 from __future__ import annotations

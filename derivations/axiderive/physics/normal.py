@@ -26,7 +26,7 @@ from ..abel.reduce import Reduced, parse
 from ..entry import COMPACT, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
-from . import complete, peak
+from . import Physics, complete, peak
 from .medium import HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
@@ -230,8 +230,7 @@ class _Compact:
         primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
         composed: tuple[str, str] | None = None,
     ) -> Entry:
-        exponent = (self.medium.k,) if self.medium.k != 0 else ()
-        material = exponent if suffix in ("d", "w", "ad") else (self.medium.modulus, *exponent)
+        material = self.medium.moduli[1:] if suffix in ("d", "w", "ad") else self.medium.moduli
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
@@ -371,3 +370,6 @@ def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
         term = pieces[0].expr.function
         return (Piece(None, term / coefficients[j]),), True
     return pieces, False
+
+
+PHYSICS = Physics("normal", derive)

@@ -20,7 +20,7 @@ from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
 from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
 from ..profiles.profile import Piece, Profile
-from . import complete, tilted
+from . import Physics, complete, tilted
 from .normal import closed_inverse
 from .plane_quantities import PLANE, PLANE_COMPLETE
 
@@ -207,3 +207,6 @@ class _Complete:
             "xz": _entry(self.profile, PLANE_COMPLETE["xz"], place, status=ring.status),
             "Pmin": _entry(self.profile, PLANE_COMPLETE["Pmin"], (Case((a,), least),)),
         }
+
+
+PHYSICS = Physics("plane", lambda profile, *_: derive(profile))

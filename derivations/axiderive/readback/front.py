@@ -21,6 +21,7 @@ from ..oracle.evaluate import case_at, evaluate, holds
 from ..oracle.sampling import points
 from ..oracle.shape import number
 from ..physics import viscoelastic
+from ..physics.systems import pool_of
 from ..print.formula import Printer
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -210,7 +211,7 @@ def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
     """The shape or the pressure, the shorthands and the slope of a profile."""
     if isinstance(profile, Load):
         return [_pressure(profile_id, profile)]
-    place = nt.x if profile_id.startswith("plane.") else nt.r
+    place = pool_of(profile_id).place
     found = []
     texts = re.findall(
         r"\$(?:\\displaystyle )?(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place))

@@ -1,9 +1,4 @@
-"""The page of a scene.
-
-The page of a scene: preamble and the page of its profile under one title, ready for LaTeX.
-
-LaTeX at work on a page while the rest of a scene is written.
-"""
+"""The page of a scene: preamble and the page of its profile under one title, typeset while the rest is written."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ...physics.systems import problem
 from ..evidence import power_of_ten
 from .error import DIGITS, FEW, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
 
@@ -123,10 +124,10 @@ def _sentence(rows: Sequence[Row]) -> str:
 
 def _named(key: str) -> str:
     """What stands on the left of the formula, and the half-space where it is not the homogeneous one."""
-    problem, _, suffix = key.rpartition(".")
-    if problem.startswith("plane."):
-        return f"${LEFT[suffix].replace('(r)', '(x)')}$"
-    return f"{GRADED.capitalize()}, ${LEFT[suffix]}$" if problem.endswith(".fgm") else f"${LEFT[suffix]}$"
+    of, _, suffix = key.rpartition(".")
+    system = problem(of).system
+    left = f"${LEFT[suffix].replace('(r)', f'({system.pool.place})')}$"
+    return f"{GRADED.capitalize()}, {left}" if system.medium.graded else left
 
 
 def _reaches(row: Row, goal: float) -> bool:

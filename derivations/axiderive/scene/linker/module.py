@@ -1,9 +1,4 @@
-"""The text of a scene's module.
-
-The docstring of a scene's module.
-
-The text of a scene's module: constants, the wanted functions, and what they rest on.
-"""
+"""The text of a scene's module: docstring, constants, the wanted functions, and what they rest on."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ from ...physics import plane as strips
 from ...physics import tangential as slipping
 from ...physics import viscoelastic as creeping
 from ...physics.medium import GRADED
-from ...profiles.loads import Load, load
+from ...profiles.loads import Load
 from ...profiles.profile import Profile
 from ...store.index import NoCatalogueError, package
 from ...store.records import read_entry
@@ -129,7 +129,7 @@ def evidence(name: str) -> dict[str, Any] | None:
 def stored_module(name: str, entries: Mapping[str, Entry], physics: str) -> str:
     """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
     if physics == "loads":
-        return stored(f"loads/{name}.py") or pressures.module_source(load(name), entries["w"])
+        return stored(f"loads/{name}.py") or pressures.module_source(entries["w"])
     if physics == "plane":
         return stored(f"plane/{name}.py") or plane.module_source(entries)
     return stored(f"normal/{name}.py") or python.module_source(entries)

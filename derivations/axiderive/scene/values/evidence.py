@@ -1,10 +1,6 @@
-"""How far the emitted module is from its check values, and the test that says so.
-
-The emitted module run against its check values.
+"""How far the emitted module is from its check values, and the test beside it that says so and runs with plain Python.
 
 The evidence of a scene: certificates, comparisons with the definition, what the module was measured at.
-
-The test that is written beside a module: it runs with plain Python.
 """
 
 from __future__ import annotations

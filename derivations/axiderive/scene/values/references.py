@@ -1,14 +1,7 @@
-"""Check values by the definitions: complete, adhesive, graded, plane and viscoelastic contact.
+"""Check values by the definitions, by quadrature: complete, adhesive, graded, plane and viscoelastic contact.
 
-Check values of complete contacts, whose edge is fixed, on either half-space: the definitions by quadrature.
-
-Where a contact with adhesion breaks, by the definitions: the reference for `pull_off`.
-
-Check values on the graded half-space: the definitions by quadrature, adhesion by the balance of energies.
-
-Check values of plane contact: the defining integrals over strips, on both sides of the middle.
-
-Check values on a viscoelastic half-space: the convolution over the elastic contact by quadrature.
+A complete contact has its edge fixed, on either half-space; adhesion breaks by the balance of energies, which is the
+reference for `pull_off`; strips have both sides of the middle; a viscoelastic half-space convolves the elastic contact.
 """
 
 from __future__ import annotations
