@@ -13,7 +13,6 @@ from ... import __version__
 from ...code.physics.viscoelastic import MATERIAL
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
-from .. import interface
 from ..reading import Request
 from ..values.contact import Contact, worked
 from .assembled import REQUIRE_ORDER, Assembled
@@ -27,13 +26,12 @@ if TYPE_CHECKING:
 
 def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
-    physics = request.physics
-    own = MATERIAL.get(interface.law_of(physics), "")
+    own = MATERIAL[request.kind.law.name] if request.kind.law else ""
     kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
             "loads": "under a prescribed pressure",
             "plane": "of a strip without adhesion, per length",
-            "viscoelastic": f"on {own}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
-    if physics.startswith("graded"):
+            "viscoelastic": f"on {own}, while it grows"}[request.kind.physics.name]  # fmt: skip
+    if request.kind.graded:
         kind += " on a half-space whose modulus grows as a power of depth"
     title = _plain(request.title)
     what = f"{profile.title}: {_plain(profile.subtitle)}" if answer is None else _plain(

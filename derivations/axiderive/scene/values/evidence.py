@@ -100,7 +100,7 @@ def _states(
 def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
-        kept = sources.evidence(interface.id_of(request.physics, profile.name))
+        kept = sources.evidence(request.kind.system.pool.id(profile.name))
         return kept["evidence"] if kept else {}
     return {"entries": {suffix: _found(answer, suffix) for suffix in answer.entries}}
 
