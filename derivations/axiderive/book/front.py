@@ -98,7 +98,7 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
         ends: dict[str, str] = {}
         for q in (q for table in tables for q in table.values()):
             suffix, label = q.suffix, q.label
-            if group == "vis.":
+            if "_" in suffix:
                 suffix = suffix.partition("_")[0] + "_..."
             words, small = label_of(suffix, label)
             ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)

@@ -19,10 +19,11 @@ from ..code.plane import document
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
-from ..physics.systems import ROUND, problem
+from ..physics.systems import ROUND, Problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles.profile import Profile
+from ..rows.blocks import TITLES
 from ..rows.laws import laws
 from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
@@ -55,18 +56,6 @@ CLAIMS = {
     "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
 }
 """What holds for the formulas of a profile of one's own."""
-SECTIONS = {
-    "normal": {"": "Normal contact"},
-    "adhesive": {"": "Normal contact", "adh": "Adhesive contact"},
-    "tangential": {"": "Normal contact", "tan": "Tangential contact"},
-    "graded.normal": {"": "Normal contact", "fgm": "Power-law graded half-space"},
-    "graded.adhesive": {"fgm": "Power-law graded half-space", "fgm.adh": "Adhesive contact, graded half-space"},
-    "graded.tangential": {"fgm": "Power-law graded half-space", "fgm.tan": "Tangential contact, graded half-space"},
-    "viscoelastic": {"": "Normal contact", "vis": "Viscoelastic half-space"},
-    "plane": {"": "Plane contact"},
-    "loads": {"": "Displacement"},
-}
-"""Headings by the group of their keys, for each kind of contact."""
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -96,7 +85,7 @@ def page_sources(
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
     else:
-        body = _sections(name, profile, request.kind)
+        body = _sections(profile, request.kind)
     texts = {path: body, "preamble.tex": preamble}
     material = (interface.record(name).name for name in request.kind.material)
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
@@ -173,17 +162,17 @@ def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[
     return "\n".join([rf"\par {shape_tex(profile)}\par\vspace{{3mm}}", *_rows(ordered(entries), evidence), ""])
 
 
-def _sections(name: str, profile: Profile, kind: interface.Kind) -> str:
-    """Shape and formulas of a profile of the catalogue, as they are stored, for one kind of contact."""
+def _sections(profile: Profile, kind: interface.Kind) -> str:
+    """Shape and formulas of a profile as they are stored, for a kind of contact and what it superposes."""
     lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
-    headings = SECTIONS[kind.system.name]
-    known: dict[str, dict[str, Entry]] = {}
-    for group, title in headings.items():
-        key = f"{name}.{group}".rstrip(".")
-        record = sources.evidence(key) or {}
-        known[group] = read_entries(problem(key), record.get("entries", {}))
-        rows = law_rows(known[group], known[""]) if group == "vis" else ordered(known[group])
-        lines += [rf"\sect{{{title}}}", *_rows(rows, record.get("evidence", {}))]
+    below: dict[str, Entry] = {}
+    for system in dict.fromkeys((kind.system.base or kind.plain, kind.system)):
+        own = Problem(system, profile.name)
+        record = sources.evidence(own.key) or {}
+        entries = read_entries(own, record.get("entries", {}))
+        rows = law_rows(entries, below) if system.physics.laws else ordered(entries)
+        lines += [rf"\sect{{{TITLES[system.name][0]}}}", *_rows(rows, record.get("evidence", {}))]
+        below = entries
     return "\n".join([*lines, ""])
 
 

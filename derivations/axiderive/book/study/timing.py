@@ -81,10 +81,10 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
     strips = tuple(
         Strip(
             drawn(contact, letters, frozenset(keys), WIDTH, HEIGHT),
-            GRADED if problem.endswith(".fgm") else "",
-            tuple(_sentence([row for row in rows if row["key"] == key]) for key in contact),
+            GRADED if problem(key).system.medium.graded else "",
+            tuple(_sentence([row for row in rows if row["key"] == one]) for one in contact),
         )
-        for problem, contact in found.items()
+        for key, contact in found.items()
     )
     meanings = tuple((letters[one], KEY[one].format(_settings(one, rows))) for one in letters if one in members)
     return Timing(strips, meanings)
