@@ -10,7 +10,7 @@ from axiderive.expression.answer import Answer, answered
 from axiderive.scene import interface
 from axiderive.scene.compose import Request, Result, composed
 
-ALL = list(interface.functions("normal"))
+ALL = list(interface.functions(interface.NORMAL))
 AGREEMENT = 1e-20
 ROUNDING = 1e-12
 """Measured: 4e-15 for the rules, 1e-13 for inverses near a break."""
@@ -25,7 +25,7 @@ def answer_to(text: str) -> Answer:
 
 def module_of(text: str, values: dict[str, float] | None = None, names: list[str] = ALL) -> Result:
     own = own_profile(text)
-    return composed(Request("Own", "own.py", None, own, "normal", names, values or {}, ("python", "json")))
+    return composed(Request("Own", "own.py", None, own, interface.NORMAL, names, values or {}, ("python", "json")))
 
 
 def errors_of(result: Result) -> list[float]:

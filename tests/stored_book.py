@@ -9,10 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from axiderive.book.spread import pool_of
 from axiderive.build.work import read_entries
 from axiderive.entry import Entry
-from axiderive.physics.systems import BY_NAME, Problem, problem, problems
+from axiderive.physics.systems import Problem, pool_of, problem, problems
 from axiderive.readback import front
 from axiderive.readback.borders import Place, misplaced, places_of
 from axiderive.readback.compare import residuals, worst_residual
@@ -46,9 +45,7 @@ def evidence(key: str) -> dict[str, Any]:
 
 def base_of(own: Problem) -> str:
     """Key of the problem whose rows the rules of this one refer to."""
-    if not own.system.rests_on:
-        return own.key
-    return Problem(BY_NAME["graded.normal" if own.system.name.startswith("graded") else "normal"], own.name).key
+    return own.base.key if own.base else own.key
 
 
 @cache

@@ -14,8 +14,9 @@ from stored_book import HANDBOOK, PRINTED, stored
 
 from axiderive import notation as nt
 from axiderive.book.page import BREAKS
-from axiderive.book.spread import pool_of, problems_of
+from axiderive.book.spread import problems_of
 from axiderive.letters import name_of
+from axiderive.physics.systems import pool_of
 
 SPREADS = {name: (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8") for name in PRINTED}
 CHECKED = [name for name, text in SPREADS.items() if "]{Check values}" in text]

@@ -27,6 +27,7 @@ from axiderive.notation import R, a, b, theta
 from axiderive.physics import normal
 from axiderive.physics.medium import HOMOGENEOUS
 from axiderive.scene.compose import Request, composed
+from axiderive.scene.interface import NORMAL
 
 
 @pytest.mark.parametrize(
@@ -182,7 +183,7 @@ def held_out(seed: int) -> None:
     assert all(answer.certificates[suffix].proved for suffix in ("d", "F", "p", "w")), text
     assert answer.worst < AGREEMENT, text
     own = own_profile(text)
-    request = Request("Own", "own.py", None, own, "normal", ALL, {"E_star": 2.0}, ("json",))
+    request = Request("Own", "own.py", None, own, NORMAL, ALL, {"E_star": 2.0}, ("json",))
     errors = errors_of(composed(request, answer))
     assert errors
     assert max(errors) < ROUNDING, (text, errors)

@@ -21,6 +21,7 @@ from axiderive.build import pdf
 from axiderive.entry import Entry
 from axiderive.figures.sketch import DEEPEST, RADIUS, sketch
 from axiderive.oracle.values import Numbers, sketch_values
+from axiderive.physics.medium import GRADED, HOMOGENEOUS
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
 from axiderive.print.words import prose
@@ -152,8 +153,8 @@ def test_rows_without_a_key_are_those_that_are_read_back(
     """What follows from other rows is set by macros of its own, and is the text that its tests read."""
     rows = [
         one["tex"]
-        for key, base in (("cone.adh", "cone"), ("cone.fgm.adh", "cone.fgm"))
-        for one in universal_rows(key, derived[base]["d"], base != "cone")
+        for key, base, medium in (("cone.adh", "cone", HOMOGENEOUS), ("cone.fgm.adh", "cone.fgm", GRADED))
+        for one in universal_rows(key, derived[base]["d"], medium)
     ]
     told = [line for line in sources["profiles/cone.tex"].splitlines() if line.startswith(r"\further{Universal")]
     assert told == [rf"\further{{Universal curve}}{{}}{{{text}}}" for text in rows]

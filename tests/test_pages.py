@@ -17,9 +17,9 @@ from axiderive import notation as nt
 from axiderive.book import readme
 from axiderive.book.handbook import templates
 from axiderive.book.page import panel as panel_of
-from axiderive.book.spread import pool_of
 from axiderive.book.study import error, figures, maps, spread, tables
 from axiderive.build.pdf import problems
+from axiderive.physics.systems import pool_of
 from axiderive.print.words import domain, prose
 from axiderive.study.problems import NAMES, OTHERS
 

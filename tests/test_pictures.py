@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from stored_book import stored
 
-from axiderive.book.spread import pool_of
 from axiderive.figures import plots
 from axiderive.figures.axes import SHOWN, printed
 from axiderive.figures.axes import drawn as framed
@@ -24,6 +23,7 @@ from axiderive.figures.svg import svg
 from axiderive.figures.tikz import thinned
 from axiderive.notation import R1, R2, R, b, describe, h, s, theta, wavelength
 from axiderive.oracle.values import Numbers, StripNumbers, sketch_values
+from axiderive.physics.systems import pool_of
 from axiderive.profiles import NAMES
 
 

@@ -12,8 +12,7 @@ from misprints import misprints, range_misprints
 from stored_book import HANDBOOK, KEYS, PRINTED, evidence, stored
 from test_misprints import NOT_A_NUMBER
 
-from axiderive.book.spread import pool_of
-from axiderive.physics.systems import problem
+from axiderive.physics.systems import pool_of, problem
 from axiderive.readback import sentences, statements
 from axiderive.readback.examples import body_constants, further_examples
 from axiderive.readback.further import ENDS, KINDS, Inline, further, inline, wrong

@@ -72,10 +72,10 @@ def test_radii_under_tension_are_found_again(profile, k):
 def test_a_wrong_rule_does_not_pass(kind, right, wrong, monkeypatch):
     graded = sources._graded
 
-    def changed(profile, wanted):
-        found = graded(profile, wanted)
-        assert right in found[f"{wanted}.cone"]
-        return found | {f"{wanted}.cone": found[f"{wanted}.cone"].replace(right, wrong)}
+    def changed(profile, systems):
+        found, name = graded(profile, systems), f"{systems[-1].name}.cone"
+        assert right in found[name]
+        return found | {name: found[name].replace(right, wrong)}
 
     monkeypatch.setattr(sources, "_graded", changed)
     with pytest.raises(ArithmeticError, match="instead of"):

@@ -7,6 +7,7 @@ import json
 import pytest
 from scenes import NO_PDF, composed_from, problems, run_plainly, titles
 
+from axiderive.scene.interface import KINDS
 from axiderive.scene.linker import sources
 
 LOADS = 'profile = "{}"\n{}[physics]\nloads = true\n'
@@ -44,7 +45,8 @@ def test_frozen_values_are_folded_in():
     ],
 )
 def test_a_wrong_rule_does_not_pass(load, right, wrong, monkeypatch):
-    module = sources.stored_module(load, sources.stored_entries(sources.load(load), "loads"), "loads")
+    kind = KINDS["loads"]
+    module = sources.stored_module(load, sources.stored_entries(kind.system.pool.load(load), kind), kind)
     assert right in module
     monkeypatch.setattr(sources, "stored_module", lambda *given: module.replace(right, wrong))
     with pytest.raises(ArithmeticError, match="instead of"):

@@ -13,6 +13,7 @@ from stored_book import evidence, stored
 from axiderive.book.evidence import evidence_rows
 from axiderive.figures.given import axes_of
 from axiderive.figures.plots import frames
+from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
 from axiderive.readback.further import Further, wrong
 from axiderive.rows.blocks import blocks
@@ -56,7 +57,7 @@ ADHESIVE = [f"{name}{group}" for name in POWER_LAWS for group in (".adh", ".fgm.
 
 
 def _universal(key: str) -> list[dict[str, Any]]:
-    return universal_rows(key, stored(key.removesuffix(".adh"))["d"], ".fgm" in key)
+    return universal_rows(key, stored(key.removesuffix(".adh"))["d"], problem(key).system.medium)
 
 
 @pytest.mark.parametrize("key", ADHESIVE)

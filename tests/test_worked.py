@@ -16,8 +16,9 @@ from axicontact.materials import effective_modulus, effective_shear_modulus, gra
 from axicontact.normal import sphere
 from axicontact.tangential import sphere as slipping
 from axicontact.viscoelastic import sphere as relaxing
-from axiderive.book.spread import pool_of, problems_of
+from axiderive.book.spread import problems_of
 from axiderive.oracle.values import Numbers, StripNumbers
+from axiderive.physics.systems import pool_of
 from axiderive.readback.numbers import number
 from axiderive.worked import worked
 from axiderive.worked.cases import CASES, CERAMIC, POLYETHYLENE, STEEL

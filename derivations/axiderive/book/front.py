@@ -96,7 +96,7 @@ def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     for title, group, tables in QUANTITIES:
         ends: dict[str, str] = {}
         for q in (q for table in tables for q in table.values()):
-            suffix = q.suffix.partition("_")[0] + "_..." if group == "vis." else q.suffix
+            suffix = q.suffix.partition("_")[0] + "_..." if "_" in q.suffix else q.suffix
             words, small = q.heading
             ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)
         found.append((title, list(ends.items())))

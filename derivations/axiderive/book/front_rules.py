@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from ..entry import COMPACT
 from ..physics import adhesive, normal, tangential, viscoelastic
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics.systems import BY_NAME
 from ..print.formula import Printer
 from ..rows import rules
 from ..rows.row import Kind
@@ -29,16 +30,12 @@ class RuleRow:
     @property
     def key(self) -> str:
         """The end of the keys that the rule gives, and of its own label: fgm.adh.Dl."""
-        return ".".join(part for part in (*GROUPS[self.system], self.suffix) if part)
+        return f"{BY_NAME[self.system].group}.{self.suffix}".lstrip(".")
 
 
 Line = tuple[RuleRow, ...]
 Section = tuple[str, str, Sequence[Line]]
 """Title, note and lines of one kind of contact; a line holds one rule or two."""
-GROUPS = {
-    "normal": ("",), "adhesive": ("adh",), "tangential": ("tan",), "viscoelastic": ("vis",),
-    "graded.normal": ("fgm",), "graded.adhesive": ("fgm", "adh"), "graded.tangential": ("fgm", "tan"),
-}  # fmt: skip
 QUANTITIES = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
 FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
 TANGENTIAL = (("F",), ("c",), ("tau",), ("u", "us"))
@@ -80,7 +77,7 @@ def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
 
 
 def _rule(system: str, suffix: str) -> RuleRow:
-    found = rules.rule(system, suffix)
+    found = rules.rule(BY_NAME[system], suffix)
     assert found is not None
     label, small = QUANTITIES[system.rpartition(".")[2]][suffix].heading
     small = f"${found.where}$" if found.where else small

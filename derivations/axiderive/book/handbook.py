@@ -19,7 +19,7 @@ from ..entry import Entry
 from ..figures.axes import drawn, printed
 from ..figures.drawing import outline
 from ..figures.tikz import tikz
-from ..physics.systems import profile_ids
+from ..physics.systems import pool_of, profile_ids
 from ..print.width import width
 from ..profiles import COMPLETE_NAMES
 from ..rows import special
@@ -86,7 +86,7 @@ def ruled(model: Model) -> list[str]:
     suffixes = [row["suffix"] for row in model["evidence"]["table"] if row["ruled"]]
     found = [suffix for suffix in ("p", "w") if suffix in suffixes] + (["Fd"] if "F" in suffixes else [])
     graded = [f"fgm.{suffix}" for suffix in ("p", "w")]
-    plane = ["p"] if "plane" in model["blocks"] else []
+    plane = ["p"] if pool_of(model["name"]).strip else []
     return [f"{model['name']}.{suffix}" for suffix in (*found, *graded, *plane)]
 
 

@@ -158,7 +158,7 @@ def _entry(
 def _domain(problem: Problem, symbol: sp.Symbol) -> str:
     """Where the symbol may lie; with adhesion a contact also holds under tension, down to its pull-off."""
     least = {nt.F: "force", nt.d: "depth"}
-    if problem.system.name.endswith("adhesive") and symbol in least:
+    if problem.system.physics.tension and symbol in least:
         return f"{symbol} >= pull_off(control='{least[symbol]}').{least[symbol]}"
     return nt.describe(symbol).domain
 

@@ -1,13 +1,4 @@
-"""Parts of a page as plain data.
-
-Parts of a page as plain data: rows, check values, calls, derivation, evidence, notation.
-
-The definition panel of a spread: profile, parameters, medium, contact, validity.
-
-How the generated functions are called, read off their definitions.
-
-Check values of what has no profile: prescribed pressures, and the punch that an eccentric load tilts.
-"""
+"""Parts of a page as plain data: rows, definition panel, check values, calls, derivation, evidence, notation."""
 
 from __future__ import annotations
 
@@ -24,11 +15,12 @@ from ..abel import masters
 from ..entry import Entry
 from ..figures.given import Strip
 from ..oracle.values import Numbers, Values
-from ..physics.systems import Problem
+from ..physics.systems import Problem, pool_of
 from ..print.formula import Printer
 from ..print.width import width
 from ..print.words import domain, prose
 from ..profiles.loads import Load
+from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
 from ..rows.row import kappa_row
 
@@ -180,19 +172,17 @@ TILTED_START = (
 
 def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) -> str:
     """Which rule gives what, and which functions it takes."""
-    if not entries:
-        return ""
-    if profile_id == "materials":
+    if not entries or profile == ELASTIC:
         return ""
     if nt.e in profile.parameters:
         return TILTED_START
     if isinstance(profile, Load):
         free = profile.exponent == nt.sigma
         start = LOAD_START % ("$s$" if free else f"$s={Printer()(profile.exponent)}$")
-    elif profile_id.startswith("plane."):
+    elif pool_of(profile_id).strip:
         face = CONCAVE_START if nt.h in profile.parameters else FLAT_START
-        start = face if profile.contact == "complete" else PLANE_START
-    elif profile.contact == "complete":
+        start = face if profile.complete else PLANE_START
+    elif profile.complete:
         start = (
             r"A flat punch carries $E^{*}d/(\pi\sqrt{a^2-r^2})$ (11.15). With $w_{\mathrm{1D}}=d-g$ "
             r"the edge term of (11.107), "
@@ -284,7 +274,7 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
         lines.append(("Shorthand", ", ".join(shorthands)))
     lines.append(("Medium", HALF_SPACE.replace("half-space", "half-plane") if plane else HALF_SPACE))
     span = r"$|x|\le a$" if plane else r"$0\le r\le a$"
-    if profile.contact == "compact":
+    if profile.compact:
         start = Printer()(profile.breaks[0]) if profile.truncated else None
         lines.append(("Contact", rf"frictionless, compact, {span}" + (f", $a\\ge {start}$" if start else "")))
     elif plane:

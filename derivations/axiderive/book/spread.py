@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from .. import notation as nt
 from ..entry import Entry
 from ..figures.curves import curves
 from ..figures.given import axes_of
@@ -13,7 +14,7 @@ from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.sketch_given import load_sketch, tilted_sketch
 from ..oracle.values import Numbers, StripNumbers, sketch_values
-from ..physics.systems import POOLS, SYSTEMS, Pool, Problem
+from ..physics.systems import ROUND, SYSTEMS, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -25,12 +26,6 @@ from .page import given_table, panel
 
 Entries = Mapping[str, Entry]
 PLOT_DIGITS = 16
-
-
-def pool_of(profile_id: str) -> Pool:
-    """The pool a profile belongs to."""
-    prefix, _, name = profile_id.rpartition(".")
-    return next(pool for pool in POOLS if pool.prefix == prefix and name in pool.names)
 
 
 def problems_of(profile_id: str) -> list[Problem]:
@@ -54,7 +49,8 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "number": number,
         "chapter": int(number.partition(".")[0]),
         "subtitle": prose(profile.subtitle),
-        "panel": panel(profile, main, pool.prefix == "plane") if main else [],
+        "panel": panel(profile, main, pool.strip) if main else [],
+        "place": str(pool.place),
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
@@ -108,9 +104,9 @@ NOTHING: dict[str, Any] = {
 
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
-    prefix = profile_id.rpartition(".")[0]
-    force, place = ("P", "x") if prefix == "plane" else (r"F_{\mathrm N}", "r")
-    texts = NOTHING | {"place": place, "derivation": page.derivation(profile_id, profile, main)}
+    pool = pool_of(profile_id)
+    force, place = nt.describe(pool.force).latex, str(pool.place)
+    texts = NOTHING | {"derivation": page.derivation(profile_id, profile, main)}
     texts["axes"] = axes_of(profile, main) if main else ()
     if texts["axes"]:
         texts |= {"worked": worked_given(profile, main), "checks": given_table(profile, main)}
@@ -122,7 +118,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     if not main or "p" not in main:
         return texts
     values = sketch_values(profile)
-    if prefix == "plane":
+    if pool.strip:
         rough: Numbers = StripNumbers(profile, main, values, PLOT_DIGITS)
         exact: Numbers = StripNumbers(profile, main, values)
     else:
@@ -130,10 +126,10 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
-        "curves": curves(profile, rough) if profile.contact == "compact" and not prefix else (),
+        "curves": curves(profile, rough) if profile.compact and pool is ROUND else (),
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough, force, place),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),
-        "complete": profile.contact == "complete",
+        "complete": profile.complete,
     }

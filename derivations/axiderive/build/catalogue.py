@@ -129,8 +129,7 @@ def _wrong_equations(chapter: Record | None) -> list[str]:
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:
     """Longest first, so that no process is left alone with a long task at the end."""
     profile = problem.profile
-    graded = problem.system.name.startswith("graded")
-    return int(graded), len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
+    return int(problem.system.medium.graded), len(profile.pieces) + len(profile.abbreviations), len(profile.parameters)
 
 
 def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tuple[Published, list[Failure]]:
@@ -145,8 +144,8 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
         failures += [Failure(failure["key"], failure["message"]) for failure in outcome.failures]
         if outcome.error or outcome.failures:
             lost.add(problem.key)
-        elif problem.base_keys() & lost:
-            failures.append(Failure(problem.key, f"rests on {', '.join(sorted(problem.base_keys() & lost))}"))
+        elif problem.base and problem.base.key in lost:
+            failures.append(Failure(problem.key, f"rests on {problem.base.key}"))
             lost.add(problem.key)
         else:
             published.append((problem, outcome))
@@ -162,11 +161,11 @@ def _measured(
     """
     from ..stable.drift import settled
     from ..stable.measure import closure
-    from ..stable.records import SYSTEMS
+    from ..stable.records import MEASURED
 
     errors, inputs, kept, tasks = {}, {}, 0, []
     for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True):
-        if own.system.name in SYSTEMS:
+        if own.system in MEASURED:
             sources = closure(package, own.module)
             inputs[own.key] = work.evaluation_key(own, outcome.entries, sources)
             found, taken = work.measured(inputs[own.key], cache, standing.get(own.key, {}))

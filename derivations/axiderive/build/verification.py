@@ -36,7 +36,7 @@ def verify(
         second prover says of it, worst residual, a summary, the certificate and the
         checks) and `failures`, a list of key and message.
     """
-    prover = plane if problem.system.name == "plane" else certificate
+    prover = plane if problem.system.pool.strip else certificate
     certificates = prover.certify_profile(problem.profile, dict(entries))
     second = reasons(*_stored(problem, entries))
     if kept is None:

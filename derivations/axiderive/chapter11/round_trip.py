@@ -95,7 +95,7 @@ class Indenter:
     @property
     def compact(self) -> bool:
         """Whether the contact grows with the depth, d = g(a), rather than ending at the edge of the body."""
-        return self.profile.contact == "compact"
+        return self.profile.compact
 
     def _piece(self, r: Any) -> sp.Expr:
         pieces = self.profile.pieces
@@ -183,7 +183,7 @@ def indenter(name: str, draw: Draw, graded: tuple[Any, Any] | None = None) -> In
     a = draw.length(profile.sketch.a * (1 - SPREAD), profile.sketch.a * (1 + SPREAD))
     breaks = tuple(_number(sp.sympify(b), values) for b in profile.breaks)
     inside = tuple(b for b in breaks if b < a)
-    if profile.contact == "complete":
+    if profile.complete:
         d = draw.length(1, 2)
     else:
         d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), inside, medium).w1D(a)

@@ -10,7 +10,7 @@ from ..entry import FOUR, Entry
 from ..oracle.evaluate import case_at, evaluate
 from ..oracle.evidence import Evidence, judge, not_available, residual
 from ..oracle.shape import Number, Values, number, shape
-from ..physics.adhesive import CONTROLS
+from ..physics import adhesive
 from ..profiles.profile import Profile
 from .physics_quadrature import Entries, drawn_points
 from .quadrature import LOST
@@ -29,10 +29,10 @@ def check_profile(
     profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50, seed: int = 0
 ) -> list[Evidence]:
     """`plain` are the entries of the contact without adhesion; a fixed edge leaves nothing to compare here."""
-    if profile.contact == "complete":
+    if profile.complete:
         return []
     found = [without_adhesion(entries[suffix], plain[suffix]) for suffix in FOUR]
-    for control in CONTROLS:
+    for control in adhesive.CONTROLS:
         found += stationary(profile, entries, control, digits, seed)
     return [*found, *known_values(profile, entries, digits, seed), crack_closure(profile, entries, digits, seed)]
 
@@ -49,10 +49,10 @@ def without_adhesion(entry: Entry, plain: Entry) -> Evidence:
 
 def _at_pull_off(profile: Profile, entries: Entries, control: str, digits: int, seed: int) -> list[Values]:
     """Points of pull-off as the entry for its radius says: the radius if it is closed, else dgamma for a radius."""
-    name = CONTROLS[control][0]
+    name = adhesive.CONTROLS[control][0]
     entry = entries[name]
     out: list[Values] = []
-    for point in drawn_points(profile, entries, name, "adhesive", 2, seed):
+    for point in drawn_points(profile, entries, name, adhesive.PHYSICS, 2, seed):
         values = {**point.values, nt.a_c: point.values[nt.a]}
         case = case_at(entry, values)
         if entry.status == "closed":
@@ -68,7 +68,7 @@ def _at_pull_off(profile: Profile, entries: Entries, control: str, digits: int, 
 
 def stationary(profile: Profile, entries: Entries, control: str, digits: int, seed: int) -> list[Evidence]:
     """dX/da = 0 there for X = F or d, differentiated as it stands; force and depth are the entries at that radius."""
-    names, quantity = CONTROLS[control], STATIONARY[control]
+    names, quantity = adhesive.CONTROLS[control], STATIONARY[control]
     rows: dict[str, list[tuple[Values, Number]]] = {name: [] for name in names}
     with mp.workdps(digits + 40):
         for values in _at_pull_off(profile, entries, control, digits, seed):
@@ -116,7 +116,7 @@ def crack_closure(profile: Profile, entries: Entries, digits: int, seed: int) ->
     distance = sp.Rational(1, 10 ** (digits + 10))
     if any(entries[s].status != "closed" for s in ("p", "w")):
         return not_available(entries["p"].key, compared, "p or w is an integral, too slow so near to the edge")
-    for point in drawn_points(profile, entries, "d", "adhesive", 1, seed):
+    for point in drawn_points(profile, entries, "d", adhesive.PHYSICS, 1, seed):
         if point.extreme:
             continue
         values = point.values

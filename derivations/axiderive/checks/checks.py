@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from ..entry import Entry
 from ..oracle.evidence import Evidence
-from ..physics import normal
-from ..physics.medium import GRADED, HOMOGENEOUS
-from ..physics.systems import BY_NAME, Problem
+from ..physics import adhesive, materials, normal, plane, tangential, viscoelastic
+from ..physics.medium import HOMOGENEOUS
+from ..physics.systems import Problem, System, on
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from ..proof.certificate import homogeneous_statements
-from ..proof.rules import materials
+from ..proof.rules import materials as constants
 from . import (
     adhesive_identities,
     enclosure,
@@ -28,62 +29,63 @@ from . import (
 
 BALL_DIGITS = 10
 """Digits by which enclosures may be wider than the quadrature is exact."""
-PHYSICS = {
-    "adhesive": "adhesive",
-    "tangential": "tangential",
-    "graded.normal": "graded",
-    "graded.adhesive": "adhesive",
-    "graded.tangential": "tangential",
-    "viscoelastic": "viscoelastic",
-    "loads": "load",
+Entries = dict[str, Entry]
+IDENTITIES = {
+    adhesive.PHYSICS: adhesive_identities.check_profile,
+    tangential.PHYSICS: physics_identities.slip,
+    viscoelastic.PHYSICS: physics_identities.elastic,
 }
+"""What ties the entries of a physics to those of the contact it superposes."""
 
 
 def check_problem(
     problem: Problem, entries: Mapping[str, Entry], *, digits: int, points: int, seed: int
 ) -> list[Evidence]:
     """The evidence for every entry, several pieces for most of them, each under the key of its entry."""
-    profile, kept = problem.profile, dict(entries)
+    profile, kept, system = problem.profile, dict(entries), problem.system
     checks = list(units.check_profile(profile, kept).values())
-    if problem.system.name == "normal":
-        balls = enclosure.check_profile(profile, kept, digits=digits - BALL_DIGITS, seed=seed)
-        checks += quadrature.check_profile(profile, kept, digits=digits, points=points, seed=seed).values()
-        checks += balls.values()
-        checks += identities.check_profile(profile, kept, digits=digits, points=points, seed=seed)
-    elif problem.system.name == "plane":
-        checks += plane_quadrature.check_profile(profile, kept, digits=digits, points=points, seed=seed).values()
-        checks += plane_closure.check_profile(profile, kept, seed=seed)
-    elif problem.system.name == "materials":
-        checks += [materials.check(kept, suffix, seed=seed) for suffix in kept]
-    else:
-        physics = PHYSICS[problem.system.name]
-        checks += physics_quadrature.check_profile(profile, kept, physics, digits=digits, seed=seed).values()
-        checks += _identities(problem, profile, kept, digits, seed)
-    return checks
+    if system in OWN:
+        return checks + OWN[system](profile, kept, digits, points, seed)
+    checks += physics_quadrature.check_profile(profile, kept, system.physics, digits=digits, seed=seed).values()
+    return checks + _identities(system, profile, kept, digits, seed)
 
 
-def _identities(
-    problem: Problem, profile: Profile, entries: dict[str, Entry], digits: int, seed: int
-) -> list[Evidence]:
+def _normal(profile: Profile, entries: Entries, digits: int, points: int, seed: int) -> list[Evidence]:
+    balls = enclosure.check_profile(profile, entries, digits=digits - BALL_DIGITS, seed=seed)
+    compared = quadrature.check_profile(profile, entries, digits=digits, points=points, seed=seed)
+    found = identities.check_profile(profile, entries, digits=digits, points=points, seed=seed)
+    return [*compared.values(), *balls.values(), *found]
+
+
+def _plane(profile: Profile, entries: Entries, digits: int, points: int, seed: int) -> list[Evidence]:
+    compared = plane_quadrature.check_profile(profile, entries, digits=digits, points=points, seed=seed)
+    return [*compared.values(), *plane_closure.check_profile(profile, entries, seed=seed)]
+
+
+def _constants(profile: Profile, entries: Entries, digits: int, points: int, seed: int) -> list[Evidence]:
+    return [constants.check(entries, suffix, seed=seed) for suffix in entries]
+
+
+OWN: dict[System | None, Callable[[Profile, Entries, int, int, int], list[Evidence]]] = {
+    on(normal.PHYSICS, HOMOGENEOUS): _normal,
+    on(plane.PHYSICS, HOMOGENEOUS): _plane,
+    on(materials.PHYSICS, HOMOGENEOUS): _constants,
+}
+"""The checks of a system, where they are others than of most."""
+
+
+def _identities(system: System, profile: Profile, entries: Entries, digits: int, seed: int) -> list[Evidence]:
     """What ties the entries to each other, to the contact they rest on and to the homogeneous half-space."""
-    kind, graded = problem.system.name.removeprefix("graded."), problem.system.name.startswith("graded.")
-    physics = PHYSICS[problem.system.name]
-    if kind == "loads":
+    if isinstance(profile, Load):
         return [physics_identities.reciprocity(profile, entries, digits=digits, seed=seed)]
     found: list[Evidence] = []
-    if kind == "normal":
+    if system.base is None:
         found.append(physics_identities.stiffness(profile, entries, digits=digits, seed=seed))
     else:
-        plain = normal.derive(profile, GRADED if graded else HOMOGENEOUS)
-        rule = {
-            "adhesive": adhesive_identities.check_profile,
-            "tangential": physics_identities.slip,
-            "viscoelastic": physics_identities.elastic,
-        }[kind]
-        found += rule(profile, entries, plain, digits=digits, seed=seed)
-    if graded and "p" in entries:
-        found.append(resultants.pressure(profile, entries["F"], entries["p"], physics, digits=digits, seed=seed))
-    if graded:
-        simple, below = BY_NAME[kind].rule(profile), homogeneous_statements(profile)
-        found += homogeneous.check_profile(profile, entries, simple, below, physics, digits=digits, seed=seed)
-    return found
+        found += IDENTITIES[system.physics](profile, entries, system.base.derive(profile), digits=digits, seed=seed)
+    if not system.medium.graded:
+        return found
+    if "p" in entries:
+        found.append(resultants.pressure(profile, entries["F"], entries["p"], system.physics, digits=digits, seed=seed))
+    simple, below = system.physics.derive(profile, HOMOGENEOUS), homogeneous_statements(profile)
+    return found + homogeneous.check_profile(profile, entries, simple, below, system.physics, digits=digits, seed=seed)

@@ -75,7 +75,7 @@ def _unsuited(profile: Profile, entry: Entry) -> str:
         return "no integral of its own; see the quadrature and the identities"
     if entry.status == "integral":
         return "the result is its defining integral"
-    if entry.suffix == "p" and profile.contact == "complete":
+    if entry.suffix == "p" and profile.complete:
         return "the depth g of (11.23) is no entry of a complete contact"
     if entry.suffix == "p" and len(profile.breaks) > 1:
         return "two breaks leave no substitution that removes both roots"
@@ -84,7 +84,7 @@ def _unsuited(profile: Profile, entry: Entry) -> str:
 
 def _points(profile: Profile, entry: Entry, count: int, seed: int) -> list[Point]:
     """Points in every case; a power that is no integer has a branch point at the tip, which boxes cannot pass."""
-    complete = profile.contact == "complete"
+    complete = profile.complete
     found: list[Point] = []
     for case in entry.cases:
         if complete and any(x.has(nt.d) for x in case.chain[: case.chain.index(nt.a)]):
@@ -101,7 +101,7 @@ def _definition(profile: Profile, entries: Entries, suffix: str, values: Values)
     if suffix == "p":
         return modulus / acb.pi() * _pressure(profile, entries, values)
     free = None
-    if profile.contact == "complete":
+    if profile.complete:
         free = known[nt.d] - _over_angle(profile, values, lambda s, z: acb(1)) * a
     match suffix:
         case "d":

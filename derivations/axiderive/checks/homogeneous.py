@@ -10,6 +10,7 @@ from ..oracle.evaluate import case_at, decades
 from ..oracle.evidence import Evidence, judge, not_available, residual
 from ..oracle.integrals import GUARD
 from ..oracle.shape import Number, Values
+from ..physics import Physics
 from ..profiles.profile import Profile
 from ..proof.algebra.domain import NotProvedError
 from ..proof.rules.compact import Compact
@@ -28,7 +29,7 @@ def check_profile(
     entries: Entries,
     plain: Entries,
     below: Compact | Complete,
-    physics: str,
+    physics: Physics,
     *,
     digits: int = 50,
     seed: int = 0,
@@ -62,7 +63,7 @@ def _exact(entries: Entries, plain: Entries, suffix: str, below: Compact | Compl
 
 
 def _at_zero(
-    profile: Profile, entries: Entries, plain: Entries, suffix: str, physics: str, digits: int, seed: int
+    profile: Profile, entries: Entries, plain: Entries, suffix: str, physics: Physics, digits: int, seed: int
 ) -> Evidence:
     """At one point of each of the first cases that are integrals."""
     entry, own = entries[suffix], plain[suffix]

@@ -73,7 +73,7 @@ def _from_a_break(entry: Entry) -> bool:
 
 def check_stiffness(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
     """dF/dd = 2 E* a: the formulas of F and d differentiated by a, or F by d where d is free."""
-    free = profile.contact == "complete"
+    free = profile.complete
     rows: Rows = []
     for values in _at_cases(profile, entries["F"], seed):
         force = case_at(entries["F"], values).expr

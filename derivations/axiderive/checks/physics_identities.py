@@ -14,6 +14,7 @@ from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number
+from ..physics import normal, tangential
 from ..physics.viscoelastic import of_depth
 from ..profiles.profile import Profile
 from . import resultants
@@ -38,7 +39,7 @@ def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50
     floor = profile.breaks[0] if profile.truncated else None
     for suffix, source, compared in (("F", "F", "mu F"), ("u", "us", "displacement at full slip")):
         rows: Rows = []
-        for point in drawn_points(profile, entries, "us", "tangential", 1, seed):
+        for point in drawn_points(profile, entries, "us", tangential.PHYSICS, 1, seed):
             values = dict(point.values)
             with mp.workdps(3 * digits):
                 least = (
@@ -73,9 +74,9 @@ def superposed(entry: Entry, pressure: Entry) -> Evidence:
 
 def stiffness(profile: Profile, entries: Entries, *, digits: int = 50, seed: int = 0) -> Evidence:
     """dF/dd by differentiating force and depth, or the force by a depth that is free."""
-    free = profile.contact == "complete"
+    free = profile.complete
     rows: Rows = []
-    for point in drawn_points(profile, entries, "F", "graded", 1, seed):
+    for point in drawn_points(profile, entries, "F", normal.PHYSICS, 1, seed):
         if point.extreme:
             continue
         values = point.values
@@ -126,7 +127,7 @@ def elastic(profile: Profile, entries: Entries, plain: Entries, *, digits: int =
             drawn = [point.values for point in points(profile, case.chain, 9, seed, fields) if not point.extreme]
             values = {**drawn[0], nt.v: drawn[0][nt.d] / drawn[0][nt.time]}
             values |= {nt.E_star: modulus(values), **limit(values)}
-            if profile.contact == "compact":
+            if profile.compact:
                 values.pop(nt.a, None)
             with mp.workdps(digits + GUARD):
                 got, want = (evaluate(case_at(e, values).expr, values, digits) for e in (entry, source))

@@ -1,8 +1,4 @@
-"""Contact beyond the normal one against its definitions.
-
-Points at which the formulas of graded, adhesive and tangential contact are checked.
-
-Every formula of graded, adhesive, tangential, viscoelastic contact and prescribed pressure against its definition.
+"""Contact beyond the normal one on the homogeneous half-space, and prescribed pressure, against their definitions.
 
 Roots and inverses are checked by round trip: the known side is the definition
 at a chosen contact radius, the entry must lead back to it.
@@ -12,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mpmath as mp
 import sympy as sp
@@ -27,6 +23,8 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, shape
+from ..physics import Physics, adhesive, normal, tangential
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import graded_threshold, viscoelastic_quadrature
 from .quadrature import LOST, inverse, root
@@ -38,23 +36,26 @@ EXPONENTS = tuple(sp.Rational(x) for x in ("-7/10", "-3/10", "1/5", "3/5", "1/2"
 MANY = 6
 """Cases above which one point for each is enough."""
 FIELDS = {
-    "graded": (nt.H,),
-    "adhesive": (nt.dgamma, nt.H),
-    "tangential": (nt.mu, nt.G_star, nt.H, nt.H_x),
+    normal.PHYSICS: (nt.H,),
+    adhesive.PHYSICS: (nt.dgamma, nt.H),
+    tangential.PHYSICS: (nt.mu, nt.G_star, nt.H, nt.H_x),
 }
+"""What is drawn of the material."""
 
 
-def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, count: int, seed: int) -> list[Point]:
+def drawn_points(
+    profile: Profile, entries: Entries, suffix: str, physics: Physics, count: int, seed: int
+) -> list[Point]:
     """Points spread over the cases, those of an inverse over the cases of what it inverts."""
     source = entries[suffix]
     quantity, graded = source.quantity, nt.k in source.parameters
-    if physics == "adhesive" and (quantity.inverts or quantity.control) and "d" in entries:
+    if physics.tension and (quantity.inverts or quantity.control) and "d" in entries:
         source = entries["d"]
     elif quantity.inverts:
         source = entries[quantity.inverts]
     elif suffix in ("k", "pm", "Dl") and "d" in entries:
         source = entries["d"]
-    fields = (*source.quantity.arguments, *FIELDS[physics]) + ((nt.d,) if profile.contact == "complete" else ())
+    fields = (*source.quantity.arguments, *FIELDS[physics], *profile.free_depth)
     # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
     tame = graded and (quantity.place == "inside" or any(case.expr.has(sp.Integral) for case in entries[suffix].cases))
     many = len(source.cases) > MANY
@@ -65,7 +66,7 @@ def drawn_points(profile: Profile, entries: Entries, suffix: str, physics: str, 
         chains = chains[:: -(-len(chains) // MANY)]
     for chain in chains:
         candidates = (_point(profile, chain, i, len(out), seed, fields, graded, tame) for i in itertools.count())
-        growing = profile.contact == "compact" and quantity.control
+        growing = profile.compact and quantity.control
         kept = (p for p in candidates if not growing or _grows(profile, p.values, graded))
         for _ in range(each):
             out.append(next(kept))
@@ -98,7 +99,6 @@ def _exponent(index: int, name: str, seed: int) -> sp.Rational:
     return (*EXPONENTS, random_one)[(index + shift) % (len(EXPONENTS) + 1)]
 
 
-PHYSICS = ("graded", "adhesive", "tangential", "viscoelastic", "load")
 NESTED = 46
 """Digits of a pressure on the graded half-space, which is an integral of integrals."""
 NESTED_LOST = 6
@@ -109,30 +109,28 @@ ILL = 60
 
 
 def check_profile(
-    profile: Profile, entries: Entries, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+    profile: Profile, entries: Entries, physics: Physics, *, digits: int = 50, points: int = 4, seed: int = 0
 ) -> dict[str, Evidence]:
-    """The evidence for every entry of a profile, keyed by suffix.
-
-    Raises
-    ------
-    ValueError
-        If `physics` is not one of PHYSICS.
-    """
-    if physics not in PHYSICS:
-        message = f"physics {physics!r} has no definitions here; use one of {', '.join(PHYSICS)}"
-        raise ValueError(message)
+    """The evidence for every entry of a profile, keyed by suffix."""
     return {
         suffix: check(profile, entries, suffix, physics, digits=digits, points=points, seed=seed) for suffix in entries
     }
 
 
 def check(
-    profile: Profile, entries: Entries, suffix: str, physics: str, *, digits: int = 50, points: int = 4, seed: int = 0
+    profile: Profile,
+    entries: Entries,
+    suffix: str,
+    physics: Physics,
+    *,
+    digits: int = 50,
+    points: int = 4,
+    seed: int = 0,
 ) -> Evidence:
     """Compare one entry with its definition."""
-    if physics == "load":
+    if isinstance(profile, Load):
         return load_quadrature.check(profile, entries, suffix, digits=digits, points=points, seed=seed)
-    if physics == "viscoelastic":
+    if physics.laws:
         return viscoelastic_quadrature.check(profile, entries, suffix, points=points, seed=seed)
     entry = entries[suffix]
     graded = nt.k in entry.parameters
@@ -165,7 +163,7 @@ def _sum_of_powers(profile: Profile) -> bool:
     )
 
 
-def _compared(quantity: Quantity, physics: str) -> str:
+def _compared(quantity: Quantity, physics: Physics) -> str:
     """What stands against the entry."""
     if quantity.control:
         place = f"the radius at which the {quantity.control} by quadrature is stationary"
@@ -174,27 +172,21 @@ def _compared(quantity: Quantity, physics: str) -> str:
         return "round trip: the stick radius whose tangential force is known by quadrature"
     if quantity.inverts:
         return f"round trip: {quantity.symbol} of the contact whose {quantity.inverts} is known by quadrature"
-    return {
-        "graded": "mpmath quadrature of the definition",
-        "adhesive": "mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
-        "tangential": "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)",
-    }[physics]
+    return COMPARED[physics][0]
 
 
 def _residual(
-    profile: Profile, entries: Entries, suffix: str, physics: str, values: Values, digits: int, graded: bool
+    profile: Profile, entries: Entries, suffix: str, physics: Physics, values: Values, digits: int, graded: bool
 ) -> Number:
     quantity = entries[suffix].quantity
-    searched = quantity.inverts or quantity.symbol == nt.a_c or physics == "tangential"
-    extra = ILL if suffix == "c" else 20 if searched else 0
+    _, rule, more = COMPARED[physics]
+    extra = ILL if suffix == "c" else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
     here = HalfSpace(profile, values, digits + extra, graded)
-    a = number(values[nt.a])
-    if physics == "adhesive":
-        return _adhesive(here, entries, suffix, a, digits)
-    if physics == "tangential":
-        if suffix != "c":
-            return residual(formula_value(entries[suffix], values, digits), here.tangential(suffix, a))
-        return _stick_radius(here, entries["c"], a, digits)
+    return rule(here, entries, suffix, number(values[nt.a]), digits)
+
+
+def _pressed(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
+    values, quantity = here.values, entries[suffix].quantity
     radius, free_depth = contact(here, a)
     if not quantity.inverts:
         return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
@@ -205,7 +197,7 @@ def _residual(
 
 def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
     """Contact radius and free depth; at a small depth a convex face of a complete contact is partly out of contact."""
-    if here.profile.contact == "compact":
+    if here.profile.compact:
         return a, None
     depth, full = here.at(nt.d), here.depth(a)
     if depth >= full:
@@ -235,7 +227,7 @@ def formula_value(entry: Entry, values: Values, digits: int) -> Number:
 
 def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
     entry, values = entries[suffix], here.values
-    if here.profile.contact == "complete":  # the edge peels off where the free depth is short by the retraction
+    if here.profile.complete:  # the edge peels off where the free depth is short by the retraction
         defined = here.adhesive(str(entry.quantity.symbol) if entry.quantity.control else suffix, a)
         return residual(formula_value(entry, values, digits), defined)
     quantity = entry.quantity
@@ -257,7 +249,10 @@ def _adhesive(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits:
     return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
-def _stick_radius(here: HalfSpace, entry: Entry, a: Number, digits: int) -> Number:
+def _slipping(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
+    entry = entries[suffix]
+    if suffix != "c":
+        return residual(formula_value(entry, here.values, digits), here.tangential(suffix, a))
     known = {**here.values, nt.F_x: here.tangential("F", a), nt.F: here.force(a)}
     return residual(_radius(entry, nt.c, known, digits), here.at(nt.c))
 
@@ -269,3 +264,13 @@ def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Num
     largest = entry.profile.largest
     beyond = () if largest is None else (largest.subs(nt.a, unknown),)
     return root(Case(case.chain, case.expr), unknown, known, digits, beyond)
+
+
+COMPARED: dict[Physics, tuple[str, Callable[[HalfSpace, Entries, str, Number, int], Number], int]] = {
+    normal.PHYSICS: ("mpmath quadrature of the definition", _pressed, 0),
+    adhesive.PHYSICS: ("mpmath quadrature of the contact that is short of its depth by Dl, (11.63)", _adhesive, 0),
+    tangential.PHYSICS: (
+        "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)", _slipping, 20,
+    ),
+}  # fmt: skip
+"""What stands against an entry, the relative difference from it, and the digits that this takes more."""

@@ -163,7 +163,7 @@ def check_profile(
 
 def _points(profile: Profile, entry: Entry, count: int, seed: int) -> list[Point]:
     """Points in every region of the entry; under the eccentric punch x lies anywhere in the contact."""
-    fields = (nt.P,) if profile.contact == "complete" else ()
+    fields = (nt.P,) if profile.complete else ()
     if nt.e in profile.parameters:
         return _eccentric(profile, count, seed)
     chains = [case.chain for case in entry.cases]
@@ -210,9 +210,9 @@ def _inside(profile: Profile, entries: Mapping[str, Entry], values: Values, digi
     pieces = face.pieces(x * (1 - mp.mpf(10) ** -digits), x, face.slopes)
     wanted = face.at(pieces[0][2], nt.x, x) if pieces else mp.mpf(0)
     # the slope of the profile near its tip is a small difference: it is measured by the mean pressure
-    total = values[nt.P] if profile.contact == "complete" else case_at(entries["P"], values).expr
+    total = values[nt.P] if profile.complete else case_at(entries["P"], values).expr
     scale = at_precision(total / (values[nt.a] * values[nt.E_star]), values)
-    return abs(got + wanted if profile.contact == "compact" else got - wanted) / max(abs(wanted), scale)
+    return abs(got + wanted if profile.compact else got - wanted) / max(abs(wanted), scale)
 
 
 def _outside(profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int) -> Number:

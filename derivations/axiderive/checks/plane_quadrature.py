@@ -57,7 +57,7 @@ def _points(profile: Profile, entries: Mapping[str, Entry], suffix: str, count: 
         return [point for point in drawn if any(holds(case, point.values) for case in entries["xz"].cases)]
     chains = [case.chain for case in entries[entries[suffix].quantity.inverts or suffix].cases]
     each = max(3, -(-count // len(chains)))
-    fields = (nt.P,) if profile.contact == "complete" else ()
+    fields = (nt.P,) if profile.complete else ()
     return [point for chain in chains for point in points(profile, chain, each, seed, fields)]
 
 
@@ -85,7 +85,7 @@ def defined(profile: Profile, suffix: str, values: Values, digits: int) -> Numbe
     point = number(values[symbol])
     scale = modulus if suffix == "p" else mp.mpf(1)
     own = field(face, a, point, digits)
-    if profile.contact == "compact":
+    if profile.compact:
         return scale * own
     strips = {
         "p": lambda: 1 / mp.sqrt((a - point) * (a + point)) / mp.pi,

@@ -99,8 +99,8 @@ def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number
     """A closed inverse evaluated, or the root of its equation found and, where asked for, carried on to d or F."""
     entry = entries[suffix]
     if entry.status != "root":
-        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.contact == "complete"}
-        if entry.profile.contact == "complete":
+        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.complete}
+        if entry.profile.complete:
             without.pop(entry.quantity.symbol, None)
         return evaluate(case_at(entry, without).expr, without, digits)
     largest = entry.profile.largest

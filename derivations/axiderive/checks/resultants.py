@@ -12,6 +12,7 @@ from ..entry import Entry
 from ..oracle.evaluate import case_at, decades
 from ..oracle.evidence import Evidence, judge, not_available
 from ..oracle.sampling import Values
+from ..physics import Physics, tangential
 from ..profiles.profile import Profile
 from .identities import carried
 from .physics_quadrature import Entries, drawn_points
@@ -24,12 +25,12 @@ EXPONENTS = (sp.Rational(-1, 10), sp.Rational(2, 5))
 def traction(profile: Profile, entries: Entries, *, digits: int = 50, seed: int = 0) -> Evidence:
     """F_x = 2 pi int tau r dr."""
     force, entry = entries["F"], entries["tau"]
-    drawn = [point.values for point in drawn_points(profile, entries, "F", "tangential", 1, seed)]
+    drawn = [point.values for point in drawn_points(profile, entries, "F", tangential.PHYSICS, 1, seed)]
     return _check(force, entry, "traction", [min(drawn, key=decades)], digits, seed)
 
 
 def pressure(
-    profile: Profile, force: Entry, entry: Entry, physics: str, *, digits: int = 50, seed: int = 0
+    profile: Profile, force: Entry, entry: Entry, physics: Physics, *, digits: int = 50, seed: int = 0
 ) -> Evidence:
     """F = 2 pi int p r dr on the graded half-space, in every case of the force.
 

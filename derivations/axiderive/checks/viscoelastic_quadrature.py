@@ -120,7 +120,7 @@ def _elastic_entries(profile: Profile) -> Mapping[str, Entry]:
 
 def _points(profile: Profile, plain: Mapping[str, Entry], entry: Entry, count: int, seed: int) -> list[dict[Any, Any]]:
     source = plain["d"] if "d" in plain else plain["F"]
-    fields = (*entry.parameters, nt.time) + ((nt.d,) if profile.contact == "complete" else ())
+    fields = (*entry.parameters, nt.time, *profile.free_depth)
     out: list[dict[Any, Any]] = []
     for case in source.cases:
         tame = [p.values for p in draw(profile, case.chain, count + 8, seed, fields) if not p.extreme]
@@ -142,7 +142,7 @@ def _step(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, 
     wanted = own.relaxation(t) * here.force(a, free_depth)
     known = {**values, nt.d: depth}
     if entry.status != "root":
-        if free_depth is None and profile.contact == "compact":
+        if free_depth is None and profile.compact:
             known.pop(nt.a)
         return residual(evaluate(case_at(entry, known).expr, known, digits), wanted)
     # the equation F = F_el(a) E(t)/E* at the root of g(a) = d
@@ -177,7 +177,7 @@ def _ramp(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, 
     """
     here, own = _elastic(profile, values, digits + 10), material(law, values)
     a, t = number(values[nt.a]), number(values[nt.time])
-    if profile.contact == "complete":
+    if profile.complete:
         return _ramp_of_punch(here, own, entry, number(values[nt.v]), a, values, digits)
     face = here.face(a).shape.stretches[0]
     n = a * face.slope(a) / face.height(a)

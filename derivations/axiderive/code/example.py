@@ -24,7 +24,7 @@ def numbers(profile: Profile) -> dict[sp.Symbol, sp.Rational]:
 def field_values(profile: Profile, entries: Mapping[str, Entry]) -> dict[sp.Symbol, sp.Rational]:
     """a or d as drawn, r near the middle, and d and F rounded from what belongs to them."""
     known = environment(profile)
-    if profile.contact == "complete":
+    if profile.complete:
         values = {d: sp.Rational(str(profile.sketch.d)), r: known[a] * sp.Rational(3, 10)}
         depth = known | values
     else:

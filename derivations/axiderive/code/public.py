@@ -110,7 +110,7 @@ def shown_example(
     known = example.environment(profile)
     place = dict(fields)
     if quantity.suffix == "w":
-        place[r] = 2 * (known[a] if profile.contact == "complete" else fields[a])
+        place[r] = 2 * (known[a] if profile.complete else fields[a])
     symbols = entry.parameters if entry else profile.parameters
     arguments = [example.literal(place[argument]) for argument in quantity.arguments]
     for symbol in symbols:

@@ -1,9 +1,4 @@
-"""The text of the generated package.
-
-The generated package: every module as text, a pure function of the derived entries.
-
-The generated package: the modules of all systems, from the entries of all problems.
-"""
+"""The generated package: every module as text, a pure function of the derived entries."""
 
 from __future__ import annotations
 
@@ -87,7 +82,7 @@ def source_of(entry: Entry, entries: Mapping[str, Entry] | None = None) -> str:
 def _module(entries: Mapping[str, Entry]) -> ModuleText:
     profile = next(iter(entries.values())).profile
     functions = _private_functions(profile, entries)
-    quantities = COMPACT if profile.contact == "compact" else COMPLETE
+    quantities = COMPACT if profile.compact else COMPLETE
     module = ModuleText(profile.title, _module_text(profile))
     fields = example.field_values(profile, entries)
     for suffix, quantity in quantities.items():
@@ -120,7 +115,7 @@ def _private_functions(profile: Profile, entries: Mapping[str, Entry]) -> Privat
 def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
     """Add the private functions but for the inverses of a compact contact, which follow its curves."""
     _profile_function(functions)
-    if functions.profile.contact == "complete":
+    if functions.profile.complete:
         Complete(entries, functions).add_all()
         return None
     compact = Compact(entries, functions)
@@ -156,7 +151,7 @@ def _profile_function(functions: PrivateFunctions) -> None:
     text = values[-1][1]
     for upper, value in reversed(values[:-1]):
         text, needs = f"np.where(r < {upper}, {value}, {text})", needs | {str(upper)}
-    if profile.contact == "complete":
+    if profile.complete:
         text, needs = f"np.where(r <= a, {text}, np.nan)", needs | {"a"}
     if text == "0":
         text = "np.zeros_like(r)"
@@ -221,7 +216,7 @@ def parameter_names(derived: Derived) -> set[str]:
     unbound = {coefficients, e}  # a sequence, and a place between the edges of the strip
     found = set()
     for key, entries in derived.items():
-        loaded = systems.problem(key).system.name == "viscoelastic"
+        loaded = systems.problem(key).system.physics.laws
         for entry in entries.values():
             # a depth or a load that is held is a keyword beside the time
             held = entry.quantity.arguments[1:] if loaded else ()

@@ -1,8 +1,6 @@
-"""The commands `axicontact derive` and `axicontact emit`, and what they print.
+"""The commands `axicontact derive` and `axicontact emit`.
 
-The commands `axicontact derive` and `axicontact emit`.
-
-What `axicontact derive` prints: f, g, F, p and w with their status, and what was checked.
+The first prints f, g, F, p and w with their status, and what was checked.
 """
 
 from __future__ import annotations
@@ -87,7 +85,7 @@ def _composed(request: Request, typeset: Typesetter) -> Result:
 
 def _request(scene: Scene, source: str) -> Request:
     return Request(
-        scene.title, scene.module, scene.profile, scene.own, scene.physics, scene.quantities, scene.values,
+        scene.title, scene.module, scene.profile, scene.own, scene.kind, scene.quantities, scene.values,
         scene.formats, scene.at, source,
     )  # fmt: skip
 
@@ -95,12 +93,12 @@ def _request(scene: Scene, source: str) -> Request:
 def _plan(scene: Scene, folder: Path) -> list[str]:
     """What would be written, with the defaults filled in."""
     assert scene.profile is not None
-    names = [*interface.parameters(scene.profile), *interface.MATERIAL[scene.physics]]
+    names = [*interface.parameters(scene.profile), *scene.kind.material]
     frozen = ", ".join(f"{n} = {scene.values[n]!r}" for n in names if n in scene.values) or "none"
     free = ", ".join(n for n in names if n not in scene.values) or "none"
     return [
         f"profile     {scene.profile.name}  {scene.profile.subtitle if scene.own else ''}".rstrip(),
-        f"physics     {scene.physics}",
+        f"physics     {scene.kind.name}",
         f"functions   {', '.join(scene.quantities)}",
         f"frozen      {frozen}",
         f"free        {free}",
@@ -185,10 +183,11 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     from ..scene.linker.sources import graded_refusal
     from ..scene.reading import Request
 
-    physics, values = ("normal", {}) if exponent == 0 else ("graded", {"k": float(exponent)})
+    kind = interface.KINDS["graded" if exponent else "normal"]
+    values = {"k": float(exponent)} if exponent else {}
     if exponent != 0 and (reason := graded_refusal(answer.profile)):
         return [*lines, *([f"written   nothing: {reason}"] if write else [])], None
-    names = list(interface.functions(physics))
+    names = list(interface.functions(kind))
     if answer.bounded:
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
@@ -198,7 +197,7 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         f"{own.profile.name}.py",
         None,
         own,
-        physics,
+        kind,
         names,
         values,
         formats=("python", "json"),

@@ -46,7 +46,7 @@ def plots(profile: Profile, numbers: Numbers) -> tuple[Axes, ...]:
     second: Axes | None
     if plane:
         second = _reach(numbers)
-    elif profile.contact == "complete":
+    elif profile.complete:
         second = _beside(numbers) if profile.pieces[0].expr == 0 else _pressed(profile, numbers)
     else:
         second = None if _one_power(profile) else _between(profile, numbers)
@@ -68,7 +68,7 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
         members = [(ratio, numbers.at(a=size / sp.Rational(ratio))) for ratio in RATIOS]
         return members, f"${nt.describe(b).latex}/a={', '.join(RATIOS)}$"
     if nt.n in profile.parameters:
-        values = ("1.5", "2", "4") if profile.contact == "complete" else ("0.5", "1", "2", "4")
+        values = ("1.5", "2", "4") if profile.complete else ("0.5", "1", "2", "4")
         return [
             (v, numbers.at(n=sp.Rational(v), **_lift(profile, sp.Rational(v)))) for v in values
         ], f"$n={', '.join(values)}$"
@@ -77,13 +77,13 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
         values = ("0.5", "0.9", "0.99")
         members = [(v, numbers.at(a=sp.Rational(v) * numbers.values[bound])) for v in values]
         return members, f"$a/{nt.describe(bound).latex}={', '.join(values)}$"
-    if nt.h in profile.parameters and profile.contact == "complete":
+    if nt.h in profile.parameters and profile.complete:
         least = sp.nsimplify(numbers("dmin"), rational=True)
         values = ("1", "2", "4")
         return [
             (v, numbers.at(d=least * sp.Rational(v))) for v in values
         ], r"$d/d_{\mathrm{min}}=" + f"{', '.join(values)}$"
-    if profile.contact == "complete" and nt.R in profile.parameters:
+    if profile.complete and nt.R in profile.parameters:
         values = ("1", "2", "5")
         contact = numbers.values[nt.a] ** 2 / numbers.values[nt.R]
         members = [(v, numbers.at(d=contact * (sp.Rational(v) + sp.Rational(1, 10**9)))) for v in values]
@@ -98,7 +98,7 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
 
 def _lift(profile: Profile, n: sp.Rational) -> dict[str, Any]:
     """Depth of a concave face of power n that keeps it in complete contact."""
-    return {"d": sp.Integer(3) * max(n, 1) * sp.Rational(15, 100)} if profile.contact == "complete" else {}
+    return {"d": sp.Integer(3) * max(n, 1) * sp.Rational(15, 100)} if profile.complete else {}
 
 
 def _radii(breaks: list[float]) -> list[float]:
@@ -176,7 +176,7 @@ def _unit(profile: Profile) -> tuple[sp.Expr, sp.Expr]:
         return nt.wavelength**2 / nt.R, nt.wavelength
     if nt.theta in own:
         return nt.b * sp.tan(nt.theta), nt.b
-    length = next((s for s in (nt.b, nt.s) if s in own), nt.a if profile.contact == "complete" else nt.R)
+    length = next((s for s in (nt.b, nt.s) if s in own), nt.a if profile.complete else nt.R)
     if nt.h in own:
         return nt.h, length
     curvature = next((s for s in (nt.R2, nt.R) if s in own), None)

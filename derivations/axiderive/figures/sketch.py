@@ -90,7 +90,7 @@ def _arrow(numbers: Numbers, scale: float, beside: float) -> tuple[float, float]
 def _body_radii(profile: Profile, numbers: Numbers, scale: float) -> list[float]:
     """Radii at which the outline is taken: dense, with the edge of contact and the breaks among them."""
     radius = float(numbers["a"])
-    if profile.contact == "complete":
+    if profile.complete:
         return [radius * i / 40 for i in range(41)]
     last = BODY * radius
     bound = [x for x in profile.chain if x != nt.a]
@@ -143,7 +143,7 @@ def _heights(figure: Drawing, profile: Profile, drawn: _Scaled) -> None:
         return
     tip, height = -drawn.depth, drawn.length("h")
     # the ends of the line, and the place up to which its lower end is led
-    if profile.contact == "complete":
+    if profile.complete:
         x, low, high, end = -0.9, tip - height, tip, -drawn.length("a")
     else:
         x, low, high, end = ARROW - 0.75, tip, tip + height, 0.0

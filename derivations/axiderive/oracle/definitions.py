@@ -130,7 +130,7 @@ class Contact:
 def contact(profile: Profile, values: Values, digits: int) -> Contact:
     """The contact of radius a; a complete one at the depth d, which may leave a convex face partly out of contact."""
     face, a = shape(profile, values), number(values[nt.a])
-    if profile.contact == "compact":
+    if profile.compact:
         return Contact(values, digits, face, a, None)
     depth, full = number(values[nt.d]), integrals.depth(face, a, digits)
     if depth >= full:

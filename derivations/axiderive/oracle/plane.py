@@ -52,7 +52,7 @@ class Face:
 
 def unbounded(profile: Profile) -> Profile:
     """The profile itself, or the concave face turned over, C x^n, as if it had no edges."""
-    if profile.contact == "compact":
+    if profile.compact:
         return profile
     (piece,) = profile.pieces
     power = sp.expand_power_base(piece.expr).as_independent(x, as_Add=False)[1]

@@ -50,7 +50,7 @@ def points(
 
 def fields(profile: Profile, entry: Entry) -> tuple[sp.Symbol, ...]:
     """What besides the parameters needs a value: the arguments of the entry, and the depth where it is free."""
-    return tuple(entry.quantity.arguments) + ((nt.d,) if profile.contact == "complete" else ())
+    return (*entry.quantity.arguments, *profile.free_depth)
 
 
 def border(

@@ -92,7 +92,7 @@ class Numbers:
 
     def __init__(self, profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int = DIGITS) -> None:
         self.profile, self.entries, self.values, self.digits = profile, entries, values, digits
-        self.compact = profile.contact == "compact"
+        self.compact = profile.compact
 
     def at(self, **changed: Any) -> Numbers:
         """The same profile with other values, by the names of their symbols."""

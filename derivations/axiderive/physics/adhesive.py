@@ -16,11 +16,11 @@ import sympy as sp
 from ..entry import COMPACT, Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
 from ..profiles.profile import Profile, Rule
-from . import normal
+from . import Physics, detachment, normal
 from .medium import HOMOGENEOUS, Medium
 from .normal import stable_inverse
 
-GROUP = "adh"
+GROUP = detachment.GROUP
 
 QUANTITIES = {
     q.suffix: q
@@ -56,11 +56,6 @@ QUANTITIES |= {
 }  # fmt: skip
 
 
-def hess_rule(medium: Medium) -> sp.Expr:
-    """(11.31), and (11.66) in its corrected form, without the factor a under the root."""
-    return sp.sqrt(2 * sp.pi * dgamma * a ** (1 - medium.k) / medium.modulus)
-
-
 def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
     """The number xi of the condition of stationarity, under force and under depth control."""
     return {"force": 3 + medium.k, "depth": 1 - medium.k}
@@ -84,13 +79,6 @@ def _least_exponent(medium: Medium) -> str:
     return sp.sstr(sp.together((1 - medium.k) / 2))
 
 
-def refusal(profile: Profile) -> str:
-    """Why a profile has no adhesive entries; empty if it has."""
-    if profile.contact == "compact":
-        return ""
-    return f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
-
-
 def derive(
     profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
 ) -> dict[str, Entry]:
@@ -103,7 +91,8 @@ def derive(
     ValueError
         If the contact is complete: its edge is fixed, and only the pull-off depth is a question.
     """
-    if message := refusal(profile):
+    if not profile.compact:
+        message = f"{profile.name} is a complete contact: its edge is fixed, and only the retraction Dl is a question"
         raise ValueError(message)
     plain = plain or normal.derive(profile, medium)
     punch = {
@@ -112,7 +101,7 @@ def derive(
         "p": medium.punch_pressure(),
         "w": medium.punch_displacement().expr(),
     }
-    shift = hess_rule(medium)
+    shift = medium.retraction()
     build = _Builder(profile, medium, plain)
     balance = sp.Eq(2 * sp.pi * a * dgamma, medium.modulus * a**medium.k * retraction**2)
     entries = {"Dl": build.entry("Dl", "closed", (Case((a,), shift),), balance)}
@@ -135,7 +124,6 @@ class _Builder:
 
     def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
         """The entry of a suffix with its key, quantity, parameters, references and note filled in."""
-        exponent = (self.medium.k,) if self.medium.k != 0 else ()
         geometry = () if suffix == "Dl" else self.profile.parameters
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, GROUP, suffix),
@@ -144,7 +132,7 @@ class _Builder:
             status=status,
             cases=cases,
             definition=definition,
-            parameters=(*geometry, self.medium.modulus, *exponent, dgamma),
+            parameters=(*geometry, *self.medium.moduli, dgamma),
             references=("(11.31)",) if self.medium.k == 0 else ("(11.64)", "(11.66)"),
             note=self._note(suffix),
         )
@@ -214,3 +202,13 @@ def _monomial_root(slope: sp.Expr, level: sp.Expr) -> sp.Expr | None:
     if base != a or exponent.has(a):
         return None
     return sp.powdenest(factor ** (-1 / exponent), force=True)
+
+
+def _derive(profile: Profile, medium: Medium, plain: Mapping[str, Entry] | None = None) -> dict[str, Entry]:
+    """Of a contact that grows, or of one with a fixed edge."""
+    return derive(profile, medium, plain) if profile.compact else detachment.derive(profile, medium)
+
+
+PHYSICS = Physics(
+    "adhesive", _derive, group=GROUP, over=normal.PHYSICS, refusal=detachment.refusal, tension=True, material=(dgamma,)
+)

@@ -62,8 +62,7 @@ def _entry(
     fixed_face: tuple[Case, ...] = (),
     partial: Entry | None = None,
 ) -> Entry:
-    modulus = (medium.modulus,) if COMPLETE[suffix].elastic else ()
-    exponent = (medium.k,) if medium.k != 0 else ()
+    material = medium.moduli if COMPLETE[suffix].elastic else medium.moduli[1:]
     return Entry(
         key=medium.key(profile.name, medium.group, suffix),
         profile=profile,
@@ -71,7 +70,7 @@ def _entry(
         status=status,
         cases=cases,
         definition=definitions(medium)[suffix],
-        parameters=profile.parameters + modulus + exponent,
+        parameters=profile.parameters + material,
         references=REFERENCES[suffix][medium.k != 0],
         fixed_face=fixed_face,
         partial=partial,

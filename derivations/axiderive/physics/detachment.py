@@ -19,9 +19,9 @@ from ..entry import Case, Entry, Quantity
 from ..notation import F, a, d, dgamma, retraction
 from ..profiles.profile import Profile
 from . import complete
-from .adhesive import GROUP, hess_rule
-from .medium import GRADED, HOMOGENEOUS, Medium
+from .medium import HOMOGENEOUS, Medium
 
+GROUP = "adh"
 QUANTITIES = {
     q.suffix: q
     for q in (
@@ -35,7 +35,6 @@ QUANTITIES = {
 }  # fmt: skip
 
 
-PACKAGES = {HOMOGENEOUS: "axicontact.adhesive", GRADED: "axicontact.graded.adhesive"}
 CONVEX = (
     "{name} is the adhesive paraboloid until the contact reaches the edge; from that depth on the edge holds, the force"
     " grows with the stiffness of the flat punch, and on unloading the edge comes loose at the same depth: use"
@@ -48,14 +47,14 @@ CONVEX = (
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no adhesive entries; empty if it has."""
     (*_, face) = profile.pieces
-    if profile.contact == "compact" or face.expr == 0 or face.expr.has(a):
+    if profile.compact or face.expr == 0 or face.expr.has(a):
         return ""
-    return CONVEX.format(name=profile.name, package=PACKAGES[medium])
+    return CONVEX.format(name=profile.name, package=medium.key("axicontact", medium.name, "adhesive"))
 
 
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """Retraction at the edge, force and depth at which it peels off, keyed by suffix."""
-    shift = hess_rule(medium)
+    shift = medium.retraction()
     level = complete.edge_depth(profile, medium) - shift
     (force,) = complete.derive(profile, medium)["F"].cases
     w1D = sp.Function("w1D")
@@ -79,7 +78,6 @@ def _without_root(level: sp.Expr) -> sp.Expr:
 
 
 def _entry(profile: Profile, medium: Medium, suffix: str, expr: sp.Expr, definition: sp.Expr) -> Entry:
-    exponent = (medium.k,) if medium.k != 0 else ()
     geometry = (a,) if suffix == "Dl" else profile.parameters
     return Entry(
         key=medium.key(profile.name, medium.group, GROUP, suffix),
@@ -88,6 +86,6 @@ def _entry(profile: Profile, medium: Medium, suffix: str, expr: sp.Expr, definit
         status="closed",
         cases=(Case((a,), expr),),
         definition=definition,
-        parameters=(*geometry, medium.modulus, *exponent, dgamma),
+        parameters=(*geometry, *medium.moduli, dgamma),
         references=("(11.31)",) if medium.k == 0 else ("(11.64)", "(11.66)"),
     )

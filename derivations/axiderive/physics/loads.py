@@ -13,6 +13,7 @@ from ..abel.moments import outside_moment
 from ..entry import Case, Entry, Quantity
 from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
+from . import Physics
 
 HALF = sp.S.Half
 QUANTITIES = {
@@ -69,3 +70,6 @@ def _outside(s: sp.Expr) -> sp.Expr:
         return 2 * r / (sp.pi * a) * (sp.elliptic_e(z) - (1 - z) * sp.elliptic_k(z))
     beta = sp.sqrt(sp.pi) * _gamma(power + 1) / _gamma(power + sp.Rational(3, 2))
     return beta * a / (sp.pi * r) * Hypergeometric(HALF, HALF, power + sp.Rational(3, 2), z)
+
+
+PHYSICS = Physics("loads", lambda profile, *_: derive(profile))

@@ -12,6 +12,7 @@ import sympy as sp
 from ..entry import Case, Entry, Quantity
 from ..notation import E_0, E_star, F, G_star, H, beta, c_0, h_N, k, nu, nu_1, nu_2, r, w, young_1, young_2
 from ..profiles.materials import PROFILE
+from . import Physics
 
 QUANTITIES = {
     q.suffix: q
@@ -65,3 +66,6 @@ def _entry(
         parameters=parameters,
         references=references,
     )
+
+
+PHYSICS = Physics("materials", lambda *_: derive())

@@ -12,7 +12,7 @@ import sympy as sp
 
 from ..abel.form import Form
 from ..abel.moments import outside_kernel
-from ..notation import E_star, H, a, k, r
+from ..notation import E_star, G_star, H, H_x, a, dgamma, k, r
 
 
 @dataclass(frozen=True)
@@ -21,8 +21,22 @@ class Medium:
 
     modulus: sp.Symbol
     k: sp.Expr
+    shear: sp.Symbol
+    """The modulus along the surface."""
+    name: str
+    """Package below axicontact that holds the contacts on it; empty for the homogeneous half-space."""
     group: str
     """Prefix of the keys: cone.d on the homogeneous, cone.fgm.d on the graded half-space."""
+
+    @property
+    def graded(self) -> bool:
+        """Whether the modulus depends on the depth."""
+        return self.k != 0
+
+    @property
+    def moduli(self) -> tuple[sp.Symbol, ...]:
+        """What the normal contact takes: the modulus, and the exponent if it is none but 0."""
+        return (self.modulus, self.k) if self.graded else (self.modulus,)
 
     @property
     def force_scale(self) -> sp.Expr:
@@ -51,10 +65,14 @@ class Medium:
         """(11.12), (11.44), for r > a."""
         return outside_kernel(self.k) * self.displacement_scale
 
+    def retraction(self) -> sp.Expr:
+        """By which adhesion moves the punch, (11.31), and (11.66) corrected: without the factor a under the root."""
+        return sp.sqrt(2 * sp.pi * dgamma * a ** (1 - self.k) / self.modulus)
+
     def key(self, *parts: str) -> str:
         """The parts with dots between them, empty ones left out: "cone.fgm.d"."""
         return ".".join(part for part in parts if part)
 
 
-HOMOGENEOUS = Medium(E_star, sp.S.Zero, "")
-GRADED = Medium(H, k, "fgm")
+HOMOGENEOUS = Medium(E_star, sp.S.Zero, G_star, "", "")
+GRADED = Medium(H, k, H_x, "graded", "fgm")

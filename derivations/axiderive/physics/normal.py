@@ -26,7 +26,7 @@ from ..abel.reduce import Reduced, parse
 from ..entry import COMPACT, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
-from . import complete, peak
+from . import Physics, complete, peak
 from .medium import HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
@@ -170,7 +170,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     ValueError
         If the profile does not start at zero or has a jump.
     """
-    if profile.contact == "complete":
+    if profile.complete:
         return complete.derive(profile, medium)
     return _Compact(profile, medium).entries()
 
@@ -230,8 +230,7 @@ class _Compact:
         primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
         composed: tuple[str, str] | None = None,
     ) -> Entry:
-        exponent = (self.medium.k,) if self.medium.k != 0 else ()
-        material = (self.medium.modulus, *exponent) if COMPACT[suffix].elastic else exponent
+        material = self.medium.moduli if COMPACT[suffix].elastic else self.medium.moduli[1:]
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
@@ -373,3 +372,6 @@ def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
         term = pieces[0].expr.function
         return (Piece(None, term / coefficients[j]),), True
     return pieces, False
+
+
+PHYSICS = Physics("normal", derive)

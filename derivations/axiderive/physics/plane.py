@@ -20,7 +20,7 @@ from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
 from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
 from ..profiles.profile import Piece, Profile
-from . import complete, tilted
+from . import Physics, complete, tilted
 from .normal import closed_inverse
 from .plane_quantities import PLANE, PLANE_COMPLETE
 
@@ -28,7 +28,7 @@ from .plane_quantities import PLANE, PLANE_COMPLETE
 PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi
 
 
-def definitions(contact: str) -> dict[str, sp.Expr]:
+def definitions(profile: Profile) -> dict[str, sp.Expr]:
     """The defining integrals; P(t) is the load of an earlier contact of half-width t."""
     load = E_star * sp.Integral(x * sp.Derivative(sp.Function(f.name)(x), x) / sp.sqrt(a**2 - x**2), (x, 0, a))
     growth = sp.Derivative(sp.Function(P.name)(t), t)
@@ -37,7 +37,7 @@ def definitions(contact: str) -> dict[str, sp.Expr]:
         "s": -SURFACE / E_star * sp.Integral(growth / sp.sqrt(x**2 - t**2), (t, 0, a)),
         "d": SURFACE / E_star * sp.Integral(growth * sp.acosh(L / t), (t, 0, a)),
     }
-    if contact == "compact":
+    if profile.compact:
         return {"P": load, **out, "aP": sp.Eq(load, P)}
     edge = P - sp.Function(P.name)(a)
     return {
@@ -61,7 +61,7 @@ def derive(profile: Profile) -> dict[str, Entry]:
     """
     if e in profile.parameters:
         return tilted.derive(profile)
-    if profile.contact == "complete":
+    if profile.complete:
         return _Complete(profile).entries()
     return _Compact(profile).entries()
 
@@ -107,7 +107,7 @@ def _in_r(piece: Piece) -> Piece:
 def _entry(profile: Profile, quantity: Quantity, cases: tuple[Case, ...], **more: object) -> Entry:
     formulas = [case.expr for case in cases]
     material = (E_star,) if any(expr.has(E_star) for expr in formulas) else ()
-    defaults: dict[str, object] = {"status": "closed", "definition": definitions(profile.contact).get(quantity.suffix)}
+    defaults: dict[str, object] = {"status": "closed", "definition": definitions(profile).get(quantity.suffix)}
     return Entry(
         key=f"plane.{profile.name}.{quantity.suffix}",
         profile=profile,
@@ -207,3 +207,6 @@ class _Complete:
             "xz": _entry(self.profile, PLANE_COMPLETE["xz"], place, status=ring.status),
             "Pmin": _entry(self.profile, PLANE_COMPLETE["Pmin"], (Case((a,), least),)),
         }
+
+
+PHYSICS = Physics("plane", lambda profile, *_: derive(profile))

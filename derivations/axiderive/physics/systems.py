@@ -7,23 +7,21 @@ A system applied to a profile is a problem.  Its key (`cone`, `cone.fgm.adh`,
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+
+import sympy as sp
 
 from .. import profiles
 from ..entry import Entry
+from ..notation import F, P, r, x
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
-from . import adhesive, detachment, loads, materials, normal, plane, tangential, viscoelastic
+from . import Physics, adhesive, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
-
-
-def _always(profile: Profile) -> str:
-    return ""
 
 
 @dataclass(frozen=True)
@@ -33,6 +31,15 @@ class Pool:
     prefix: str
     names: tuple[str, ...]
     load: Callable[[str], Profile]
+    place: sp.Symbol = r
+    """Along the surface."""
+    force: sp.Symbol = F
+    """The load; in the plane by length."""
+
+    @property
+    def strip(self) -> bool:
+        """Whether the bodies are strips, the same at every cross-section."""
+        return self.place == x
 
     def id(self, name: str) -> str:
         """How the profile is called on the command line and in the index."""
@@ -40,7 +47,7 @@ class Pool:
 
 
 ROUND = Pool("", profiles.NAMES, profiles.load)
-STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load)
+STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load, x, P)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
 BODIES = Pool("", ("materials",), lambda name: ELASTIC)
 POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
@@ -48,24 +55,40 @@ POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
 
 @dataclass(frozen=True)
 class System:
-    """A kind of contact on a medium, with the rule that derives it from a profile."""
+    """A physics on a medium, for the profiles of a pool."""
 
-    name: str
-    """Package below axicontact."""
+    physics: Physics
+    medium: Medium
     title: str
-    rule: Callable[[Any], dict[str, Entry]]
     pool: Pool = ROUND
-    group: str = ""
-    """Part of the keys between profile and quantity."""
-    rests_on: tuple[str, ...] = ()
-    """Systems whose modules its own modules call."""
-    refusal: Callable[[Profile], str] = _always
-    """Why the system has nothing to say of a profile; empty if it has."""
+
+    @property
+    def name(self) -> str:
+        """Package below axicontact: "adhesive", "graded.adhesive"."""
+        return self.medium.key(self.medium.name, self.physics.name)
+
+    @property
+    def group(self) -> str:
+        """Part of the keys between profile and quantity: "fgm.adh"."""
+        return self.medium.key(self.medium.group, self.physics.group)
 
     @property
     def package(self) -> str:
         """Dotted name of the package of its modules, "axicontact.normal"."""
         return f"axicontact.{self.name}"
+
+    @property
+    def base(self) -> System | None:
+        """The system it superposes, whose modules its own modules call."""
+        return on(self.physics.over, self.medium) if self.physics.over else None
+
+    def derive(self, profile: Profile, plain: Mapping[str, Entry] | None = None) -> dict[str, Entry]:
+        """All entries of a profile, keyed by suffix; `plain` are those of the system it superposes, where known."""
+        return self.physics.derive(profile, self.medium, *([plain] if plain else []))
+
+    def refusal(self, profile: Profile) -> str:
+        """Why the system has nothing to say of a profile; empty if it has."""
+        return self.physics.refusal(profile, self.medium)
 
 
 @dataclass(frozen=True)
@@ -99,57 +122,46 @@ class Problem:
 
     def derive(self) -> dict[str, Entry]:
         """All entries of the problem, keyed by suffix."""
-        return self.system.rule(self.profile)
+        return self.system.derive(self.profile)
 
-    def base_keys(self) -> set[str]:
-        """Keys of the problems that the generated module of this one rests on."""
-        return {Problem(BY_NAME[name], self.name).key for name in self.system.rests_on}
-
-
-def _on(rule: Callable[[Profile, Medium], dict[str, Entry]], medium: Medium) -> Callable[[Profile], dict[str, Entry]]:
-    def derive(profile: Profile) -> dict[str, Entry]:
-        return rule(profile, medium)
-
-    return derive
-
-
-def _graded_adhesive_refusal(profile: Profile) -> str:
-    return detachment.refusal(profile, GRADED)
-
-
-def _adhesive(profile: Profile, medium: Medium) -> dict[str, Entry]:
-    rule = adhesive.derive if profile.contact == "compact" else detachment.derive
-    return rule(profile, medium)
+    @property
+    def base(self) -> Problem | None:
+        """The problem that it superposes, and on whose generated module its own rests."""
+        return Problem(self.system.base, self.name) if self.system.base else None
 
 
 SYSTEMS = (
-    System("normal", "Normal contact without adhesion", _on(normal.derive, HOMOGENEOUS)),
-    System(
-        "adhesive", "Adhesive contact", _on(_adhesive, HOMOGENEOUS), group="adh",
-        rests_on=("normal",), refusal=detachment.refusal,
-    ),
-    System(
-        "tangential", "Tangential contact with partial slip", _on(tangential.derive, HOMOGENEOUS),
-        group="tan", rests_on=("normal",), refusal=tangential.refusal,
-    ),
-    System("graded.normal", "Normal contact, graded half-space", _on(normal.derive, GRADED), group="fgm"),
-    System(
-        "graded.adhesive", "Adhesive contact, graded half-space", _on(_adhesive, GRADED),
-        group="fgm.adh", rests_on=("graded.normal",), refusal=_graded_adhesive_refusal,
-    ),
-    System(
-        "graded.tangential", "Tangential contact, graded half-space", _on(tangential.derive, GRADED),
-        group="fgm.tan", rests_on=("graded.normal",), refusal=tangential.refusal,
-    ),
-    System(
-        "viscoelastic", "Growing contact, viscoelastic half-space", viscoelastic.derive,
-        group="vis", rests_on=("normal",),
-    ),
-    System("plane", "Plane contact", plane.derive, STRIPS),
-    System("loads", "Prescribed pressure", loads.derive, PRESSURES),
-    System("materials", "Elastic constants", lambda profile: materials.derive(), BODIES),
-)  # fmt: skip
+    System(normal.PHYSICS, HOMOGENEOUS, "Normal contact without adhesion"),
+    System(adhesive.PHYSICS, HOMOGENEOUS, "Adhesive contact"),
+    System(tangential.PHYSICS, HOMOGENEOUS, "Tangential contact with partial slip"),
+    System(normal.PHYSICS, GRADED, "Normal contact, graded half-space"),
+    System(adhesive.PHYSICS, GRADED, "Adhesive contact, graded half-space"),
+    System(tangential.PHYSICS, GRADED, "Tangential contact, graded half-space"),
+    System(viscoelastic.PHYSICS, HOMOGENEOUS, "Growing contact, viscoelastic half-space"),
+    System(plane.PHYSICS, HOMOGENEOUS, "Plane contact", STRIPS),
+    System(loads.PHYSICS, HOMOGENEOUS, "Prescribed pressure", PRESSURES),
+    System(materials.PHYSICS, HOMOGENEOUS, "Elastic constants", BODIES),
+)
 BY_NAME = {system.name: system for system in SYSTEMS}
+
+
+def on(physics: Physics, medium: Medium) -> System | None:
+    """The system of a physics on a medium; None if it is not derived there."""
+    return next((own for own in SYSTEMS if own.physics is physics and own.medium is medium), None)
+
+
+def of(entry: Entry) -> System:
+    """The system whose entry this is: the only place where a key is taken apart."""
+    first, *groups, _ = entry.key.split(".")
+    apart = {pool.prefix or pool.names[0]: pool for pool in (STRIPS, PRESSURES, BODIES)}
+    found = [own for own in SYSTEMS if own.pool is apart.get(first, ROUND)]
+    return next((own for own in found if own.group == ".".join(groups)), found[0])
+
+
+def pool_of(profile_id: str) -> Pool:
+    """The pool of a profile, as the command line and the index call it."""
+    prefix, _, name = profile_id.rpartition(".")
+    return next(pool for pool in POOLS if pool.prefix == prefix and name in pool.names)
 
 
 def profile_ids() -> tuple[str, ...]:

@@ -12,9 +12,9 @@ import sympy as sp
 
 from ..abel.form import insert
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import F, F_x, G_star, H_x, a, c, mu, r, tau, u_0
+from ..notation import F, F_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
-from . import normal
+from . import Physics, normal
 from .medium import HOMOGENEOUS, Medium
 
 GROUP = "tan"
@@ -39,9 +39,9 @@ QUANTITIES = {
 REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("(11.78)",), "us": ("(11.80)",)}
 
 
-def refusal(profile: Profile) -> str:
+def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no tangential entries; empty if it has."""
-    if profile.contact == "compact":
+    if profile.compact:
         return ""
     return f"{profile.name} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F"
 
@@ -61,7 +61,7 @@ def derive(
     if message := refusal(profile):
         raise ValueError(message)
     plain = plain or normal.derive(profile, medium)
-    ratio = mu * medium.modulus / (G_star if medium.k == 0 else H_x)
+    ratio = mu * medium.modulus / medium.shear
     force, depth, pressure = plain["F"], plain["d"], plain["p"]
     partial = _pairs(force)
     slip = tuple(Case(chain, mu * (outer - inner)) for chain, outer, inner in partial)
@@ -79,8 +79,7 @@ def derive(
         "us": (depth.status, onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
     }
     modulus = {"F": (medium.modulus,), "tau": (medium.modulus,), "c": (medium.modulus,)}
-    both = (medium.modulus, G_star if medium.k == 0 else H_x)
-    exponent = (medium.k,) if medium.k != 0 else ()
+    both = (medium.modulus, medium.shear)
     return {
         suffix: Entry(
             key=medium.key(profile.name, medium.group, GROUP, suffix),
@@ -89,7 +88,7 @@ def derive(
             status=status,
             cases=cases,
             definition=definition,
-            parameters=(*profile.parameters, *modulus.get(suffix, both), *exponent, mu),
+            parameters=(*profile.parameters, *modulus.get(suffix, both), *medium.moduli[1:], mu),
             references=REFERENCES[suffix],
         )
         for suffix, (status, cases, definition) in out.items()
@@ -142,3 +141,8 @@ def _closed_stick_radius(radius: Entry, force: Entry) -> tuple[Case, ...] | None
     else:
         expr = own.expr.subs(F, whole.expr - F_x / mu)
     return (Case((*floor, c, a), expr),)
+
+
+PHYSICS = Physics(
+    "tangential", derive, group=GROUP, over=normal.PHYSICS, beside=True, refusal=refusal, shear=True, material=(mu,)
+)

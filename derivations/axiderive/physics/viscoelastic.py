@@ -16,7 +16,7 @@ from ..abel.masters import Kummer
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, time, v
 from ..profiles.profile import Profile
-from . import normal
+from . import Physics, normal
 
 GROUP = "vis"
 REFERENCES = ("(11.16)", "(11.20)")
@@ -152,3 +152,6 @@ def _entry(
         references=REFERENCES,
         note=note,
     )
+
+
+PHYSICS = Physics("viscoelastic", lambda profile, *_: derive(profile), group=GROUP, over=normal.PHYSICS, laws=LAWS)

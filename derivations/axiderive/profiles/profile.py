@@ -79,6 +79,21 @@ class Profile:
     meanings: tuple[tuple[sp.Symbol, str], ...] = ()
     """What a letter means in this profile, where the notation says less."""
 
+    @property
+    def compact(self) -> bool:
+        """Whether the contact grows with the load: its radius is asked for."""
+        return self.contact == "compact"
+
+    @property
+    def complete(self) -> bool:
+        """Whether the edge of the body bounds the contact: its radius is given, and depth and force are free."""
+        return self.contact == "complete"
+
+    @property
+    def free_depth(self) -> tuple[sp.Symbol, ...]:
+        """The depth, where the contact radius does not fix it."""
+        return (notation.d,) if self.complete else ()
+
     def meaning(self, symbol: sp.Symbol | str) -> str:
         """What a letter means in this profile; `KeyError` if neither it nor the notation knows."""
         own = {known.name: text for known, text in self.meanings}

@@ -14,8 +14,11 @@ from typing import Any
 from ..abel.form import Chain
 from ..entry import Entry
 from ..notation import F, d
-from ..physics import normal
-from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics import Physics, normal
+from ..physics import adhesive as adhering
+from ..physics import tangential as slipping
+from ..physics.medium import HOMOGENEOUS, Medium
+from ..physics.systems import of
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import frame
@@ -54,9 +57,9 @@ COMPLETE: dict[str, Rule] = {
 
 
 Above = tuple[Callable[[Any, dict[str, Entry]], Any], dict[str, Rule], Callable[[Profile, Medium], Frames]]
-ABOVE: dict[str, Above] = {
-    adhesive.GROUP: (adhesive.Adhesive, adhesive.RULES, frame.adhering),
-    tangential.GROUP: (tangential.Tangential, tangential.RULES, frame.slipping),
+ABOVE: dict[Physics, Above] = {
+    adhering.PHYSICS: (adhesive.Adhesive, adhesive.RULES, frame.adhering),
+    slipping.PHYSICS: (tangential.Tangential, tangential.RULES, frame.slipping),
 }
 
 
@@ -125,9 +128,9 @@ class Prover:
 def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) -> Prover:
     bounds: tuple[Chain, ...] = ()
     stated, found = medium, entries
-    if medium.k != 0:
+    if medium.graded:
         found, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
-    if profile.contact == "compact":
+    if profile.compact:
         frames = frame.compact(profile, stated)
         return Prover(entries, frames, COMPACT, lambda: Compact(profile, found, medium, bounds))
     frames = frame.complete(profile, stated)
@@ -147,26 +150,25 @@ def homogeneous_statements(profile: Profile) -> Compact | Complete:
 
 
 def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
-    """By the groups in the keys: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
-    first, *groups = next(iter(entries.values())).key.split(".")[:-1]
+    """By the system of the entries: cone.fgm.d, cone.adh.F, cone.fgm.tan.tau, cone.vis.step_mx, loads.uniform.w."""
+    system = of(next(iter(entries.values())))
+    physics, medium = system.physics, system.medium
     if isinstance(profile, Load):
         return Prover(entries, frame.pressed(profile), loads.RULES, lambda: loads.Loads(profile, entries))
-    if first == materials.PROFILE.name:
+    if profile == materials.PROFILE:
         return Prover(entries, frame.elastic(), materials.RULES, lambda: materials.Materials(entries))
-    if first == "plane":
+    if system.pool.strip:
         message = "entries of a plane contact are certified by proof.plane"
         raise ValueError(message)
-    medium = GRADED if GRADED.group in groups else HOMOGENEOUS
-    kind = groups[-1] if groups and groups[-1] != medium.group else ""
-    if not kind:
+    if physics.over is None:
         return _normal_prover(profile, entries, medium)
     plain = _derived(profile, medium)
-    found = graded.shifted(entries) if medium.k != 0 else entries
-    if kind == viscoelastic.GROUP:
+    found = graded.shifted(entries) if medium.graded else entries
+    if physics.laws:
         rules = viscoelastic.rules(entries, plain.entries)
         frames = frame.relaxing(profile)
         return Prover(entries, frames, rules, lambda: viscoelastic.Viscoelastic(plain.built(), found), plain)
-    above = ABOVE[kind] if profile.contact == "compact" else (detachment.Detachment, detachment.RULES, frame.peeling)
+    above = ABOVE[physics] if profile.compact else (detachment.Detachment, detachment.RULES, frame.peeling)
     statements, rules, stated = above
     return Prover(entries, stated(profile, medium), rules, lambda: statements(plain.built(), found), plain)
 

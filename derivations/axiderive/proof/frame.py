@@ -317,7 +317,7 @@ def strip(profile: Profile, entries: Mapping[str, Entry]) -> Frames:
             "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(p_(s) / (s - x), (s, -a, a)), tilt),
             "cw": sp.Eq(p_(a - width), 0),
         }
-    elif profile.contact == "complete":
+    elif profile.complete:
         quantities = PLANE_COMPLETE
         definitions = {suffix: (P - P_(a)) * flat[suffix] + own for suffix, own in grown.items()}
         definitions["xz"] = sp.Eq(sp.Derivative(sp.sqrt(a**2 - x**2) * p_(x), x), 0)

@@ -14,10 +14,11 @@ from ..entry import Case, Entry
 from ..oracle.evaluate import case_at, decades, evaluate
 from ..oracle.shape import number
 from ..oracle.values import evaluated
+from ..physics.systems import of
 from ..rows import laws
 from ..rows.in_print import texts_of
 from ..rows.points import points_of
-from ..rows.row import Row, row, system_of
+from ..rows.row import Row, row
 from .grammar import read
 from .meaning import Node, environment
 from .printed import Printed, bound, holding, name_of
@@ -97,7 +98,7 @@ def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Valu
 def _environment(entry: Entry, printed: Printed, values: Values) -> dict[str, Any]:
     """The names a row may use; of the two radii of pull-off only that of its own control."""
     env = printed.environment(values)
-    other = {"c": "a_m", "m": "a_c"}.get(entry.suffix[-1]) if system_of(entry).endswith("adhesive") else None
+    other = {"c": "a_m", "m": "a_c"}.get(entry.suffix[-1]) if of(entry).physics.tension else None
     env.pop(other or "", None)
     return env
 
@@ -161,8 +162,8 @@ LOADED = {"ad": nt.d, "aF": nt.F, "c": nt.F_x}
 
 def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
     values = dict(values)
-    system = system_of(entry)
-    if system == "viscoelastic":
+    physics = of(entry).physics
+    if physics.laws:
         return _law(one, entry, printed, case, values)
     statements = read(one.regions[0].tex)
     if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
@@ -170,7 +171,7 @@ def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) 
         env = _environment(entry, printed, values)
         left, right = (member(env) for member in statements[0].members)
         return [difference(left, right)]
-    if system.endswith("adhesive") and entry.suffix[-1] in "cm":
+    if physics.tension and entry.suffix[-1] in "cm":
         _pull_off(entry, printed.entries, case, values)
     env = _environment(entry, printed, values)
     want = value_of(case.expr, values)

@@ -21,6 +21,7 @@ from ..oracle.evaluate import case_at, evaluate, holds
 from ..oracle.sampling import points
 from ..oracle.shape import number
 from ..physics import viscoelastic
+from ..physics.systems import pool_of, problem
 from ..print.formula import Printer
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -99,7 +100,7 @@ def _with_functions(entries: Entries, values: Values) -> dict[str, Any]:
     env = Printed(entries, entries).environment(values)
     profile = entries["F"].profile
     shape = profile.pieces[-1].expr
-    power = sp.degree(shape, nt.r) if profile.contact == "complete" else None
+    power = sp.degree(shape, nt.r) if profile.complete else None
     env["f'()"] = _shape(profile, values, 1)
     env["cuts"] = {name: [number(values[b]) for b in profile.breaks] for name in ("t", "r")}
     if power is not None:
@@ -147,8 +148,8 @@ def rules(stored: Callable[[str], Entries]) -> list[Reading]:
 def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], Any]:
     of_depth = one.suffix in ("step", "ramp")
     key = f"{OF_DEPTH}.vis" if of_depth else SUBJECTS[one.system]
-    entries = stored(key)
-    base = {"F": stored(OF_DEPTH)["Fd"]} if of_depth else stored(_base(key))
+    entries, below = stored(key), problem(key).base
+    base = {"F": stored(OF_DEPTH)["Fd"]} if of_depth else stored(below.key if below else key)
     if one.kind is None:
         return _integral(entries, one.suffix)
     kind, (first, *others) = one.kind, [entries[s] for s in entries if one.suffix in (s, s.partition("_")[0])]
@@ -158,11 +159,6 @@ def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callab
         return worst_residual(Row(first, kind, (Region("", (tex + power,)),), also=tuple(others)), entries, 1, 29, base)
 
     return residual
-
-
-def _base(key: str) -> str:
-    """The normal contact on the same medium."""
-    return key.removesuffix(".adh").removesuffix(".tan").removesuffix(".vis")
 
 
 def _integral(entries: Entries, suffix: str) -> Callable[[str], Any]:
@@ -210,7 +206,7 @@ def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
     """The shape or the pressure, the shorthands and the slope of a profile."""
     if isinstance(profile, Load):
         return [_pressure(profile_id, profile)]
-    place = nt.x if profile_id.startswith("plane.") else nt.r
+    place = pool_of(profile_id).place
     found = []
     texts = re.findall(
         r"\$(?:\\displaystyle )?(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place))

@@ -1,8 +1,6 @@
-"""Printed rows as functions, and what stands on their left.
+"""The printed rows of a problem as functions: g, F_N, p and w as a reader of the book would evaluate them.
 
-The printed rows of a problem as functions: g, F_N, p and w as a reader of the book would evaluate them.
-
-What stands on the left of a row: the quantity whose value is compared, at the place it is compared at.
+What stands on the left of a row is the quantity whose value is compared, at the place it is compared at.
 """
 
 from __future__ import annotations
@@ -18,8 +16,8 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient, number, numeric_symbols
-from ..physics.systems import BODIES
-from ..rows.row import Region, Row, kappa_row, row, system_of
+from ..physics.systems import of
+from ..rows.row import Region, Row, kappa_row, row
 from .grammar import read
 from .meaning import Environment, Node, environment
 
@@ -160,10 +158,8 @@ NAMES = {
 
 def name_of(entry: Entry) -> str:
     """The quantity of an entry as the grammar reads its name, with its argument in brackets: p(r)."""
-    system = system_of(entry)
-    if system in BODIES.names:
-        return name_in_print(entry.quantity.symbol)
-    return NAMES[system.rpartition(".")[2]][entry.suffix.partition("_")[0]]
+    table = NAMES.get(of(entry).physics.name)
+    return table[entry.suffix.partition("_")[0]] if table else name_in_print(entry.quantity.symbol)
 
 
 def bound(name: str, value: Any, env: Mapping[str, Any]) -> dict[str, Any]:

@@ -36,7 +36,7 @@ def approach_rows(profile: Profile, entries: Entries) -> Rows:
     else:
         rows = [*_edge(profile, entries, r), *approach_row("Far field", r"r\to\infty", [_far(entries)])]
     rows += _axis(entries, place)
-    if profile.contact == "compact":
+    if profile.compact:
         rows += _small(profile, entries) + _onset(profile, entries)
     return rows
 
@@ -56,7 +56,7 @@ def _far_slope(entries: Entries) -> Approach:
 
 
 def _edge(profile: Profile, entries: Entries, place: sp.Symbol) -> Rows:
-    if profile.contact == "compact":
+    if profile.compact:
         return approach_row("Edge", rf"{place}\to a", [_root_edge(entries, place)])
     part = _sharp_edge(entries, place)
     beyond = part.cases[0].chain[part.cases[0].chain.index(a) + 1 :]

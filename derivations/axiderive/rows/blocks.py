@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..entry import Entry
-from ..physics.systems import BY_NAME, SYSTEMS, Problem, System
+from ..physics.systems import BODIES, ROUND, SYSTEMS, Problem, System, of, pool_of
 from ..print.words import prose
 from . import laws
 from .approaches import approach_rows
@@ -64,9 +64,9 @@ class Block:
 def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
     """Title and note of a block; a note speaks of what the block has rows for only."""
     title, note = TITLES[system.name]
-    if system.name == "adhesive" and "am" in entries:
+    if "am" in entries and not system.medium.graded:
         return title, f"{note}; {PULL_OFF}"
-    if system.name == "plane" and "d" not in entries:
+    if "phi" in entries:
         return title, "load $P$ per length at $x=e$"
     return title, note
 
@@ -86,7 +86,7 @@ def printed(one: Row, profile_id: str) -> dict[str, Any]:
         "small": small,
         "regions": [{"condition": r.condition, "tex": r.tex, "remark": r.remark} for r in one.regions],
         "remark": one.remark,
-        "uses": one.uses and ending_of(one.uses, one.entry, profile_id),
+        "uses": one.uses and ending_of(one.uses, one.entry),
     }
 
 
@@ -95,10 +95,10 @@ def ending(entry: Entry, profile_id: str) -> str:
     return entry.key[len(profile_id) + 1 :]
 
 
-def ending_of(suffix: str, beside: Entry, profile_id: str) -> str:
+def ending_of(suffix: str, beside: Entry) -> str:
     """The end of the key of another row: of the same problem, or of the normal contact for the viscoelastic one."""
-    own = ending(beside, profile_id).rpartition(".")[0]
-    group = "" if own == BY_NAME["viscoelastic"].group else own
+    system = of(beside)
+    group = system.base.group if system.physics.laws and system.base else system.group
     return f"{group}.{suffix}".lstrip(".")
 
 
@@ -109,10 +109,9 @@ def blocks(
     evidence: Mapping[str, Any] | None = None,
 ) -> dict[str, Block]:
     """Blocks by name of the system, in the order of the systems; `refusals` says why a system has none."""
-    found = {}
+    found, pool, name = {}, pool_of(profile_id), profile_id.rpartition(".")[2]
     for system in SYSTEMS:
-        prefix, _, name = profile_id.rpartition(".")
-        if system.pool.prefix != prefix or name not in system.pool.names:
+        if system.pool is not pool:
             continue
         if system.name in refusals:
             found[system.name] = _silent(system, prose(_reason(refusals[system.name])))
@@ -131,25 +130,16 @@ def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
     """Rows that follow from those of the problem: approaches, limits as checked, adhesive power-law curves."""
-    system, entries = problem.system.name, derived[problem.key]
-    if system == "normal":
-        return [
-            *sum_rows(problem.name),
-            *approach_rows(problem.profile, entries),
-            *_limits(
-                problem, [*limit_rows(problem.profile, entries, evidence), *reduction_rows(problem.profile, entries)]
-            ),
-        ]
-    if system in ("plane", "loads"):
-        return [
-            *approach_rows(problem.profile, entries),
-            *_limits(problem, reduction_rows(problem.profile, entries)),
-        ]
-    if not system.endswith("adhesive") or "Fc" not in entries:
+    system, entries, base = problem.system, derived[problem.key], problem.base
+    if base:
+        plain = derived.get(base.key, {})
+        return universal_rows(problem.key, plain["d"], system.medium) if "Fc" in entries and "d" in plain else []
+    if system.medium.graded or system.pool is BODIES:
         return []
-    graded = system.startswith("graded")
-    plain = derived.get(Problem(BY_NAME["graded.normal" if graded else "normal"], problem.name).key, {})
-    return universal_rows(problem.key, plain["d"], graded) if "d" in plain else []
+    limits = reduction_rows(problem.profile, entries)
+    if system.pool is ROUND:
+        limits = [*limit_rows(problem.profile, entries, evidence), *limits]
+    return [*sum_rows(problem.profile_id), *approach_rows(problem.profile, entries), *_limits(problem, limits)]
 
 
 def _limits(problem: Problem, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -188,16 +178,15 @@ def rows_of(
     system: System, entries: Mapping[str, Entry], derived: Mapping[str, Mapping[str, Entry]], name: str
 ) -> list[Row]:
     """The rows of a problem; those of the viscoelastic one are printed from the normal contact."""
-    if system.name != "viscoelastic":
-        return ordered(entries)
-    return laws.rows(entries, derived[Problem(BY_NAME["normal"], name).key])
+    base = Problem(system, name).base
+    return laws.rows(entries, derived[base.key]) if base and system.physics.laws else ordered(entries)
 
 
 def _block(
     system: System, profile_id: str, rows: list[Row], further: list[dict[str, Any]], head: tuple[str, str]
 ) -> Block:
     shown = [one for one in rows if not one.listed]
-    pairs = [(one,) for one in shown] if system.name == "viscoelastic" else lines(shown)
+    pairs = [(one,) for one in shown] if system.physics.laws else lines(shown)
     return Block(
         *head,
         [[printed(one, profile_id) for one in pair] for pair in pairs],

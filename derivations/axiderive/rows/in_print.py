@@ -28,14 +28,16 @@ SAME_FOR_ALL = {
     "graded.tangential": ("F", "u", "us", "tau", "c"),
 }
 """Quantities of a compact contact whose formula is that of the rule with g, F_N, p or w put in."""
+OF_COMPLETE = {"graded.normal": ("k", "dF")}
+"""The same of a complete contact."""
 
 
 def printed(system: System, rows: Sequence[Row]) -> list[Row]:
     """The rows in print; those the book says by a rule are marked as listed."""
-    if not rows or system.name in ("plane", "loads"):
+    if not rows or system.pool.strip:
         return list(rows)
-    if rows[0].entry.profile.contact != "compact":
-        return [replace(one, listed=system.name == "graded.normal" and one.suffix in ("k", "dF")) for one in rows]
+    if not rows[0].entry.profile.compact:
+        return [replace(one, listed=one.suffix in OF_COMPLETE.get(system.name, ())) for one in rows]
     known = {one.suffix: one for one in rows}
     found: list[Row] = []
     for one in rows:
@@ -45,7 +47,7 @@ def printed(system: System, rows: Sequence[Row]) -> list[Row]:
 
 
 def _row(system: System, one: Row, known: dict[str, Row]) -> list[Row]:
-    if system.name == "normal" and one.kind == "root":
+    if not (system.base or system.medium.graded) and one.kind == "root":
         for through in [row for row in known.values() if row.kind == "composition" and row.uses == one.suffix]:
             del known[through.suffix]
             return [joined((one, through), one.label[1].capitalize(), "solved for $a$")]
@@ -69,13 +71,13 @@ def _packed(rows: list[Row]) -> list[Row]:
 
 
 def _is_ruled(system: System, one: Row) -> bool:
-    if one.entry.profile.name in SUMS and system.name in ("normal", "graded.normal"):
-        return one.suffix not in ("d", "F", "ad") or system.name != "normal"
+    if one.entry.profile.name in SUMS and system.base is None:
+        return one.suffix not in ("d", "F", "ad") or system.medium.graded
     if one.suffix == "pp":
         return False
     if one.suffix in SAME_FOR_ALL.get(system.name, ()) or one.kind in ("rule", "root", "composition"):
         # what a law does to a closed formula is printed with it
-        return system.name != "viscoelastic" or r"F_{\mathrm N}(" in one.regions[0].tex
+        return not system.physics.laws or r"F_{\mathrm N}(" in one.regions[0].tex
     if sum(len(region.lines) for region in one.regions) > MOST_LINES:
         return True
     return one.suffix == "pm" and not (one.narrow and fits_half(one))

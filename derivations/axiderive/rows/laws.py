@@ -1,8 +1,7 @@
-"""Rows that hold for many profiles at once: viscoelastic laws, and adhesion of power laws.
+"""Rows that hold for many profiles at once.
 
-Viscoelastic laws in print, and the rows of growing contacts that hold for all of them at once.
-
-Adhesion of a power law as one curve: force and depth over those of pull-off, for all parameters.
+Viscoelastic laws, with the rows of growing contacts that hold for all of them, and adhesion of a power law as one
+curve: force and depth over those of pull-off, for all parameters.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ import sympy as sp
 from ..entry import Entry
 from ..notation import E_star, a, d, time, v
 from ..physics import adhesive, viscoelastic
-from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics.medium import GRADED, Medium
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
 from ..print.width import width
@@ -131,7 +130,7 @@ RATIO = sp.Symbol("x", positive=True)
 """a/a_c, the contact radius over that of pull-off under force control."""
 
 
-def universal_rows(key: str, depth: Entry, graded: bool) -> list[dict[str, Any]]:
+def universal_rows(key: str, depth: Entry, medium: Medium) -> list[dict[str, Any]]:
     """Rows of an adhesive problem whose depth is one power of the contact radius, one if they fit on a line.
 
     At pull-off the retraction is 2 n/xi of the depth g, by the condition of
@@ -140,7 +139,7 @@ def universal_rows(key: str, depth: Entry, graded: bool) -> list[dict[str, Any]]
     exponent = power_of_depth(depth)
     if exponent is None:
         return []
-    force, depth_ratio = curve(exponent, GRADED if graded else HOMOGENEOUS)
+    force, depth_ratio = curve(exponent, medium)
     ratio = r",\qquad x=\frac{a}{a_{\mathrm c}}"
     found = {
         f"{key}.F": rf"\frac{{F_{{\mathrm{{adh}}}}}}{{F_{{\mathrm c}}}}={force}",

@@ -170,4 +170,4 @@ def _way(profile: Profile, one: Reduction) -> Way:
 def _derived(target: Profile, in_plane: bool) -> Entries:
     if in_plane:
         return plane.derive(target)
-    return (complete if target.contact == "complete" else normal).derive(target)
+    return (complete if target.complete else normal).derive(target)

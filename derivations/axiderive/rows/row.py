@@ -1,10 +1,6 @@
-"""A row of the handbook.
+"""A row of the handbook: an entry with its label, range, formula in lines that fit and permanent key.
 
-Entries as rows of the handbook: label, range, formula in lines that fit, permanent key.
-
-Rows in printing order, two narrow ones on one line.
-
-What stands beside a formula: its label, its left side, and the system its entry belongs to.
+Rows stand in printing order, two narrow ones on one line.
 """
 
 from __future__ import annotations
@@ -18,8 +14,8 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
-from ..physics import adhesive
-from ..physics.systems import BODIES, ROUND, SYSTEMS
+from ..physics import adhesive, loads, materials, plane, viscoelastic
+from ..physics.systems import System, of
 from ..print.formula import Printer
 from ..print.height import brackets_around, size_around
 from ..print.shorthand import LINE, Short, shortened, with_kappa
@@ -27,18 +23,6 @@ from ..print.terms import tidied
 from ..print.width import width
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import rule
-
-GROUPS = {system.group: system.name for system in SYSTEMS if system.pool is ROUND}
-PREFIXES = {system.pool.prefix: system.name for system in SYSTEMS if system.pool.prefix}
-
-
-def system_of(entry: Entry) -> str:
-    """Name of the system whose entry this is, read off its key."""
-    first, *groups, _ = entry.key.split(".")
-    if first in BODIES.names:
-        return first
-    return PREFIXES.get(first) or GROUPS.get(".".join(groups), "normal")
-
 
 LETTER = 3.3
 """Points of a letter of the key."""
@@ -109,8 +93,7 @@ class Row:
     @property
     def ends(self) -> str:
         """The keys as they stand behind the formula, without the profile: adh.ac, Fc, dc."""
-        first, *ends = self.key.split(".")
-        own = ".".join(ends[1:] if first in PREFIXES else ends)
+        own = self.key.removeprefix(f"{of(self.entry).pool.id(self.entry.profile.name)}.")
         return ", ".join([own, *(entry.suffix.partition("_")[2] or entry.suffix for entry in self.also)])
 
     @property
@@ -127,18 +110,14 @@ class Row:
 @lru_cache(maxsize=4096)
 def row(entry: Entry) -> Row:
     """The row of an entry."""
-    system = system_of(entry)
-    if system in ("normal", "graded.normal"):
-        plain = _normal_row(entry)
-        compact = entry.profile.contact == "compact"
-        return _ruled(entry, system) if compact and rule(system, entry.suffix) and not _fits(plain) else plain
-    if system in BODIES.names:
-        return _constant(entry)
-    if system in ("plane", "loads", "viscoelastic"):
-        return _root_or_formula(entry)
-    if entry.profile.contact == "complete":
-        return _formula(entry)
-    return _superposed(entry, system)
+    system = of(entry)
+    if system.physics in WITHOUT_RULE:
+        return WITHOUT_RULE[system.physics](entry)
+    if system.physics.over:
+        return _superposed(entry, system) if entry.profile.compact else _formula(entry)
+    plain = _normal_row(entry)
+    ruled = entry.profile.compact and rule(system, entry.suffix) and not _fits(plain)
+    return _ruled(entry, system) if ruled else plain
 
 
 def _normal_row(entry: Entry) -> Row:
@@ -166,6 +145,11 @@ def _root_or_formula(entry: Entry) -> Row:
     return _formula(entry)
 
 
+WITHOUT_RULE = {
+    materials.PHYSICS: _constant,
+    **dict.fromkeys((plane.PHYSICS, loads.PHYSICS, viscoelastic.PHYSICS), _root_or_formula),
+}
+"""Rows of the physics whose quantities follow from no rule."""
 BETTER = {
     "cone.w": (r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",),
     "capped_paraboloid.ad": (
@@ -210,7 +194,7 @@ def _fits(one: Row) -> bool:
     )
 
 
-def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
+def _ruled(entry: Entry, system: System, listed: bool = False) -> Row:
     found = rule(system, entry.suffix)
     if found is None:
         message = f"{entry.key} follows from no rule; add one to rows.rules"
@@ -218,9 +202,9 @@ def _ruled(entry: Entry, system: str, listed: bool = False) -> Row:
     return Row(entry, "rule", (Region(found.where, (found.tex,)),), found.remark, listed=listed)
 
 
-def _superposed(entry: Entry, system: str) -> Row:
+def _superposed(entry: Entry, system: System) -> Row:
     """An adhesive or tangential quantity: spelled out where that is short, else by its rule."""
-    graded = system.startswith("graded")
+    graded = system.medium.graded
     if entry.suffix == "Dl" and not graded:
         return _formula(entry)
     spelled = entry.status == "closed" and len(entry.cases) == 1 and not entry.quantity.place

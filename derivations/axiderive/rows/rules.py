@@ -12,8 +12,9 @@ import sympy as sp
 
 from .. import notation as nt
 from ..notation import a, a_c, dgamma, r, retraction, u
-from ..physics import adhesive
-from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics import adhesive, normal, tangential
+from ..physics.medium import Medium
+from ..physics.systems import System
 from ..print.formula import Printer
 
 
@@ -30,21 +31,13 @@ ADH = r"_{\mathrm{adh}}"
 INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
 
 
-def rule(system: str, suffix: str) -> Rule | None:
-    """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
-    medium = GRADED if system.startswith("graded") else HOMOGENEOUS
-    kind = system.rpartition(".")[2]
-    found = {"adhesive": _adhesive, "tangential": _tangential, "normal": _normal}.get(kind)
-    return found(medium).get(suffix) if found else None
-
-
 def _adhesive(medium: Medium) -> dict[str, Rule]:
     printer = Printer((r, a))
     force = printer(medium.stiffness() * retraction)
     pressure = printer(medium.punch_pressure() * retraction)
     surface = printer(medium.punch_displacement().expr() * retraction)
     found = {
-        "Dl": Rule(rf"\Delta\ell={printer(adhesive.hess_rule(medium))}"),
+        "Dl": Rule(rf"\Delta\ell={printer(medium.retraction())}"),
         "d": Rule(rf"d{ADH}(a)=g(a)-\Delta\ell"),
         "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
         "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where="r<a"),
@@ -69,7 +62,7 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
 
 def sliding_ratio(medium: Medium) -> str:
     """Tangential displacement over the depth of the normal contact that slides or grows."""
-    return Printer()(nt.mu * medium.modulus / (nt.G_star if medium.k == 0 else nt.H_x))
+    return Printer()(nt.mu * medium.modulus / medium.shear)
 
 
 def _tangential(medium: Medium) -> dict[str, Rule]:
@@ -85,7 +78,7 @@ def _tangential(medium: Medium) -> dict[str, Rule]:
 
 def _normal(medium: Medium) -> dict[str, Rule]:
     """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
-    if medium.k == 0:
+    if not medium.graded:
         return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
     k, printer = medium.k, Printer((r, a))
     scale = printer(medium.pressure_scale / (1 + k))
@@ -104,3 +97,12 @@ def _normal(medium: Medium) -> dict[str, Rule]:
             where=OUTSIDE,
         ),
     }
+
+
+RULES = {normal.PHYSICS: _normal, adhesive.PHYSICS: _adhesive, tangential.PHYSICS: _tangential}
+
+
+def rule(system: System, suffix: str) -> Rule | None:
+    """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
+    found = RULES.get(system.physics)
+    return found(system.medium).get(suffix) if found else None

@@ -1,8 +1,7 @@
 """Profiles that are a special case or a sum of others, in print.
 
-Profiles that are a special case of another one: in print they stand in its entry, with their keys as anchors.
-
-Profiles that are a sum of simpler ones: what they add to at equal contact radius, in one row of the book.
+A special case stands in the entry of its host, with its keys as anchors; a sum of simpler profiles says in one row
+what they add to at equal contact radius.
 """
 
 from __future__ import annotations
@@ -15,9 +14,8 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..notation import R1, R2, E_star, R, a, b, h, n, r, theta, x
-from ..physics import normal, plane
-from ..physics.systems import problem
+from ..notation import R1, R2, E_star, R, a, b, h, n, theta
+from ..physics.systems import pool_of, problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles import load
@@ -64,10 +62,9 @@ def member(host: str, power: int) -> Mapping[str, Entry]:
     name = MEMBERS[host][power]
     if name:
         return problem(name).derive()
-    in_plane = host.startswith("plane.")
-    like = problem("plane.quartic" if in_plane else "quartic").profile
-    profile = replace(like, pieces=(Piece(None, nt.A * (x if in_plane else r) ** power),))
-    return plane.derive(profile) if in_plane else normal.derive(profile)
+    pool = pool_of(host)
+    like = problem(pool.id("quartic"))
+    return like.system.derive(replace(like.profile, pieces=(Piece(None, nt.A * pool.place**power),)))
 
 
 def tables(host: str) -> list[dict[str, Any]]:

@@ -74,7 +74,8 @@ class _Composition:
     def __init__(self, request: Request, answer: Answer | None) -> None:
         self.request, self.answer = request, answer
         if request.own is not None:
-            if "tangential" in request.physics and nt.c.name in {p.name for p in request.own.profile.parameters}:
+            fields = {name for own in interface.functions(request.kind).values() for name in own.fields}
+            if nt.c.name in fields & {p.name for p in request.own.profile.parameters}:
                 message = "c is the radius of stick in a tangential contact; give the parameter c another letter"
                 raise CommandError(message, USAGE)
             given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
@@ -85,8 +86,8 @@ class _Composition:
         else:
             assert request.profile is not None
             self.profile = request.profile
-            self.entries = sources.stored_entries(self.profile, request.physics)
-            self.normal = sources.stored_module(self.profile.name, self.entries, request.physics)
+            self.entries = sources.stored_entries(self.profile, request.kind)
+            self.normal = sources.stored_module(self.profile.name, self.entries, request.kind)
         self.parameters = list(interface.parameters(self.profile))
         self._require_reach()
         self.contact = Contact(self.profile, self.entries, self.request)
@@ -95,14 +96,12 @@ class _Composition:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
         free = [p for p in self.parameters if p not in self.request.values]
         # all that a viscoelastic contact has is an inverse of the elastic one
-        inverses = {"normal": interface.INVERSES, "viscoelastic": frozenset(self.request.quantities)}
-        wanted = sorted(
-            inverses.get(interface.kind_of(self.request.physics), frozenset()) & set(self.request.quantities)
-        )
-        if self.answer and self.answer.bounded and free and wanted:
+        kind, inverses = self.request.kind, set(self.request.quantities)
+        wanted = sorted(inverses if kind.law else inverses & interface.INVERSES)
+        if self.answer and self.answer.bounded and free and wanted and (kind.law or not kind.physics.over):
             message = (
                 f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
-                f"freeze the parameters{', or leave these functions out' if self.request.physics == 'normal' else ''}"
+                f"freeze the parameters{'' if kind.law else ', or leave these functions out'}"
             )
             raise CommandError(message, USAGE)
 
@@ -137,7 +136,7 @@ class _Composition:
 
     def _free(self) -> dict[str, float]:
         """Values for the parameters that stay free, in the order of the interface."""
-        names = self._keywords([*self.parameters, *interface.MATERIAL[self.request.physics]])
+        names = self._keywords([*self.parameters, *self.request.kind.material])
         known, _ = values_of(self.profile, self.request)
         return {name: known[name] for name in names}
 
@@ -146,7 +145,7 @@ class _Composition:
     def _comment(self, name: str) -> str:
         record = interface.record(name, self.profile)
         meaning = record.meaning
-        if self.request.physics == "plane":
+        if self.request.kind.system.pool.strip:
             meaning = document.meaning(self.profile, record.symbol)
         return f"{meaning} [{record.unit}]"
 
@@ -154,11 +153,9 @@ class _Composition:
         return tuple(name for name in names if name not in self.request.values)
 
     def _module(self) -> str:
-        request, physics = self.request, self.request.physics
-        modules = sources.library(self.profile, self.entries, self.normal, physics)
-        written, order = assembled.order(
-            self.profile, interface.between(self.profile, physics), physics, request.values
-        )
+        request, kind = self.request, self.request.kind
+        modules = sources.library(self.profile, self.entries, self.normal, kind)
+        written, order = assembled.order(self.profile, interface.between(self.profile, kind), kind, request.values)
         texts = [written] if written else []
         wanted: list[Wanted] = []
         above: list[Assembled] = []
@@ -174,7 +171,7 @@ class _Composition:
             Constant(parameter, value, self._comment(parameter))
             for parameter, value in self._ordered(request.values).items()
         ]
-        free = [p for p in (*self.parameters, *interface.MATERIAL[physics]) if p not in request.values]
+        free = [p for p in (*self.parameters, *self.request.kind.material) if p not in request.values]
         domains = {p: _interval(interface.record(p, self.profile)) for p in free}
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.record(name, self.profile).unit for name in {*fields, *free}}
@@ -183,17 +180,17 @@ class _Composition:
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
         """One function of the interface; the text of a new one below it is added to `texts`."""
-        physics, name, contact = self.request.physics, self.profile.name, interface.contact_of(self.profile)
-        plain = interface.functions(interface.BELOW.get(physics, "normal"), contact)
-        own = interface.functions(physics, contact)
+        kind, name, contact = self.request.kind, self.profile.name, interface.contact_of(self.profile)
+        plain = interface.functions(kind.below or interface.NORMAL, contact)
+        own = interface.functions(kind, contact)
         function = own.get(quantity) or plain.get(quantity) or interface.peaks(self.profile)[quantity]
         key = (f"{function.module}.{name}", f"_{function.quantity.function}")
         if key[1] not in modules[key[0]].definitions:
             # the shape is that of any medium
-            key = OF_RUNTIME.get(physics, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
+            key = OF_RUNTIME.get(kind.name, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
         fields = interface.arguments(function, self.entries)
         needs = [p for p in modules[key[0]].definitions[key[1]].parameters if p not in fields]
-        doc, keywords = function.doc(interface.id_of(physics, name)), self._keywords(needs)
+        doc, keywords = function.doc(name), self._keywords(needs)
         if not fields:
             return assembled.number(modules, key, quantity, doc, keywords, array=self._bisected(function.name))
         if function.leaning:
@@ -202,9 +199,8 @@ class _Composition:
         return Wanted(key, quantity, fields, keywords, doc, function.signed, function.parity)
 
     def _pull_off(self, modules: Mapping[str, Module]) -> Assembled:
-        physics = self.request.physics
-        parameters = (*self.parameters, *interface.MATERIAL[physics])
-        key = f"{physics}.{self.profile.name}"
+        parameters = (*self.parameters, *self.request.kind.material)
+        key = f"{self.request.kind.name}.{self.profile.name}"
         return assembled.pull_off(
             modules, key, PULL_OFF_DOC, parameters, self._keywords(parameters), array=self._bisected(interface.PULL_OFF)
         )
@@ -212,11 +208,11 @@ class _Composition:
     def _bisected(self, name: str) -> bool:
         """Whether the rules of a number run in arrays, as that of the ring of zero pressure does."""
         concave = interface.contact_of(self.profile) == interface.CONCAVE
-        general = "n" in self.parameters or self.request.physics.startswith("graded")
+        general = "n" in self.parameters or self.request.kind.graded
         return concave and general and name != "stiffness"
 
     def _ordered(self, values: Mapping[str, float]) -> dict[str, float]:
-        order = [*self.parameters, *interface.MATERIAL[self.request.physics]]
+        order = [*self.parameters, *self.request.kind.material]
         return {name: values[name] for name in order if name in values}
 
     def _origin(self) -> str:

@@ -1,9 +1,4 @@
-"""What a scene can ask for, and the rules between its parameters.
-
-The functions a scene can ask for, by physics: name, fields, and one line that says what they are.
-
-The rules between the parameters of a scene, which on the graded half-space depend on its exponent.
-"""
+"""What a scene can ask for: kinds of contact, functions with fields and one line on each, rules between parameters."""
 
 from __future__ import annotations
 
@@ -18,79 +13,103 @@ from ..code.plane import SHAPE
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace
-from ..physics import adhesive, detachment, loads, normal, tangential, viscoelastic
+from ..physics import Physics, adhesive, detachment, loads, normal, plane, tangential, viscoelastic
 from ..physics.adhesive import pull_off_rule
-from ..physics.medium import GRADED, HOMOGENEOUS
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..physics.systems import BODIES, SYSTEMS, System
+from ..physics.viscoelastic import Law
 from ..profiles import NAMES
 from ..profiles.profile import Profile, Rule
 
-LAWS = {law.name: law for law in viscoelastic.LAWS}
 LETTERS = {"tau": "relaxation", "t": "time"}
 """Parameters of the material, and the time, that share their letter with another symbol of the notation."""
 CONCAVE = "concave"
 """A complete contact from some least load on."""
 TILTED = "tilted"
 """The contact under an eccentric load, complete until one edge lifts off."""
-MATERIAL = {
-    "normal": ("E_star",),
-    "adhesive": ("E_star", "dgamma"),
-    "tangential": ("E_star", "G_star", "mu"),
-    "plane": ("E_star",),
-    "loads": ("E_star",),
-    "graded": ("H", "k"),
-    "graded.adhesive": ("H", "k", "dgamma"),
-    "graded.tangential": ("H", "k", "H_x", "mu"),
-    **{f"viscoelastic.{name}": tuple(map(name_of, law.parameters)) for name, law in LAWS.items()},
-}
-GROUP = {
-    "normal": "", "plane": "", "loads": "", "adhesive": "adh.", "tangential": "tan.", "viscoelastic": "vis.",
-    "graded.normal": "fgm.", "graded.adhesive": "fgm.adh.", "graded.tangential": "fgm.tan.",
-}  # fmt: skip
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
 """What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
 INVERSES = frozenset(quantity.function for quantity in COMPACT.values() if quantity.inverts)
-BELOW = {"tangential": "normal", "graded.tangential": "graded"}
-"""The contact whose functions come with those of another."""
 SIGNED = frozenset(quantity.function for quantity in adhesive.QUANTITIES.values() if quantity.inverts)
 """Fields that are negative where adhesion pulls."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of contact that a scene can ask for: a system, and the material law where it has some."""
+
+    system: System
+    law: Law | None = None
+
+    @property
+    def name(self) -> str:
+        """What scenes and messages call it: "normal", "graded", "graded.adhesive", "viscoelastic.maxwell"."""
+        own = self.system.name.removesuffix(".normal")
+        return f"{own}.{self.law.name}" if self.law else own
+
+    @property
+    def physics(self) -> Physics:
+        """The physics on whatever medium."""
+        return self.system.physics
+
+    @property
+    def graded(self) -> bool:
+        """Whether the half-space is graded."""
+        return self.system.medium.graded
+
+    @property
+    def plain(self) -> System:
+        """The system that comes first for its bodies: normal contact on the homogeneous half-space, for most."""
+        return next(own for own in SYSTEMS if own.pool is self.system.pool)
+
+    @property
+    def below(self) -> Kind | None:
+        """The contact whose functions come with its own."""
+        return Kind(self.system.base) if self.system.base and self.physics.beside else None
+
+    @property
+    def material(self) -> tuple[str, ...]:
+        """Names of the parameters of its material."""
+        own = self.law.parameters if self.law else self.physics.parameters(self.system.medium)
+        return tuple(map(name_of, own))
+
+
+KINDS = {kind.name: kind for own in SYSTEMS if own.pool is not BODIES for kind in
+         ([Kind(own, law) for law in own.physics.laws] or [Kind(own)])}  # fmt: skip
+NORMAL = KINDS["normal"]
 
 
 @dataclass(frozen=True)
 class Function:
     """One function of the interface."""
 
-    physics: str
+    kind: Kind
     quantity: Quantity
     contact: str = "compact"
 
     @property
-    def law(self) -> str:
-        """The material law in its name in the catalogue."""
-        return law_of(self.physics)
-
-    @property
     def name(self) -> str:
         """What the function is called in a scene, without the material law."""
-        return self.quantity.function.removesuffix(f"_{self.law}") if self.law else self.quantity.function
+        law, function = self.kind.law, self.quantity.function
+        return function.removesuffix(f"_{law.name}") if law else function
 
     @property
     def module(self) -> str:
         """The package it is in, below that of the catalogue."""
-        return "viscoelastic" if self.law else {"graded": "graded.normal"}.get(self.physics, self.physics)
+        return self.kind.system.name
 
     @property
     def fields(self) -> tuple[str, ...]:
         """Names of its positional arguments; under a law the time comes first."""
-        if self.law:
+        if self.kind.law:
             return ("t", *LOADED[self.quantity.suffix.partition("_")[0]])
         return tuple(str(argument) for argument in self.quantity.arguments)
 
     @property
     def signed(self) -> bool:
         """Whether a field may be negative: loads under adhesion, places under an eccentric load."""
-        return (kind_of(self.physics) == "adhesive" and self.name in SIGNED) or self.leaning
+        return (self.kind.physics.tension and self.name in SIGNED) or self.leaning
 
     @property
     def leaning(self) -> bool:
@@ -100,35 +119,20 @@ class Function:
     @property
     def parity(self) -> str:
         """Whether a field takes places on both sides of the middle, where it is even or odd."""
-        mirrored = self.physics == "plane" and not self.leaning
+        mirrored = self.kind.system.pool.strip and not self.leaning
         return self.quantity.parity if mirrored else ""
 
     def doc(self, profile: str) -> str:
         """The docstring: summary, unit of the result, key of the formula."""
         unit = nt.describe(self.quantity.symbol).unit
-        return f"{self.quantity.summary.rstrip('.')} [{unit}]; {profile}.{GROUP[self.module]}{self.quantity.suffix}."
-
-
-def law_of(physics: str) -> str:
-    """The material law of a viscoelastic contact, empty for any other."""
-    group, _, law = physics.partition(".")
-    return law if group == "viscoelastic" else ""
-
-
-def kind_of(physics: str) -> str:
-    """The kind of contact on whatever medium: normal, adhesive, tangential, viscoelastic, plane or loads."""
-    group, _, kind = physics.partition(".")
-    return (kind or "normal") if group == "graded" else group
-
-
-def id_of(physics: str, profile: str) -> str:
-    """How the catalogue calls a profile: strips and pressures are told apart from round profiles of the same name."""
-    return f"{physics}.{profile}" if physics in ("plane", "loads") else profile
+        system = self.kind.system
+        key = system.medium.key(system.pool.id(profile), system.group, self.quantity.suffix)
+        return f"{self.quantity.summary.rstrip('.')} [{unit}]; {key}."
 
 
 def contact_of(profile: Profile) -> str:
     """Compact, complete or prescribed, as the profile says; a concave face and an eccentric load are told apart."""
-    if profile.contact == "complete" and profile.pieces[0].expr.has(nt.a):
+    if profile.complete and profile.pieces[0].expr.has(nt.a):
         return CONCAVE
     return TILTED if nt.e in profile.parameters else profile.contact
 
@@ -139,27 +143,25 @@ def parameters(profile: Profile) -> dict[str, sp.Symbol]:
     return {letter(symbol): symbol for symbol in profile.parameters}
 
 
-def functions(physics: str, contact: str = "compact") -> dict[str, Function]:
-    """All functions of a physics by name, `pull_off` left out."""
-    table: Mapping[str, Quantity]
-    if physics.startswith("viscoelastic."):
-        return _viscoelastic(physics, contact)
-    if physics.startswith("graded"):
-        return {name: replace(own, physics=physics) for name, own in functions(kind_of(physics), contact).items()}
-    if physics == "adhesive":
-        table = adhesive.QUANTITIES if contact == "compact" else detachment.QUANTITIES
-    elif physics == "tangential":
-        table = tangential.QUANTITIES
-    elif physics == "loads":
-        table = loads.QUANTITIES
-    elif physics == "plane":
-        own = {"compact": PLANE, TILTED: PLANE_ECCENTRIC}.get(contact, PLANE_COMPLETE)
-        table = own if contact == TILTED else {"f": SHAPE, **own}
-    else:
-        table = COMPACT if contact == "compact" else COMPLETE
+PUNCHED = {"f": SHAPE}
+TABLES: dict[Physics, dict[str, Mapping[str, Quantity]]] = {
+    normal.PHYSICS: {"compact": COMPACT, "": COMPLETE},
+    adhesive.PHYSICS: {"compact": adhesive.QUANTITIES, "": detachment.QUANTITIES},
+    tangential.PHYSICS: {"": tangential.QUANTITIES},
+    loads.PHYSICS: {"": loads.QUANTITIES},
+    plane.PHYSICS: {"compact": PUNCHED | PLANE, TILTED: PLANE_ECCENTRIC, "": PUNCHED | PLANE_COMPLETE},
+}
+"""The quantities of a physics, by what `contact_of` says of the profile; empty for all others."""
+
+
+def functions(kind: Kind, contact: str = "compact") -> dict[str, Function]:
+    """All functions of a kind of contact by name, `pull_off` left out."""
+    if kind.law:
+        return _viscoelastic(kind, kind.law, contact)
+    tables = TABLES[kind.physics]
     return {
-        quantity.function: Function(physics, quantity, contact)
-        for quantity in table.values()
+        quantity.function: Function(kind, quantity, contact)
+        for quantity in (tables.get(contact) or tables[""]).values()
         if not quantity.control and not quantity.member and (not quantity.threshold or contact == CONCAVE)
     }
 
@@ -170,13 +172,13 @@ def peaks(profile: Profile | None) -> dict[str, Function]:
         return {}
     own = [q for q in COMPACT.values() if q.member]
     alone = [replace(q, function=f"peak_{q.member}", summary=q.summary.partition(",")[0]) for q in own]
-    return {q.function: Function("normal", q) for q in alone}
+    return {q.function: Function(NORMAL, q) for q in alone}
 
 
-def _viscoelastic(physics: str, contact: str) -> dict[str, Function]:
-    law = LAWS[physics.partition(".")[2]]
-    loadings = [kind for kind in LOADED if kind != "load" or contact == "compact"]
-    found = [Function(physics, viscoelastic.QUANTITIES[f"{kind}_{law.suffix}"], contact) for kind in loadings]
+def _viscoelastic(kind: Kind, law: Law, contact: str) -> dict[str, Function]:
+    # the radius after a step of the load is a question of a contact that grows
+    quantities = [viscoelastic.QUANTITIES[f"{load}_{law.suffix}"] for load in LOADED]
+    found = [Function(kind, q, contact) for q in quantities if contact == "compact" or q.symbol != nt.a]
     return {function.name: function for function in found}
 
 
@@ -201,30 +203,28 @@ PHASES = tuple(0.5 * i for i in range(4, 16))
 """Values of 2 pi a/wavelength around the least g'/a of waves: from 4.49 at k = -1, where g' ~ f', to pi at k = 1."""
 
 
-def between(profile: Profile, physics: str) -> list[Rule]:
+def between(profile: Profile, kind: Kind) -> list[Rule]:
     """The rules of the profile on its medium."""
-    if not physics.startswith("graded"):
-        return list(profile.rules)
-    return [_graded(profile, rule) for rule in profile.rules]
+    return [_graded(profile, rule) if kind.graded else rule for rule in profile.rules]
 
 
 def _graded(profile: Profile, rule: Rule) -> Rule:
-    if profile.contact == "complete" and rule.right == nt.n:
+    if profile.complete and rule.right == nt.n:
         return replace(rule, left=1 - nt.k, reason=rule.reason.replace("n > 1", "n > 1 - k"))
     return rule
 
 
-def of_pull_off(profile: Profile, physics: str) -> list[Rule]:
+def of_pull_off(profile: Profile, kind: Kind) -> list[Rule]:
     """What the exponent of a power law must be for a contact that is stable under tension."""
-    if kind_of(physics) != "adhesive" or profile.contact != "compact":
+    if not kind.physics.tension or not profile.compact:
         return []
-    rule = pull_off_rule(profile, GRADED if physics.startswith("graded") else HOMOGENEOUS)
+    rule = pull_off_rule(profile, kind.system.medium)
     return [rule] if rule else []
 
 
-def depend_on_waves(profile: Profile, physics: str) -> bool:
+def depend_on_waves(profile: Profile, kind: Kind) -> bool:
     """Whether the rule between height and length of the waves is another one for every exponent of the grading."""
-    return physics.startswith("graded") and nt.wavelength in profile.parameters
+    return kind.graded and nt.wavelength in profile.parameters
 
 
 def open_between_waves(profile: Profile, values: Mapping[str, float]) -> float | None:

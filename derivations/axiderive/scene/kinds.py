@@ -1,20 +1,12 @@
-"""The kinds of contact a scene can ask for.
-
-The kind of contact a scene asks for, and the combinations that are at hand.
-
-Which kinds of contact are at hand on which medium for which profile, and the nearest one where one is not.
-"""
+"""Which kinds of contact are at hand on which medium for which profile, and the nearest one where one is not."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from .. import profiles
-from ..physics import detachment, tangential
 from ..physics.medium import GRADED, HOMOGENEOUS
-from ..profiles import loads as prescribed
-from ..profiles import plane as strips
+from ..physics.systems import BODIES, PRESSURES, ROUND, STRIPS, SYSTEMS, Pool, on
+from ..physics.viscoelastic import LAWS, Law
 from ..profiles.profile import Profile
 from . import interface
 from .linker.sources import graded_refusal
@@ -25,18 +17,14 @@ if TYPE_CHECKING:
     from .reading import Scene
 
 
-ALONE = ("plane", "loads")
-"""Kinds of contact with profiles of their own."""
-
-
 def refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     """Why nothing is emitted for a kind of contact; empty if something is, else a sentence that names the nearest."""
     reason = _reason(kind, profile, graded=graded, own=own)
     if not reason:
         return ""
     elsewhere = 'normal = true with kind = "homogeneous"' if graded else "normal = true"
-    forms = {("normal", False): elsewhere, ("normal", True): "normal = true"}
-    forms = {(kind, False): 'kind = "homogeneous"', **({} if kind == "normal" else dict(reversed(forms.items())))}
+    own_kind, forms = (kind, False), {("normal", True): "normal = true", ("normal", False): elsewhere}
+    forms = {own_kind: 'kind = "homogeneous"'} | {form: text for form, text in forms.items() if form != own_kind}
     nearest = next(
         (form for (other, medium), form in forms.items()
          if (graded or not medium) and (other, medium) != (kind, graded)
@@ -47,52 +35,46 @@ def refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
 
 def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     """What stands against it."""
-    if kind in ALONE:
-        if own:
-            return f"{kind} is emitted for what the catalogue holds"
-        return f"{kind} on a graded half-space is not derived" if graded else ""
-    if kind == "viscoelastic":
-        return "viscoelastic on a graded half-space is not derived" if graded else ""
-    if kind == "adhesive" and (found := detachment.refusal(profile, GRADED if graded else HOMOGENEOUS)):
-        return found.partition(": use")[0]
-    if kind == "tangential" and (found := tangential.refusal(profile)):
-        return found
+    system = on(PHYSICS[kind], GRADED if graded else HOMOGENEOUS)
+    if own and kind in POOLS:
+        return f"{kind} is emitted for what the catalogue holds"
+    if system is None:
+        return f"{kind} on a graded half-space is not derived"
+    if found := system.refusal(profile):
+        return found.partition(": use ")[0]
     return graded_refusal(profile) if graded and own else ""
 
 
-PHYSICS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
-Pool = tuple[str, tuple[str, ...], Callable[[str], Profile]]
-"""What its members are called, their names, and how they are loaded."""
-POOLS: dict[str, Pool] = {
-    "plane": ("plane profile", strips.NAMES, strips.load),
-    "loads": ("prescribed pressure", tuple(load.name for load in prescribed.LOADS), prescribed.load),
-}
-"""Kinds of contact with profiles of their own."""
+PHYSICS = {own.physics.name: own.physics for own in SYSTEMS if own.pool is not BODIES}
+"""Kinds of contact by the keys of a scene."""
+PLAIN, *CHOICES = PHYSICS
+"""What is meant where none is named, and the others."""
+POOLS = {"plane": ("plane profile", STRIPS), "loads": ("prescribed pressure", PRESSURES)}
+"""Kinds of contact with profiles of their own, and what these are called."""
 
 
 def alone(text: SceneText, name: str) -> bool:
     """Whether a scene names this kind of contact and no other one."""
     table = text.values.get("physics")
-    asked = [key for key in PHYSICS[1:] if table.get(key) not in (None, False)] if isinstance(table, dict) else []
+    asked = [key for key in CHOICES if table.get(key) not in (None, False)] if isinstance(table, dict) else []
     return asked == [name]
 
 
-def pool(text: SceneText) -> Pool:
-    """The profiles that a scene can name."""
-    own = next((pool for name, pool in POOLS.items() if alone(text, name)), None)
-    return own or ("profile", profiles.NAMES, profiles.load)
+def pool(text: SceneText) -> tuple[str, Pool]:
+    """The profiles that a scene can name, and what they are called."""
+    return next((pool for name, pool in POOLS.items() if alone(text, name)), ("profile", ROUND))
 
 
 def elsewhere(text: SceneText, name: str) -> str:
     """What to do about a profile of another kind of contact; empty if no kind has it."""
-    asked = [key for key, value in text.table("physics").items() if value not in (None, False) and key in PHYSICS[1:]]
+    asked = [key for key, value in text.table("physics").items() if value not in (None, False) and key in CHOICES]
     instead = f" in place of {' and '.join(asked)}" if asked else ""
-    for kind, (what, names, _) in POOLS.items():
-        if name in names and kind not in asked:
+    for kind, (what, pool) in POOLS.items():
+        if name in pool.names and kind not in asked:
             return f"{name} is a {what}; write [physics] {kind} = true{instead}"
-    if name in profiles.NAMES:
+    if name in ROUND.names:
         kind = next(kind for kind in POOLS if alone(text, kind))
-        others = ", ".join(POOLS[kind][1])
+        others = ", ".join(POOLS[kind][1].names)
         return f"{name} is a round profile; write normal = true in place of {kind}, or take one out of {others}"
     return ""
 
@@ -100,7 +82,7 @@ def elsewhere(text: SceneText, name: str) -> str:
 def physics(text: SceneText, scene: Scene) -> None:
     """The kind of contact on its medium."""
     table = text.table("physics", PHYSICS)
-    chosen = [name for name in PHYSICS[1:] if table.get(name) not in (None, False)]
+    chosen = [name for name in CHOICES if table.get(name) not in (None, False)]
     plain = table.get("normal", True)
     if plain is not True and (plain is not False or not chosen):
         text.problem(
@@ -112,32 +94,33 @@ def physics(text: SceneText, scene: Scene) -> None:
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
     graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
-    kind = chosen[0] if chosen else "normal"
-    if kind == "viscoelastic":
+    kind = chosen[0] if chosen else PLAIN
+    physics, model = PHYSICS[kind], None
+    if physics.laws:
         model = _model(text, table[kind])
-        scene.physics = f"{kind}.{model or next(iter(interface.LAWS))}"
         moduli = [key for key in text.table("medium") if key != "kind"]
         if model and not graded and moduli:
             message = "a viscoelastic half-space has its moduli in the table of viscoelastic; leave [medium] out"
             text.problem("medium", moduli[0], message)
-    else:
-        model = ""
-        scene.physics = ".".join(["graded", *chosen[:1]]) if graded and kind not in POOLS else kind
+    system = (on(physics, GRADED) if graded else None) or on(physics, HOMOGENEOUS)
+    assert system is not None
+    scene.kind = interface.Kind(system, model or next(iter(physics.laws), None))
     if scene.profile is not None and len(chosen) < 2:
         reason = refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
         if reason:
             text.problem("physics" if chosen else "medium", kind if chosen else "kind", reason)
     for name in chosen:
-        if name != "viscoelastic" or model:
+        if model or not PHYSICS[name].laws:
             _table(text, scene, name, table[name])
 
 
 def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
     """The values of one kind of contact."""
-    if name == "viscoelastic":
+    physics = PHYSICS[name]
+    if physics.laws:
         raw = {key: value for key, value in raw.items() if key != "model"}
-    own = interface.kind_of(scene.physics) == name
-    names = [n for n in interface.MATERIAL[scene.physics if own else name] if n not in ("E_star", "H", "k")]
+    own = scene.kind.material if scene.kind.physics is physics else interface.KINDS[name].material
+    names = [n for n in own if n not in ("E_star", "H", "k")]
     if raw is True:
         return
     if name in POOLS:
@@ -155,15 +138,13 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
             text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
 
 
-def _model(text: SceneText, raw: Any) -> str:
-    """The material law; empty where it is missing or wrong."""
+def _model(text: SceneText, raw: Any) -> Law | None:
+    """The material law; None where it is missing or wrong."""
     form = 'write viscoelastic = { model = "standard_solid", E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s" }'
-    model = raw.get("model") if isinstance(raw, dict) else None
+    model, known = raw.get("model") if isinstance(raw, dict) else None, {law.name: law for law in LAWS}
     if not isinstance(model, str):
-        laws = ", ".join(interface.LAWS)
-        text.problem("physics", "viscoelastic", f"viscoelastic needs a model out of {laws}; {form}")
-        return ""
-    if model not in interface.LAWS:
-        text.problem("physics", "viscoelastic", f"unknown model {model[:40]!r}{near(model, interface.LAWS)}")
-        return ""
-    return model
+        text.problem("physics", "viscoelastic", f"viscoelastic needs a model out of {', '.join(known)}; {form}")
+        return None
+    if model not in known:
+        text.problem("physics", "viscoelastic", f"unknown model {model[:40]!r}{near(model, known)}")
+    return known.get(model)

@@ -1,9 +1,4 @@
-"""The page of a scene.
-
-The page of a scene: preamble and the page of its profile under one title, ready for LaTeX.
-
-LaTeX at work on a page while the rest of a scene is written.
-"""
+"""The page of a scene: preamble and the page of its profile under one title, typeset while the rest is written."""
 
 from __future__ import annotations
 
@@ -24,10 +19,11 @@ from ..code.plane import document
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
-from ..physics.systems import problem
+from ..physics.systems import ROUND, Problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles.profile import Profile
+from ..rows.blocks import TITLES
 from ..rows.laws import laws
 from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
@@ -60,18 +56,6 @@ CLAIMS = {
     "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
 }
 """What holds for the formulas of a profile of one's own."""
-SECTIONS = {
-    "normal": {"": "Normal contact"},
-    "adhesive": {"": "Normal contact", "adh": "Adhesive contact"},
-    "tangential": {"": "Normal contact", "tan": "Tangential contact"},
-    "graded": {"": "Normal contact", "fgm": "Power-law graded half-space"},
-    "graded.adhesive": {"fgm": "Power-law graded half-space", "fgm.adh": "Adhesive contact, graded half-space"},
-    "graded.tangential": {"fgm": "Power-law graded half-space", "fgm.tan": "Tangential contact, graded half-space"},
-    "viscoelastic": {"": "Normal contact", "vis": "Viscoelastic half-space"},
-    "plane": {"": "Plane contact"},
-    "loads": {"": "Displacement"},
-}
-"""Headings by the group of their keys, for each kind of contact."""
 SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "$": r"\$",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
@@ -89,7 +73,7 @@ def page_sources(
     request: Request, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
-    name = interface.id_of(request.physics, profile.name)
+    name = request.kind.system.pool.id(profile.name)
     path = f"profiles/{name}.tex"
     preamble = None if request.own else _stored("preamble.tex")
     if preamble is None:
@@ -101,12 +85,12 @@ def page_sources(
         preamble = templates().get_template("preamble.tex.j2").render(version=__version__, claim=claim)
         body = _formulas(profile, entries, evidence) if closed else integrals(profile, entries)
     else:
-        body = _sections(name, profile, request.physics)
+        body = _sections(profile, request.kind)
     texts = {path: body, "preamble.tex": preamble}
-    material = (interface.record(name).name for name in interface.MATERIAL[request.physics])
+    material = (interface.record(name).name for name in request.kind.material)
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
     here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
-    alone = request.physics in ("plane", "loads")
+    alone = request.kind.system.pool is not ROUND
     meant, used = _meant(request, profile), names | (_printed(entries) if alone else symbols(entries))
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & "
@@ -132,7 +116,7 @@ def _printed(entries: Mapping[str, Entry]) -> set[str]:
 
 def _meant(request: Request, profile: Profile) -> dict[str, str]:
     """What the letters mean under a strip, where they mean something else."""
-    if request.physics != "plane":
+    if not request.kind.system.pool.strip:
         return {}
     own = {*document.MEANING, *document.OF_PUNCH}
     return {nt.describe(s).latex: prose(document.meaning(profile, s)) for s in own}
@@ -140,7 +124,7 @@ def _meant(request: Request, profile: Profile) -> dict[str, str]:
 
 def _law(request: Request) -> str:
     """The material law of a viscoelastic contact, which the page of the profile names only."""
-    law = interface.LAWS.get(interface.law_of(request.physics))
+    law = request.kind.law
     if law is None:
         return ""
     own = next(row for row in laws() if row.suffix == law.suffix)
@@ -178,17 +162,17 @@ def _formulas(profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[
     return "\n".join([rf"\par {shape_tex(profile)}\par\vspace{{3mm}}", *_rows(ordered(entries), evidence), ""])
 
 
-def _sections(name: str, profile: Profile, physics: str) -> str:
-    """Shape and formulas of a profile of the catalogue, as they are stored, for one kind of contact."""
+def _sections(profile: Profile, kind: interface.Kind) -> str:
+    """Shape and formulas of a profile as they are stored, for a kind of contact and what it superposes."""
     lines = [rf"\par {shape_tex(profile)}\par\vspace{{3mm}}"]
-    headings = SECTIONS.get(physics) or SECTIONS[physics.partition(".")[0]]
-    known: dict[str, dict[str, Entry]] = {}
-    for group, title in headings.items():
-        key = f"{name}.{group}".rstrip(".")
-        record = sources.evidence(key) or {}
-        known[group] = read_entries(problem(key), record.get("entries", {}))
-        rows = law_rows(known[group], known[""]) if group == "vis" else ordered(known[group])
-        lines += [rf"\sect{{{title}}}", *_rows(rows, record.get("evidence", {}))]
+    below: dict[str, Entry] = {}
+    for system in dict.fromkeys((kind.system.base or kind.plain, kind.system)):
+        own = Problem(system, profile.name)
+        record = sources.evidence(own.key) or {}
+        entries = read_entries(own, record.get("entries", {}))
+        rows = law_rows(entries, below) if system.physics.laws else ordered(entries)
+        lines += [rf"\sect{{{TITLES[system.name][0]}}}", *_rows(rows, record.get("evidence", {}))]
+        below = entries
     return "\n".join([*lines, ""])
 
 

@@ -1,9 +1,4 @@
-"""A scene as it is read, and what is to be composed of it.
-
-A scene: which profile, medium, physics, functions, frozen values and formats; checked as a whole.
-
-What is to be composed.
-"""
+"""A scene: profile, medium, physics, functions, frozen values and formats, checked as a whole; what is composed."""
 
 from __future__ import annotations
 
@@ -38,7 +33,7 @@ class Scene:
     title: str
     profile: Profile | None = None
     own: OwnProfile | None = None
-    physics: str = "normal"
+    kind: interface.Kind = interface.NORMAL
     quantities: list[str] = field(default_factory=list)
     values: dict[str, float] = field(default_factory=dict)
     folder: str = ""
@@ -125,12 +120,12 @@ def _profile(text: SceneText, scene: Scene) -> None:
 
 
 def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
-    what, known, load = pool(text)
-    if name not in known:
-        reason = elsewhere(text, name) or f"unknown {what} {name[:40]!r}{near(name, known)}"
+    what, own = pool(text)
+    if name not in own.names:
+        reason = elsewhere(text, name) or f"unknown {what} {name[:40]!r}{near(name, own.names)}"
         text.problem("profile", "kind", reason)
         return
-    profile = load(name)
+    profile = own.load(name)
     if nt.coefficients in profile.parameters:
         reason = "takes a sequence of coefficients"
         text.problem("profile", "kind", f'{name} {reason}; write it as an expression, profile = "c*r**2 + q*r**4"')
@@ -162,11 +157,11 @@ def _rules(text: SceneText, scene: Scene) -> None:
         return
     symbols = {**interface.parameters(profile), "k": nt.k}
     known = {symbol: sp.Float(scene.values[n], 17) for n, symbol in symbols.items() if n in scene.values}
-    if interface.depend_on_waves(profile, scene.physics):
+    if interface.depend_on_waves(profile, scene.kind):
         _waves(text, scene, profile)
         return
-    found = interface.between(profile, scene.physics)
-    found += interface.of_pull_off(profile, scene.physics) if interface.NEEDS_PULL_OFF & set(scene.quantities) else []
+    found = interface.between(profile, scene.kind)
+    found += interface.of_pull_off(profile, scene.kind) if interface.NEEDS_PULL_OFF & set(scene.quantities) else []
     for rule in found:
         if rule.relation().xreplace(known) == sp.false:
             shown = sorted(rule.left.free_symbols | rule.right.free_symbols, key=str)
@@ -208,7 +203,7 @@ class Request:
     module: str
     profile: Profile | None
     own: OwnProfile | None
-    physics: str
+    kind: interface.Kind
     quantities: Sequence[str]
     values: Mapping[str, float] = field(default_factory=dict)
     formats: Sequence[str] = ("python", "tex", "json")

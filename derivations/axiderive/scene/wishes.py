@@ -10,6 +10,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from .. import notation as nt
+from ..physics.systems import ROUND
 from . import interface
 from .linker.sources import ramps
 from .text import SceneText, near
@@ -40,10 +41,10 @@ def want(text: SceneText, scene: Scene) -> None:
     """Reads the section [want] into the scene: functions and worked example; problems go to the text."""
     table = text.table("want", ("quantities", "at"))
     contact = interface.contact_of(scene.profile) if scene.profile else "compact"
-    known = available(scene.physics, contact)
-    if scene.physics.startswith("viscoelastic") and not ramps(scene.profile):
+    known = available(scene.kind, contact)
+    if scene.kind.law and not ramps(scene.profile):
         known.remove("ramp_force")
-    default = [name for name in DEFAULT[interface.kind_of(scene.physics)] if name in known]
+    default = [name for name in DEFAULT[scene.kind.physics.name] if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them
     default += [name for name in OF_COMPLETE if name in known and contact != "compact"]
     default.sort(key=known.index)
@@ -51,7 +52,7 @@ def want(text: SceneText, scene: Scene) -> None:
     if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
         text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
         return
-    if scene.physics == "normal" and not set(raw) <= set(known):
+    if scene.kind == interface.NORMAL and not set(raw) <= set(known):
         known += interface.peaks(scene.profile)
     for name in raw:
         if name not in known:
@@ -63,17 +64,14 @@ def want(text: SceneText, scene: Scene) -> None:
 
 def _unknown(scene: Scene, name: str, contact: str, known: Collection[str]) -> str:
     """Another kind of contact that has the function, or the nearest name."""
-    graded = scene.physics.startswith("graded")
-    for kind in ("adhesive", "tangential"):
-        other = f"graded.{kind}" if graded else kind
-        if (
-            other != scene.physics
-            and scene.physics in ("normal", "graded", "adhesive", "tangential")
-            and (contact == "compact" and name in available(other, contact))
-        ):
+    compact = contact == "compact" and scene.kind.system.pool is ROUND and not scene.kind.law
+    for other in interface.KINDS.values() if compact else ():
+        above = other.system.base and other.graded == scene.kind.graded and not other.law
+        if above and name in available(other, contact):
+            kind = other.physics.name
             return f"{name} is a function of {kind} contact; write [physics] {kind} = true"
     meant = SYMBOLS.get(name, "")
-    return f"unknown quantity {name[:40]!r} of {scene.physics}{near(meant if meant in known else name, known)}"
+    return f"unknown quantity {name[:40]!r} of {scene.kind.name}{near(meant if meant in known else name, known)}"
 
 
 def _example(text: SceneText, scene: Scene, raw: object) -> None:
@@ -88,17 +86,17 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     except UnitError as error:
         text.problem("want", "at", f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
         return
-    if not value > 0.0 and (key == "a" or scene.physics != "adhesive"):
+    if not value > 0.0 and (key == "a" or not scene.kind.physics.tension):
         text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
         return
     profile = scene.profile
     if profile is None:  # which is a problem of its own
         return
-    if scene.physics.startswith(("graded", "viscoelastic", "plane")) or profile.contact != "compact":
+    if scene.kind.graded or scene.kind.law or scene.kind.system.pool is not ROUND or not profile.compact:
         message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
         text.problem("want", "at", message)
         return
-    needs = [*(p.name for p in profile.parameters), *interface.MATERIAL[scene.physics]]
+    needs = [*(p.name for p in profile.parameters), *scene.kind.material]
     free = [name for name in needs if name not in scene.values]
     if free and not text.problems:
         text.problem("want", "at", f"a worked example needs values of all parameters; freeze {', '.join(free)} too")
@@ -106,12 +104,10 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     scene.at = (key, value)
 
 
-def available(physics: str, contact: str) -> list[str]:
-    """Names of the functions of a physics; those of the normal contact come with tangential ones."""
-    own = list(interface.functions(physics, contact))
-    if physics in interface.BELOW:
-        own += list(interface.functions(interface.BELOW[physics], contact))
-    return [*own, interface.PULL_OFF] if interface.kind_of(physics) == "adhesive" else own
+def available(kind: interface.Kind, contact: str) -> list[str]:
+    """Names of the functions of a kind of contact; those of the normal contact come with tangential ones."""
+    own = [name for one in (kind, kind.below) if one for name in interface.functions(one, contact)]
+    return [*own, interface.PULL_OFF] if kind.physics.tension else own
 
 
 def output(text: SceneText, scene: Scene) -> None:

@@ -10,16 +10,16 @@ from typing import Any
 import sympy as sp
 
 from ..entry import FOUR, Entry
-from ..physics.systems import problem
+from ..physics.systems import BODIES, ROUND, SYSTEMS, System, problem
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
 from .reference import UnknownError, condition, is_inverse
 from .samples import DOMAINS
 
 COUNT, SEED = 30, 17
-OWN = ("normal", "plane", "loads")
-"""Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
-SYSTEMS = (*OWN, "adhesive", "tangential", "graded.normal", "graded.adhesive", "graded.tangential")
+MEASURED = tuple(own for own in SYSTEMS if own.pool is not BODIES and not own.physics.laws)
 """Systems whose functions are measured."""
+OWN = tuple(own for own in MEASURED if own.base is None and not own.medium.graded)
+"""Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 DIRECT = (*FOUR, "k", "pm", "Dl", "tau", "u", "us")
 """Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
 TOLERANCE = 5.0
@@ -63,9 +63,10 @@ def record(
         Errors are rounded up to two digits: NumPy's functions differ by a unit between processors.
     """
     found = problem(key)
-    system = found.system.name
+    system = found.system
     wanted = [suffix for suffix in entries if suffixes is None or suffix in suffixes]
-    wanted = [suffix for suffix in wanted if system == "normal" or _direct(entries[suffix], system)]
+    if not (system in OWN and system.pool is ROUND):
+        wanted = [suffix for suffix in wanted if _direct(entries[suffix], system)]
     rows: dict[str, Record] = {}
     with loaded(sources, found.module) as module:
         for suffix in wanted:
@@ -77,12 +78,12 @@ def record(
     return rows
 
 
-def _direct(entry: Entry, system: str) -> bool:
+def _direct(entry: Entry, system: System) -> bool:
     """Whether the exact value is an enclosure of the printed formula, or a root of one, without an integral in it."""
     known = entry.status == "closed" or is_inverse(entry)
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
-    return system in OWN or entry.suffix in DIRECT and entry.profile.contact == "compact"
+    return system in OWN or entry.suffix in DIRECT and entry.profile.compact
 
 
 def _form(source: str, entry: Entry) -> Record:

@@ -152,7 +152,7 @@ def _between(missed: Callable[[arb], arb], low: arb, high: arb, message: str) ->
 
 def is_inverse(entry: Entry) -> bool:
     """Whether a depth or force of a growing contact is given, so that its radius has to be found."""
-    return bool(entry.quantity.inverts) and entry.quantity.symbol != nt.c and entry.profile.contact != "complete"
+    return bool(entry.quantity.inverts) and entry.quantity.symbol != nt.c and entry.profile.compact
 
 
 def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:

@@ -51,8 +51,7 @@ def floats(
             if entry.profile.largest is not None and nt.k in entry.parameters:
                 draw[nt.k]
             draw.chain(case.chain)
-            depth = (nt.d,) if entry.profile.contact == "complete" else ()
-            for symbol in (*entry.quantity.arguments, *depth, *entry.parameters, *more):
+            for symbol in (*entry.quantity.arguments, *entry.profile.free_depth, *entry.parameters, *more):
                 draw[symbol]
             if draw.allowed():
                 yield draw.values
@@ -87,7 +86,7 @@ class Draw:
             self.values[chain[i]] = sizes[i] = near
         for symbol in self.profile.parameters:
             self[symbol]
-        if self.profile.contact == "compact":
+        if self.profile.compact:
             self[nt.a]
         self[nt.E_star]
 

@@ -25,7 +25,7 @@ NEEDED = frozenset(("conjugates", "log1p"))
 def rate(entries: Mapping[str, Entry]) -> Entry | None:
     """g'(a) of a compact contact, in the plane P'(a)/E_star beside a break; None where no function evaluates it."""
     base = entries.get("P", entries.get("d"))
-    if base is None or base.profile.contact != "compact" or base.suffix == "P" and not base.profile.breaks:
+    if base is None or not base.profile.compact or base.suffix == "P" and not base.profile.breaks:
         return None
     if base.status != "closed" or any(case.expr.has(sp.Sum, sp.Integral) for case in base.cases):
         return None

@@ -35,7 +35,7 @@ from ..code.private import Private, PrivateFunctions
 from ..code.python import package_sources
 from ..entry import Entry
 from ..letters import name_of
-from ..physics.systems import Problem, problem, problems
+from ..physics.systems import Problem, of, problem, problems
 from ..stable.measure import ITERATIONS, Sample, closure, count_for, is_rule, loaded, samples, ulps
 from ..stable.records import COUNT, OWN, SEED, summary
 from ..stable.samples import DOMAINS, Floats
@@ -324,7 +324,7 @@ def written(entries: Mapping[str, Entry], suffixes: Collection[str] | None = Non
     The one that the published module has comes first; the rate of growth goes with the result it is the rate of.
     """
     first = next(iter(entries.values()))
-    system = problem(first.key.rpartition(".")[0]).system.name
+    system = of(first).name
     if system not in FAMILIES:
         return {}
     wanted = {suffix: entry for suffix, entry in entries.items() if suffixes is None or suffix in suffixes}
@@ -404,7 +404,7 @@ Variants = Mapping[str, Sequence[Written]]
 
 def names() -> tuple[str, ...]:
     """The problems whose modules hold bodies of their own."""
-    return tuple(own.key for own in problems() if own.system.name in OWN)
+    return tuple(own.key for own in problems() if own.system in OWN)
 
 
 def measure(keys: Sequence[str]) -> Record:

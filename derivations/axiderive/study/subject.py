@@ -1,13 +1,9 @@
-"""What the study measures, and what its rivals are given.
-
-The special functions of the printed formulas as a first script has them, from SciPy.
-
-Functions that a rival is given in closed form, one expression between two breaks after the other.
-
-What the study measures: a problem at chosen parameters, its emitted functions, and what a rival is given.
+"""What the study measures: a problem at chosen parameters, its emitted functions, and what a rival is given.
 
 A rival knows the profile f, or the depth g(t) of the one-dimensional model and
-its rate g'(t) in closed form: everything that the method itself does not find.
+its rate g'(t) in closed form, one expression between two breaks after the other,
+and the special functions of the printed formulas as a first script has them, from
+SciPy: everything that the method itself does not find.
 """
 
 from __future__ import annotations
@@ -253,7 +249,7 @@ class Subject:
     @property
     def plane(self) -> bool:
         """Whether it is a plane contact."""
-        return systems.problem(self.name).system.name == "plane"
+        return systems.problem(self.name).system.pool.strip
 
     @property
     def across(self) -> sp.Symbol:
@@ -268,7 +264,7 @@ class Subject:
     @property
     def complete(self) -> bool:
         """The radius is that of the body and the depth is free, or the load of a strip."""
-        return self.profile.contact == "complete"
+        return self.profile.complete
 
     @property
     def free(self) -> sp.Symbol:

@@ -107,7 +107,7 @@ class Known:
             small,
             [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
             one.remark,
-            one.uses and ending_of(one.uses, one.entry, self.problem.profile_id),
+            one.uses and ending_of(one.uses, one.entry),
             prose(one.entry.note),
             [self.formula(entry) for entry in (one.entry, *one.also)],
         )

@@ -11,7 +11,7 @@ from ..book import spread
 from ..book.guide import bibtex
 from ..book.word_index import WORDS
 from ..entry import Entry
-from ..physics.systems import SYSTEMS
+from ..physics.systems import SYSTEMS, pool_of
 from .page import Derived
 from .words import plain, symbol
 
@@ -85,7 +85,7 @@ def _short(title: str) -> str:
 
 def _other_names(profile_id: str) -> str:
     """What else a profile is called, and whose work it is."""
-    pool, name = spread.pool_of(profile_id), profile_id.rpartition(".")[2]
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
     profile = pool.load(name)
     return ", ".join([*profile.synonyms, *profile.sources])
 

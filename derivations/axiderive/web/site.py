@@ -11,11 +11,11 @@ from typing import Any
 import jinja2
 from markupsafe import Markup, escape
 
-from ..book import book, spread
+from ..book import book
 from ..book.handbook import Model, page_models, ruled, summary
 from ..book.readme import LEFT_OUT, LEGEND
 from ..code.python import package_sources
-from ..physics.systems import ROUND, SYSTEMS
+from ..physics.systems import ROUND, SYSTEMS, pool_of
 from . import study
 from .assets import assets
 from .home import home
@@ -93,7 +93,7 @@ def _matrix(
 
 def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
     title, status = models[profile_id]["title"], models[profile_id]["status"]
-    own = COLUMNS if spread.pool_of(profile_id) is ROUND else list(status)
+    own = COLUMNS if pool_of(profile_id) is ROUND else list(status)
     cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]
     return {"name": profile_id, "title": title, "cells": cells, "span": len(COLUMNS) // len(cells)}
 

@@ -36,7 +36,7 @@ def loaded(
 ) -> Numbers:
     """The contact that carries the load."""
     load = sp.Rational(case.load)
-    if profile.contact == "complete":
+    if profile.complete:
         if "dF" not in entries:
             return make(profile, entries, values | {nt.P: load}, DIGITS)
         known = values | {nt.F: load}
@@ -65,7 +65,7 @@ GRID, NARROWED = 24, 20
 
 def infinite(profile: Profile, values: Values) -> str:
     """Where the pressure is infinite: at the edge of a face, at a kink of the profile, at a pointed tip, or nowhere."""
-    if profile.contact == "complete":
+    if profile.complete:
         return "a"
     place = nt.x if any(piece.expr.has(nt.x) for piece in profile.pieces) else nt.r
     slopes = [sp.diff(piece.expr.doit() if piece.expr.has(sp.Sum) else piece.expr, place) for piece in profile.pieces]

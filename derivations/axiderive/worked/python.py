@@ -41,9 +41,9 @@ def in_python(profile_id: str, profile: Profile, entries: Entries, case: Case, r
     def call(suffix: str, *fields: str) -> str:
         return called(name, entries[suffix], given, *fields)
 
-    if package and profile.contact == "complete":
+    if package and profile.complete:
         return [*start, (call("d", distance, load), shown(*results))]
-    if profile.contact == "complete":
+    if profile.complete:
         sunk = call("w", f"2*{given['a']}", "d")
         return [*start, (f"d = {call('dF', load)}", ""), (f"d, {sunk}", shown(*results))]
     radius, depth = (call("aP", load), call("d", distance, "a")) if package else (call("aF", load), call("d", "a"))

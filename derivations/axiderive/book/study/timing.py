@@ -12,6 +12,7 @@ from typing import Any
 
 from ...entry import COMPACT
 from ...physics.plane_quantities import PLANE
+from ...physics.systems import problem
 from ..evidence import power_of_ten
 from .error import DIGITS, FEW, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
 
@@ -81,10 +82,10 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
     strips = tuple(
         Strip(
             drawn(contact, letters, frozenset(keys), WIDTH, HEIGHT),
-            GRADED if problem.endswith(".fgm") else "",
-            tuple(_sentence([row for row in rows if row["key"] == key]) for key in contact),
+            GRADED if problem(key).system.medium.graded else "",
+            tuple(_sentence([row for row in rows if row["key"] == one]) for one in contact),
         )
-        for problem, contact in found.items()
+        for key, contact in found.items()
     )
     meanings = tuple((letters[one], KEY[one].format(_settings(one, rows))) for one in letters if one in members)
     return Timing(strips, meanings)
@@ -124,11 +125,11 @@ def _sentence(rows: Sequence[Row]) -> str:
 
 def _named(key: str) -> str:
     """What stands on the left of the formula, and the half-space where it is not the homogeneous one."""
-    problem, _, suffix = key.rpartition(".")
-    if problem.startswith("plane."):
-        return f"${PLANE[suffix].left}$"
-    left = COMPACT[suffix].left + ("(d)" if COMPACT[suffix].inverts else "")
-    return f"{GRADED.capitalize()}, ${left}$" if problem.endswith(".fgm") else f"${left}$"
+    of, _, suffix = key.rpartition(".")
+    system = problem(of).system
+    quantity = (PLANE if system.pool.strip else COMPACT)[suffix]
+    left = f"${quantity.left}{'(d)' if quantity.inverts and not system.pool.strip else ''}$"
+    return f"{GRADED.capitalize()}, {left}" if system.medium.graded else left
 
 
 def _reaches(row: Row, goal: float) -> bool:

@@ -5,12 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...entry import Entry
-from ...profiles import COMPLETE_NAMES, load
+from ...physics import adhesive as stuck
+from ...physics import normal as pressed
+from ...physics import tangential as slipping
+from ...physics.systems import BY_NAME, System
+from ...profiles import load
+from ..physics import refusals
 from ..physics.refusals import package_source
 from ..physics.text import PACKAGE
-from . import adhesive, complete, detachment, normal, refusals, tangential
+from . import adhesive, complete, detachment, normal, tangential
 
-Derived = Mapping[str, Mapping[str, Mapping[str, Entry]]]
+Entries = Mapping[str, Entry]
+Derived = Mapping[str, Mapping[str, Entries]]
 """Entries by system (graded.normal, graded.adhesive, graded.tangential), profile and suffix."""
 TITLES = {
     "normal": "Normal contact of a rigid indenter with a power-law graded half-space",
@@ -24,21 +30,34 @@ def module_sources(names: Iterable[str], derived: Derived) -> dict[str, str]:
     names = sorted(names)
     files: dict[str, str] = {}
     for group, title in TITLES.items():
-        modules = {name: text for name in names if (text := _module(group, name, derived))}
+        system = BY_NAME[f"graded.{group}"]
+        modules = {name: text for name in names if (text := _module(system, name, derived))}
         files |= {f"{PACKAGE}/graded/{group}/{name}.py": text for name, text in modules.items()}
         files[f"{PACKAGE}/graded/{group}/__init__.py"] = package_source(title, sorted(modules))
     title = "Contact on a half-space whose modulus grows as a power of the depth"
     return files | {f"{PACKAGE}/graded/__init__.py": package_source(title, sorted(TITLES))}
 
 
-def _module(group: str, name: str, derived: Derived) -> str:
+def _module(system: System, name: str, derived: Derived) -> str:
     """The module of one profile; empty if its problem was left out."""
-    plain, own = derived["graded.normal"][name], derived[f"graded.{group}"].get(name)
-    compact = name not in COMPLETE_NAMES
-    if own is None:
-        return "" if compact else refusals.module_source(load(name), group)
-    if group == "normal":
-        return normal.module_source(plain) if compact else complete.module_source(plain)
-    if group == "adhesive":
-        return adhesive.module_source(own, plain) if compact else detachment.module_source(own)
-    return tangential.module_source(own, plain)
+    own = derived[system.name].get(name)
+    if own is not None:
+        return WRITERS[system.physics](own, derived["graded.normal"][name])
+    profile = load(name)
+    return refusals.module_source(system, profile) if system.refusal(profile) else ""
+
+
+def _normal(own: Entries, plain: Entries) -> str:
+    return (normal if _grows(own) else complete).module_source(own)
+
+
+def _adhesive(own: Entries, plain: Entries) -> str:
+    return adhesive.module_source(own, plain) if _grows(own) else detachment.module_source(own)
+
+
+def _grows(entries: Entries) -> bool:
+    return next(iter(entries.values())).profile.compact
+
+
+WRITERS = {pressed.PHYSICS: _normal, stuck.PHYSICS: _adhesive, slipping.PHYSICS: tangential.module_source}
+"""The writer of a module by its physics, from its entries and those of the normal contact."""

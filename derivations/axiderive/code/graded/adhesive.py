@@ -39,7 +39,7 @@ def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> s
 class _Adhesive:
     def __init__(self, entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> None:
         self.entries, self.profile = entries, plain["d"].profile
-        self.writer = Writer(self.profile, entries, "adhesive", plain)
+        self.writer = Writer(self.profile, entries, plain)
         self.family = family(self.profile)
         self.power = self.family.power
         self.geometry = [*self.writer.geometry, "k"]

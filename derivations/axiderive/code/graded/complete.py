@@ -36,7 +36,7 @@ class _Complete:
     def __init__(self, entries: Mapping[str, Entry]) -> None:
         self.entries = {suffix: _with_depth(entry) for suffix, entry in entries.items()}
         self.profile = entries["F"].profile
-        self.writer = Writer(self.profile, self.entries, "normal", self.entries)
+        self.writer = Writer(self.profile, self.entries, self.entries)
         self.geometry = [*self.writer.geometry, "k"]
         self.material = [*self.writer.geometry, "H", "k"]
         piece = self.profile.pieces[0].expr

@@ -19,7 +19,7 @@ CONTROL = 'control : {"force", "depth"}'
 def module_source(entries: Mapping[str, Entry]) -> str:
     """Retraction of the edge, and the state at which it peels off."""
     profile = entries["Dl"].profile
-    writer = Writer(profile, entries, "adhesive", entries)
+    writer = Writer(profile, entries, entries)
     edge, symbols = [a, H, k, dgamma], [*profile.parameters, H, k, dgamma]
     keywords = [name_of(symbol) for symbol in symbols]
     named = ", ".join(f"{name}={name}" for name in keywords)

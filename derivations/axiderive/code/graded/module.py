@@ -1,8 +1,6 @@
-"""What the modules of all graded packages share.
+"""What the modules of all graded packages share: signatures, checks, documents and examples.
 
-What the modules of all graded packages share: signatures, checks, documents and examples.
-
-One number per function for its doctest, computed from the exact entry or, without closed form, its definition.
+A doctest has one number, computed from the exact entry or, without closed form, its definition.
 """
 
 from __future__ import annotations
@@ -20,6 +18,7 @@ from ...entry import COMPACT, Entry
 from ...letters import name_of
 from ...notation import coefficients
 from ...oracle.half_space import HalfSpace
+from ...physics.systems import System, of
 from ...profiles.profile import Profile
 from .. import docstring, example
 from ..imports import RUNTIME
@@ -37,10 +36,10 @@ class Example(examples.Example):
     """The doctests of one module, on a half-space with k = 1/4; `elastic` are the entries of its normal contact."""
 
     def __init__(
-        self, profile: Profile, entries: Mapping[str, Entry], group: str, elastic: Mapping[str, Entry]
+        self, profile: Profile, entries: Mapping[str, Entry], system: System, elastic: Mapping[str, Entry]
     ) -> None:
-        super().__init__(profile, entries, f"graded.{group}", elastic)
-        self.physics = group
+        super().__init__(profile, entries, system.name, elastic)
+        self.physics = system.physics
 
     @cached_property
     def known(self) -> Values:
@@ -82,7 +81,7 @@ class Example(examples.Example):
         rules = {"normal": half_space.normal, "adhesive": half_space.adhesive, "tangential": half_space.tangential}
         with mp.workdps(2 * DIGITS):
             a = mp.mpf(str(sp.N(at[nt.a], 2 * DIGITS)))
-            return sp.Float(str(mp.re(rules[self.physics](entry.suffix, a))), 2 * DIGITS)
+            return sp.Float(str(mp.re(rules[self.physics.name](entry.suffix, a))), 2 * DIGITS)
 
 
 def _rounded(number: sp.Float) -> sp.Rational:
@@ -119,10 +118,14 @@ class Writer:
 
     profile: Profile
     entries: Mapping[str, Entry]
-    group: str
     plain: Mapping[str, Entry]
     public: list[Function] = field(default_factory=list)
     private: list[str] = field(default_factory=list)
+
+    @cached_property
+    def system(self) -> System:
+        """The system of its entries."""
+        return of(next(iter(self.entries.values())))
 
     @property
     def geometry(self) -> list[str]:
@@ -137,12 +140,12 @@ class Writer:
     @property
     def own_check(self) -> str:
         """Name under which the module calls the check of the rules between parameters."""
-        return "_check" if self.group == "normal" else "normal._check"
+        return "normal._check" if self.system.base else "_check"
 
     @cached_property
     def example(self) -> Example:
         """The doctests of this module."""
-        return Example(self.profile, self.entries, self.group, self.plain)
+        return Example(self.profile, self.entries, self.system, self.plain)
 
     def checks(self, symbols: Sequence[sp.Symbol], reach: bool = False) -> list[str]:
         """The lines that check the parameters, those of the geometry with the rules between them."""
@@ -186,7 +189,7 @@ class Writer:
         for symbol, expr in self.profile.abbreviations:
             if str(symbol) in used:
                 used = used - {str(symbol)} | {str(s) for s in expr.free_symbols}
-        if self.profile.contact == "complete":
+        if self.profile.complete:
             used.add("a")
         return f"normal._profile({', '.join([place, *(f'{n}={n}' for n in self.geometry if n in used)])})"
 
@@ -207,7 +210,7 @@ class Writer:
             if re.search(rf"\b{symbol}\b", body)
         ]
         late = text.imported([*LATE, *imports(late=True)], body, UP)
-        late += [HOMOGENEOUS] if self.group == "normal" and "normal." in body else []
+        late += [HOMOGENEOUS] if self.system.base is None and "normal." in body else []
         source = private(name, fields, needs, [*late, *([""] if late else []), *own, *lines], doc, returns)
         if self.summed:
             head, body = source.replace(" A: Array", " A: tuple[float, ...]").split("\n", 1)
@@ -224,7 +227,7 @@ class Writer:
     def source(self, title: str) -> str:
         """The text of the module: header, the imports its code needs, public and private functions."""
         body = text.module(title, self.profile.subtitle, [*SHARED, *imports()], self.public, self.private, UP)
-        if self.group == "normal":
+        if self.system.base is None:
             body = body.replace(f"from ..normal import {text.NORMAL} as normal\n", "", 1)
         return body.replace(text.NORMAL, self.profile.name)
 

@@ -32,7 +32,7 @@ class _Normal:
     def __init__(self, entries: Mapping[str, Entry]) -> None:
         self.entries, self.profile = entries, entries["d"].profile
         self.family: Family = family(self.profile)
-        self.writer = Writer(self.profile, entries, "normal", entries)
+        self.writer = Writer(self.profile, entries, entries)
         self.geometry = [*self.writer.geometry, "k"]
         self.material = [*self.writer.geometry, "H", "k"]
 

@@ -20,7 +20,7 @@ RULES = {
 def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> str:
     """The module of one profile; `plain` are the entries of its normal contact."""
     profile = plain["d"].profile
-    writer = Writer(profile, entries, "tangential", plain)
+    writer = Writer(profile, entries, plain)
     for entry in entries.values():
         fields = [str(argument) for argument in entry.quantity.arguments]
         keywords = [name_of(symbol) for symbol in entry.parameters]

@@ -72,7 +72,7 @@ class Example:
     @property
     def loads(self) -> Values:
         """A depth, which keeps a concave face in complete contact, and a force."""
-        drawn = self.profile.sketch.d if self.profile.contact == "complete" else None
+        drawn = self.profile.sketch.d if self.profile.complete else None
         return {nt.d: sp.Rational(str(drawn)) if drawn else sp.Rational(1, 5), nt.F: sp.Rational(1, 5)}
 
     def head(self) -> list[str]:

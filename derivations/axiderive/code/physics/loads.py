@@ -34,8 +34,10 @@ RULES = {sp.S.Zero: "uniform(r, a)", sigma: "power(r, a, s)"}
 ROOT = named("root")
 
 
-def module_source(load: Load, entry: Entry) -> str:
+def module_source(entry: Entry) -> str:
     """The module of one load."""
+    load = entry.profile
+    assert isinstance(load, Load)
     functions = PrivateFunctions(load)
     bodies(functions, {"w": entry})
     keywords = [name_of(symbol) for symbol in entry.parameters]

@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...physics import detachment
-from ...physics.medium import HOMOGENEOUS, Medium
+from ...physics.systems import System
 from ...profiles.profile import Profile
 from . import text
 
-TANGENTIAL = (
-    "{title} is a complete contact and knows no partial slip; it slips as a whole at F_x = mu F,"
-    " with F from axicontact.normal.{name}.force"
-)
 REFUSAL = '''"""{title}: no {group} functions.
 
 {wrapped}
@@ -68,15 +63,12 @@ def package_source(title: str, names: Sequence[str]) -> str:
     return PACKAGE.format(title=title, names="\n".join(f'    "{name}",' for name in names))
 
 
-def reason(profile: Profile, group: str, medium: Medium, tangential: str) -> str:
-    """Why the module of a profile holds no functions, with its title."""
-    if group == "adhesive":
-        return detachment.refusal(profile, medium).replace(profile.name, profile.title, 1)
-    return tangential.format(title=profile.title, name=profile.name)
-
-
-def module_source(profile: Profile, group: str) -> str:
+def module_source(system: System, profile: Profile) -> str:
     """A module whose functions do not exist, and which says why."""
-    lines = text.wrapped(reason(profile, group, HOMOGENEOUS, TANGENTIAL))
+    reason = system.refusal(profile).replace(profile.name, profile.title, 1)
+    if system.physics.beside and system.base:
+        reason += f", with F from {system.base.package}.{profile.name}.force"
+    lines = text.wrapped(reason)
     literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
+    group = system.physics.name
     return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)

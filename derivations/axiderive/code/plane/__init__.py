@@ -54,7 +54,7 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact
     if nt.e in functions.profile.parameters:
         complete.add_all(entries, functions)
         return None
-    if functions.profile.contact == "complete":
+    if functions.profile.complete:
         Complete(entries, functions).add_all()
         return None
     compact = Compact(entries, functions)
@@ -83,7 +83,7 @@ class _Module:
         known = PLANE
         if self.eccentric:
             known = PLANE_ECCENTRIC
-        elif self.profile.contact == "complete":
+        elif self.profile.complete:
             known = PLANE_COMPLETE
         bodies(self.functions, self.entries)
         split(self.functions, self.entries, bodies)

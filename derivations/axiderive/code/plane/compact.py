@@ -198,6 +198,6 @@ def add_profile(functions: PrivateFunctions) -> None:
             text, needs = f"np.where(x > {piece.upper}, {text}, {value})", needs | {str(piece.upper)}
         if "x" not in text:
             text = "np.zeros_like(x)" if text == "0.0" else f"{text} * np.ones_like(x)"
-        if functions.profile.contact == "complete" and name == "profile":
+        if functions.profile.complete and name == "profile":
             text, needs = f"np.where(x <= a, {text}, np.nan)", needs | {"a"}
         functions.add(name, ("x",), [*lines, f"return {text}"], needs, doc)

@@ -57,7 +57,7 @@ def text(
 
 def meaning(profile: Profile, symbol: sp.Symbol) -> str:
     """What a symbol means in a plane contact, in words; a punch has its own for half-width and face."""
-    own = MEANING | (OF_PUNCH if profile.contact == "complete" else {})
+    own = MEANING | (OF_PUNCH if profile.complete else {})
     return own.get(symbol) or profile.meaning(symbol)
 
 
@@ -110,7 +110,7 @@ def _outside(profile: Profile, quantity: Quantity, fields: Sequence[str]) -> str
         more.append("points in the contact, L < a")
     if profile.truncated and nt.a in quantity.arguments:
         more.append(f"half-widths below {profile.breaks[0]} among larger ones")
-    if "P" in fields and any(rule for rule in profile.pieces if rule.expr != 0) and profile.contact == "complete":
+    if "P" in fields and any(rule for rule in profile.pieces if rule.expr != 0) and profile.complete:
         more.append("loads below minimum_load()")
     return f"{text}{''.join(f', and {one}' for one in more)}{',' if more else ''} give NaN."
 

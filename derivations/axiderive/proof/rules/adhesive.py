@@ -15,7 +15,6 @@ from ...abel.form import Chain
 from ...entry import Case, Entry
 from ...notation import F, a, a_c, d, dgamma, n
 from ...physics.adhesive import CONTROLS
-from ...physics.adhesive import GROUP as GROUP
 from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import normal, require_analytic, sign
 from ..statement import Rule, closed, paired, require_regions, require_zero

@@ -14,7 +14,7 @@ import sympy as sp
 from ...entry import Case, Entry, Primitive
 from ...notation import E_star, F, F_x, G_star, H, H_x, a, a_c, c, d, k, mu, n
 from ...physics.adhesive import CONTROLS
-from ...physics.medium import Medium
+from ...physics.medium import GRADED
 from ..algebra import special
 from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import canonical
@@ -23,7 +23,7 @@ from .compact import Compact
 from .complete import Complete
 
 KAPPA = sp.Symbol("kappa", positive=True)
-MEDIUM = Medium(H, KAPPA - 1, "fgm")
+MEDIUM = replace(GRADED, k=KAPPA - 1)
 BOUNDS = ((KAPPA, sp.Integer(2)),)
 
 

@@ -193,7 +193,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     frames = frame.strip(profile, entries)
     if e in profile.parameters:
         return Prover(entries, frames, ECCENTRIC, lambda: Tilted(entries))
-    if profile.contact == "complete":
+    if profile.complete:
         return Prover(entries, frames, COMPLETE, lambda: PlaneComplete(profile, entries))
     return Prover(entries, frames, COMPACT, lambda: Plane(profile, entries))
 

@@ -7,7 +7,6 @@ import sympy as sp
 from ...abel.form import Chain, insert
 from ...entry import Case, Entry
 from ...notation import F_x, G_star, H_x, a, c, mu, r
-from ...physics.tangential import GROUP as GROUP
 from ..algebra.identity import at
 from ..statement import Rule, closed, paired, require_regions, require_zero
 from .compact import Compact

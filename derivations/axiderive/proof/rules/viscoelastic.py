@@ -13,7 +13,6 @@ import sympy as sp
 from ...abel.masters import IncompleteBeta, Kummer
 from ...entry import Case, Entry
 from ...notation import E_star, F, alpha, d, time, v, x
-from ...physics.viscoelastic import GROUP as GROUP
 from ...physics.viscoelastic import LAWS, Law
 from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import normal, require_analytic, sign

@@ -145,15 +145,17 @@ def leaning(key: Key, name: str) -> str:
     return LEANING.format(module=key[0], private=key[1], name=name)
 
 
-def order(profile: Profile, rules: Sequence[Rule], physics: str, frozen: Iterable[str]) -> tuple[str, tuple[str, ...]]:
+def order(
+    profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen: Iterable[str]
+) -> tuple[str, tuple[str, ...]]:
     """The check of the rules between parameters of which some are free, and its arguments; nothing if none is."""
     left = {name: symbol for name, symbol in interface.parameters(profile).items() if name not in set(frozen)}
     found = []
     for rule in rules:
         symbols = rule.left.free_symbols | rule.right.free_symbols
-        waves = physics.startswith("graded") and nt.wavelength in symbols
+        waves = kind.graded and nt.wavelength in symbols
         names = [name for name, symbol in interface.parameters(profile).items() if symbol in symbols]
-        names += ["k"] if physics.startswith("graded") and (waves or nt.k in symbols) else []
+        names += ["k"] if kind.graded and (waves or nt.k in symbols) else []
         if not ({*names} & ({*left} | ({"k"} - {*frozen}))):
             continue
         relation = f"{python(rule.left)} {'<' if rule.strict else '<='} {python(rule.right)}"

@@ -1,9 +1,4 @@
-"""The text of a scene's module.
-
-The docstring of a scene's module.
-
-The text of a scene's module: constants, the wanted functions, and what they rest on.
-"""
+"""The text of a scene's module: docstring, constants, the wanted functions, and what they rest on."""
 
 from __future__ import annotations
 
@@ -17,7 +12,6 @@ from typing import TYPE_CHECKING
 from ... import __version__
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
-from .. import interface
 from ..reading import Request
 from ..values.contact import Contact, worked
 from .assembled import REQUIRE_ORDER, Assembled
@@ -31,14 +25,12 @@ if TYPE_CHECKING:
 
 def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
-    physics = request.physics
-    law = interface.LAWS.get(interface.law_of(physics))
-    material = law.material if law else ""
+    law = request.kind.law
     kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
             "loads": "under a prescribed pressure",
             "plane": "of a strip without adhesion, per length",
-            "viscoelastic": f"on {material}, while it grows"}[interface.kind_of(physics)]  # fmt: skip
-    if physics.startswith("graded"):
+            "viscoelastic": f"on {law.material if law else ''}, while it grows"}[request.kind.physics.name]  # fmt: skip
+    if request.kind.graded:
         kind += " on a half-space whose modulus grows as a power of depth"
     title = _plain(request.title)
     what = f"{profile.title}: {_plain(profile.subtitle)}" if answer is None else _plain(

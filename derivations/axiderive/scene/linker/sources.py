@@ -5,42 +5,34 @@ from __future__ import annotations
 import ast
 import json
 from collections import ChainMap
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from ... import profiles
 from ...abel.reduce import NotReducibleError
-from ...code import plane, python
-from ...code.graded import adhesive as graded_adhesive
-from ...code.graded import complete as graded_complete
-from ...code.graded import detachment as graded_detachment
-from ...code.graded import normal as graded_normal
-from ...code.graded import tangential as graded_tangential
+from ...code import graded, physics, plane, python
 from ...code.graded.families import family
 from ...code.imports import PLACE, RUNTIME
-from ...code.physics import adhesive, tangential, viscoelastic
-from ...code.physics import detachment as peeled
 from ...code.physics import loads as pressures
+from ...code.physics import viscoelastic
 from ...code.physics.text import NormalModule
 from ...code.python import NODE_COUNTS
 from ...code.tables import kernels_source, nodes_source
 from ...entry import Entry
 from ...notation import r
-from ...physics import adhesive as stuck
-from ...physics import detachment
+from ...physics import Physics
 from ...physics import loads as prescribed
 from ...physics import normal as plain
 from ...physics import plane as strips
-from ...physics import tangential as slipping
 from ...physics import viscoelastic as creeping
 from ...physics.medium import GRADED
-from ...profiles.loads import Load, load
+from ...physics.systems import System
 from ...profiles.profile import Profile
 from ...store.index import NoCatalogueError, package
 from ...store.records import read_entry
-from .. import interface
+from ..interface import NORMAL, Kind
 from .inlining import rules, ungrouped
 from .linking import Module
 
@@ -106,14 +98,12 @@ def stored(path: str) -> str | None:
         return None
 
 
-def stored_entries(profile: Profile, physics: str) -> dict[str, Entry]:
+def stored_entries(profile: Profile, kind: Kind) -> dict[str, Entry]:
     """The entries of a profile of the catalogue as they were verified, or derived anew where none are stored."""
-    record = evidence(interface.id_of(physics, profile.name))
+    record = evidence(kind.plain.pool.id(profile.name))
     if record:
         return {suffix: read_entry(entry, profile) for suffix, entry in record["entries"].items()}
-    if isinstance(profile, Load):
-        return prescribed.derive(profile)
-    return strips.derive(profile) if physics == "plane" else plain.derive(profile)
+    return kind.plain.derive(profile)
 
 
 def evidence(name: str) -> dict[str, Any] | None:
@@ -126,13 +116,17 @@ def evidence(name: str) -> dict[str, Any] | None:
     return record
 
 
-def stored_module(name: str, entries: Mapping[str, Entry], physics: str) -> str:
+MODULES: dict[Physics, Callable[[Mapping[str, Entry]], str]] = {
+    plain.PHYSICS: python.module_source,
+    strips.PHYSICS: plane.module_source,
+    prescribed.PHYSICS: lambda entries: pressures.module_source(entries["w"]),
+}
+"""The writers of the modules that rest on no other."""
+
+
+def stored_module(name: str, entries: Mapping[str, Entry], kind: Kind) -> str:
     """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
-    if physics == "loads":
-        return stored(f"loads/{name}.py") or pressures.module_source(load(name), entries["w"])
-    if physics == "plane":
-        return stored(f"plane/{name}.py") or plane.module_source(entries)
-    return stored(f"normal/{name}.py") or python.module_source(entries)
+    return stored(f"{kind.plain.name}/{name}.py") or MODULES[kind.plain.physics](entries)
 
 
 @cache
@@ -141,8 +135,8 @@ def _viscoelastic(name: str) -> str:
     text = stored(f"viscoelastic/{name}.py")
     if text is None:
         profile = profiles.load(name)
-        entries = stored_entries(profile, "normal")
-        own = NormalModule.read(entries, stored_module(name, entries, "normal"))
+        entries = stored_entries(profile, NORMAL)
+        own = NormalModule.read(entries, stored_module(name, entries, NORMAL))
         text = viscoelastic.module_source(own, creeping.derive(profile))
     return text
 
@@ -167,28 +161,19 @@ def graded_refusal(profile: Profile) -> str:
     return ""
 
 
-def _graded(profile: Profile, wanted: str) -> dict[str, str]:
+def _graded(profile: Profile, systems: Sequence[System]) -> dict[str, str]:
     """The modules of a contact on the graded half-space, those of the catalogue where they are stored."""
-    kind = wanted.partition(".")[2]
-    keys = [f"graded.{group}.{profile.name}" for group in ("normal", kind) if group]
-    found = {key: text for key in keys if (text := stored(f"{key.replace('.', '/')}.py"))}
-    if len(found) == len(keys):
+    names = {own: f"{own.name}.{profile.name}" for own in systems}
+    found = {name: text for name in names.values() if (text := stored(f"{name.replace('.', '/')}.py"))}
+    if len(found) == len(names):
         return found
     pressed = plain.derive(profile, GRADED)
-    if profile.contact == "complete":
-        found = {keys[0]: graded_complete.module_source(pressed)}
-        above = {keys[1]: graded_detachment.module_source(detachment.derive(profile, GRADED))} if kind else {}
-        return found | above
-    found = {keys[0]: graded_normal.module_source(pressed)}
-    if kind == "adhesive":
-        found[keys[1]] = graded_adhesive.module_source(stuck.derive(profile, GRADED, pressed), pressed)
-    elif kind == "tangential":
-        found[keys[1]] = graded_tangential.module_source(slipping.derive(profile, GRADED, pressed), pressed)
-    return found
+    entries = {own: own.derive(profile, pressed) if own.base else pressed for own in systems}
+    return {name: graded.WRITERS[own.physics](entries[own], pressed) for own, name in names.items()}
 
 
-def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: str) -> ChainMap[str, Module]:
-    """All modules that the functions of one physics on one profile can reach.
+def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: Kind) -> ChainMap[str, Module]:
+    """All modules that the functions of one kind of contact on one profile can reach.
 
     Parameters
     ----------
@@ -196,28 +181,19 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         The profile and its entries of normal contact.
     normal : str
         Text of its normal module, or of that of the plane contact or the prescribed pressure.
-    wanted : str
-        Name of the physics.
+    wanted : Kind
+        The kind of contact.
     """
-    first = f"{wanted if wanted in ('plane', 'loads') else 'normal'}.{profile.name}"
+    system, first = wanted.system, f"{wanted.plain.name}.{profile.name}"
     modules = ChainMap({first: _module(first, normal)}, runtime())
-    if wanted in ("normal", "plane", "loads"):
+    if wanted.graded:
+        texts = _graded(profile, [own for own in (system.base, system) if own])
+    elif system.base is None:
         return modules
-    if wanted.startswith("graded"):
-        return modules | {key: _module(key, text) for key, text in _graded(profile, wanted).items()}
-    if wanted.startswith("viscoelastic."):
-        key = f"viscoelastic.{profile.name}"
-        known = profile.name in profiles.NAMES
-        text = (
-            _viscoelastic(profile.name) if known else viscoelastic.formulas_source(NormalModule.read(entries, normal))
-        )
-        return modules | {key: _module(key, text)}
-    own, key = NormalModule.read(entries, normal), f"{wanted}.{profile.name}"
-    if profile.contact == "complete":
-        peeling = peeled.module_source(own, detachment.derive(profile))
-        return modules | {key: _module(key, peeling)}
-    write, above = {
-        "adhesive": (adhesive.module_source, stuck.derive),
-        "tangential": (tangential.module_source, slipping.derive),
-    }[wanted]
-    return modules | {key: _module(key, write(own, above(profile, plain=entries), interface=False))}
+    elif wanted.law and profile.name in profiles.NAMES:
+        texts = {f"{system.name}.{profile.name}": _viscoelastic(profile.name)}
+    else:
+        below = NormalModule.read(entries, normal)
+        own = {} if wanted.law else system.derive(profile, entries)
+        texts = {f"{system.name}.{profile.name}": physics.FORMULAS[system.physics](below, own)}
+    return modules | {key: _module(key, text) for key, text in texts.items()}

@@ -53,20 +53,20 @@ def check_values(contact: Contact, keywords: Callable[[Sequence[str]], tuple[str
         if name == interface.PULL_OFF:
             continue
         if shape == interface.TILTED:
-            rows = _tilted(contact, interface.functions("plane", shape)[name])
-        elif request.physics == "plane":
-            rows = plane(contact, interface.functions("plane", shape)[name])
+            rows = _tilted(contact, interface.functions(request.kind, shape)[name])
+        elif request.kind.system.pool.strip:
+            rows = plane(contact, interface.functions(request.kind, shape)[name])
         elif isinstance(profile, Load):
             rows = _sunk(contact, profile)
-        elif interface.law_of(request.physics):
-            rows = relaxing(contact, edged, interface.functions(request.physics, shape)[name])
+        elif request.kind.law:
+            rows = relaxing(contact, edged, interface.functions(request.kind, shape)[name])
         elif not contact.compact:
             rows = edged.rows(name)
-        elif request.physics.startswith("graded"):
+        elif request.kind.graded:
             rows = graded(contact, name)
         else:
-            rows = _compact(contact, request.physics, name)
-        parameters = [*interface.parameters(profile), *interface.MATERIAL[request.physics]]
+            rows = _compact(contact, name)
+        parameters = [*interface.parameters(profile), *request.kind.material]
         free = tuple((k, contact.all[k]) for k in keywords(parameters))
         found += [Value(name, fields, free, float(wanted)) for fields, wanted in rows]
     return found
@@ -82,21 +82,21 @@ def _sunk(contact: Contact, load: Load) -> Rows:
         return [((r,), displacement({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places]
 
 
-def _compact(contact: Contact, physics: str, name: str) -> Rows:
+def _compact(contact: Contact, name: str) -> Rows:
     rows: Rows = []
     for a in contact.radii():
         with mp.workdps(DIGITS + 10):
-            rows += [(fields, value) for fields, value in _at(contact, physics, name, a) if value is not None]
+            rows += [(fields, value) for fields, value in _at(contact, name, a) if value is not None]
     return rows
 
 
-def _at(contact: Contact, physics: str, name: str, a: float) -> Rows:
+def _at(contact: Contact, name: str, a: float) -> Rows:
     """Calls at one contact radius with their results."""
-    own = _slipping(contact, name, a) if physics == "tangential" else []
-    return own or _pressed(contact, physics, name, a)
+    own = _slipping(contact, name, a) if contact.request.kind.physics.shear else []
+    return own or _pressed(contact, name, a)
 
 
-def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
+def _pressed(contact: Contact, name: str, a: float) -> Rows:
     """Normal contact, with or without adhesion."""
     E, pi, moved = mp.mpf(contact.all["E_star"]), mp.pi, contact.moved(a)
     outside, places = short(1.6 * a), [short(x) for x in (0.45 * a, *contact.between(a))]
@@ -127,8 +127,8 @@ def _pressed(contact: Contact, physics: str, name: str, a: float) -> Rows:
         case "peak_pressure" | "peak_radius":
             return [((a,), contact.peak(a)[name == "peak_radius"])]
         case _ if name in interface.INVERSES:
-            quantity = interface.functions("normal")[name].quantity
-            if physics == "adhesive" and not contact.outermost(quantity.inverts, a):
+            quantity = interface.functions(interface.NORMAL)[name].quantity
+            if contact.request.kind.physics.tension and not contact.outermost(quantity.inverts, a):
                 return []
             state = {nt.a: mp.mpf, nt.d: contact.depth, nt.F: contact.force}
             return [((float(state[quantity.arguments[0]](a)),), state[quantity.symbol](a))]

@@ -39,7 +39,7 @@ def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], flo
     same: here they differ, unless the profile is not compact then.
     """
     own = _drawn(profile, request.values)
-    material = {n: request.values.get(n, MATERIAL[n]) for n in interface.MATERIAL[request.physics]}
+    material = {n: request.values.get(n, MATERIAL[n]) for n in request.kind.material}
     if request.own is None:
         return own | material, np.inf
     free = [p.name for p in profile.parameters if p.name not in request.values]
@@ -98,8 +98,8 @@ class Contact:
         self.profile, self.entries, self.request = profile, entries, request
         self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}
-        self.compact = profile.contact == "compact"
-        round_contact = self.compact and request.physics != "plane"
+        self.compact = profile.compact
+        round_contact = self.compact and not request.kind.system.pool.strip
         self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
         self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
 
@@ -169,7 +169,8 @@ class Contact:
 
     def moved(self, a: float) -> mp.mpf:
         """The retraction of Hess; 0 without adhesion."""
-        if self.request.physics != "adhesive":
+        kind = self.request.kind
+        if kind.graded or not kind.physics.tension:
             return mp.mpf(0)
         return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
 
@@ -189,7 +190,7 @@ class Contact:
         """Depth or force in doubles, to see where it rises."""
         numeric = self._numeric
         E, lost = self.all["E_star"], np.zeros_like(a)
-        if self.request.physics == "adhesive":
+        if self.request.kind.physics.tension:
             lost = np.sqrt(2.0 * np.pi * a * self.all["dgamma"] / E)
         return numeric.depth(a) - lost if quantity == "d" else E * numeric.force(a) - 2.0 * E * a * lost
 

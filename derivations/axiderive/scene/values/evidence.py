@@ -1,10 +1,6 @@
-"""How far the emitted module is from its check values, and the test that says so.
-
-The emitted module run against its check values.
+"""How far the emitted module is from its check values, and the test beside it that says so and runs with plain Python.
 
 The evidence of a scene: certificates, comparisons with the definition, what the module was measured at.
-
-The test that is written beside a module: it runs with plain Python.
 """
 
 from __future__ import annotations
@@ -104,7 +100,7 @@ def _states(
 def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
-        kept = sources.evidence(interface.id_of(request.physics, profile.name))
+        kept = sources.evidence(request.kind.system.pool.id(profile.name))
         return kept["evidence"] if kept else {}
     return {"entries": {suffix: _found(answer, suffix) for suffix in answer.entries}}
 

@@ -1,14 +1,7 @@
-"""Check values by the definitions: complete, adhesive, graded, plane and viscoelastic contact.
+"""Check values by the definitions, by quadrature: complete, adhesive, graded, plane and viscoelastic contact.
 
-Check values of complete contacts, whose edge is fixed, on either half-space: the definitions by quadrature.
-
-Where a contact with adhesion breaks, by the definitions: the reference for `pull_off`.
-
-Check values on the graded half-space: the definitions by quadrature, adhesion by the balance of energies.
-
-Check values of plane contact: the defining integrals over strips, on both sides of the middle.
-
-Check values on a viscoelastic half-space: the convolution over the elastic contact by quadrature.
+A complete contact has its edge fixed, on either half-space; adhesion breaks by the balance of energies, which is the
+reference for `pull_off`; strips have both sides of the middle; a viscoelastic half-space convolves the elastic contact.
 """
 
 from __future__ import annotations
@@ -46,16 +39,16 @@ FURTHER = 1.3 ** np.arange(1, 6)
 
 def graded(contact: Contact, name: str) -> Rows:
     """Calls of a function with their results."""
-    physics = contact.request.physics
-    own = interface.functions(physics)
+    kind = contact.request.kind
+    own, below = interface.functions(kind), interface.functions(interface.NORMAL)
     rows: Rows = []
     with mp.workdps(DIGITS + 10):
         for a in contact.radii():
-            at = _Radius(contact, a, adhesive=interface.kind_of(physics) == "adhesive")
-            if interface.kind_of(physics) == "tangential" and name in own:
+            at = _Radius(contact, a, adhesive=kind.physics.tension)
+            if kind.physics.shear and name in own:
                 rows += at.slipping(name, own[name])
             else:
-                rows += at.pressed(name, interface.functions("normal")[name] if name not in own else own[name])
+                rows += at.pressed(name, own.get(name) or below[name])
     return rows
 
 
@@ -143,7 +136,7 @@ class Edged:
 
     def __init__(self, contact: Contact) -> None:
         self.contact = contact
-        self.graded = contact.request.physics.startswith("graded")
+        self.graded = contact.request.kind.graded
 
     @property
     def a(self) -> Any:
@@ -237,7 +230,7 @@ class Edged:
                     rows.append(((float(self.at("F", depth)),), mp.mpf(depth)))
                 case "stiffness":
                     fields = interface.arguments(
-                        interface.functions("normal", interface.contact_of(self.contact.profile))[name],
+                        interface.functions(interface.NORMAL, interface.contact_of(self.contact.profile))[name],
                         self.contact.entries,
                     )
                     rows.append(((depth,) if fields else (), self.at("k", depth)))
@@ -393,7 +386,8 @@ LATER = (0.4, 1.9)
 
 def relaxing(contact: Contact, edged: Edged, function: interface.Function) -> list[tuple[tuple[float, ...], Any]]:
     """Calls of a function with their results."""
-    law = interface.LAWS[function.law]
+    law = function.kind.law
+    assert law is not None
     known = {symbol: sp.Float(contact.all[name_of(symbol)], 40) for symbol in law.parameters}
     modulus = sp.lambdify(nt.time, law.relaxation.xreplace(known), "mpmath")
     creep = sp.lambdify(nt.time, law.creep.xreplace(known), "mpmath")
