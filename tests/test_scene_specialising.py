@@ -48,6 +48,51 @@ def texts(callers: str) -> dict[str, str]:
     } | {"f": found["own"].source(found["own"].definitions["f"].node)}  # fmt: skip
 
 
+CHAIN = """
+def chain(x, first=None, second=None, third=0.0):
+    if first is not None:
+        y = first
+    elif second is not None:
+        # of the second
+        y = second
+    elif third > 1.0:
+        y = third
+    else:
+        y = x
+    return y
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "body"),
+    [
+        ("chain(x)", ["y = x", "return y"]),
+        ("chain(x, x)", ["if first is not None:", "    y = first", "else:", "    y = x", "return y"]),
+        (
+            "chain(x, x, x)",
+            ["if first is not None:", "    y = first",
+             "elif second is not None:", "    # of the second", "    y = second", "else:", "    y = x", "return y"],
+        ),
+        ("chain(x, x, third=2.0)", ["if first is not None:", "    y = first", "else:", "    y = 2.0", "return y"]),
+        (
+            "chain(x, None, x)",
+            ["if second is not None:", "    # of the second", "    y = second", "else:", "    y = x", "return y"],
+        ),
+        ("chain(x, third=2.0)", ["y = 2.0", "return y"]),
+    ],
+)  # fmt: skip
+def test_a_chain_of_conditions_stays_one(call: str, body: list[str]) -> None:
+    """An `elif` takes the place of what is decided before it, or becomes the `else` of what is not."""
+    modules = {
+        "rules": Module("rules", CHAIN),
+        "own": Module("own", f"from .rules import chain\ndef f(x):\n    return {call}\n"),
+    }
+    found = specialised(modules, [("own", "f")], frozenset())["rules"]
+    text = found.source(found.definitions["chain"].node)
+    ast.parse(text)
+    assert [line.removeprefix("    ") for line in text.splitlines()[1:]] == body
+
+
 def test_what_a_default_decides_is_decided():
     """The condition, its branch and its comment, the operation, the sentence; bodies keep all else as it was."""
     found = texts("def f(x):\n    return rule(x, 2.0, least=3.0)\n")

@@ -100,7 +100,7 @@ class Folding:
             node = above
         value = self._value(node)
         if isinstance(above, ast.If) and node is above.test and value is not UNKNOWN:
-            return self._branch(above, bool(value))
+            return self._chain(above)
         if isinstance(above, ast.IfExp) and node is above.test and value is not UNKNOWN:
             return self._only(above, above.body if value else above.orelse)
         if isinstance(above, ast.BoolOp) and len(above.values) == 2:
@@ -154,23 +154,61 @@ class Folding:
         compound = compound and self.module.bytes[start - 1 : start] != b"("
         return [(start, first, "(" if compound else ""), (last, end, ")" if compound else "")]
 
-    def _branch(self, statement: ast.If, holds: bool) -> list[Edit]:
-        """The lines of one branch in the place of the statement, or none; what follows a return goes too."""
-        taken = statement.body if holds else statement.orelse
-        starts, first = self.module.starts, statement.lineno - 1
-        end = statement.end_lineno or statement.lineno
-        if not taken:
-            while self.module.lines[first - 1].strip().startswith("#"):
-                first -= 1
-            return [(starts[first], starts[end], "")]
-        begin = taken[0].lineno - 1
-        while self.module.lines[begin - 1].strip().startswith("#"):
-            begin -= 1
-        stop = taken[-1].end_lineno or begin + 1
-        if isinstance(taken[-1], (ast.Return, ast.Break, ast.Continue, ast.Raise)):
-            end = self._last_beside(statement)
-        dedented = [(starts[line], starts[line] + 4, "") for line in range(begin, stop)]
-        return [(starts[first], starts[begin], ""), *dedented, (starts[stop], starts[end], "")]
+    def _chain(self, statement: ast.If) -> list[Edit]:
+        """The edits that leave of a chain of conditions what is not decided, and of decided parts the one that holds.
+
+        What follows a return that is left alone goes too.
+        """
+        while self._is_elif(statement):
+            above = self.parents[id(statement)]
+            assert isinstance(above, ast.If)
+            statement = above
+        starts, place, edits = self.module.starts, statement.lineno - 1, list[Edit]()
+        indent, end = " " * statement.col_offset, statement.end_lineno or statement.lineno
+        first = True
+        for test, body, word in self._parts(statement):
+            holds = True if test is None else self._value(test)
+            begin, stop = self._commented(body[0].lineno - 1), body[-1].end_lineno or place
+            if holds is not UNKNOWN and not holds:
+                more = not first or stop < end
+                edits.append((starts[place if more else self._commented(place)], starts[stop], ""))
+            elif holds is UNKNOWN:
+                if first and word:
+                    edits.append((starts[place], word + len("elif"), f"{indent}if"))
+                first = False
+            else:
+                if first:
+                    edits += [(starts[line], starts[line] + 4, "") for line in range(begin, stop)]
+                    leaves = isinstance(body[-1], (ast.Return, ast.Break, ast.Continue, ast.Raise))
+                    end = self._last_beside(statement) if leaves else end
+                if first or test is not None:
+                    edits.append((starts[place], starts[begin], "" if first else f"{indent}else:\n"))
+                return [*edits, (starts[stop], starts[end], "")]
+            place = stop
+        return edits
+
+    def _parts(self, statement: ast.If) -> Iterator[tuple[ast.expr | None, list[ast.stmt], int]]:
+        """Test, body and place of the word `elif` of each part of a chain; no test for its `else`."""
+        word = 0
+        while True:
+            yield statement.test, statement.body, word
+            rest = statement.orelse
+            if not rest or not self._is_elif(rest[0]):
+                break
+            statement = rest[0]  # type: ignore[assignment]
+            word = self.module.span(statement)[0]
+        if rest:
+            yield None, rest, 0
+
+    def _commented(self, line: int) -> int:
+        """The first of the lines of comment in front of a line."""
+        while self.module.lines[line - 1].strip().startswith("#"):
+            line -= 1
+        return line
+
+    def _is_elif(self, statement: ast.stmt) -> bool:
+        """Whether a statement begins with this word; its tree is that of an `if` within the `else`."""
+        return isinstance(statement, ast.If) and self.module.bytes[self.module.span(statement)[0] :].startswith(b"elif")
 
     def _last_beside(self, statement: ast.stmt) -> int:
         above = self.parents[id(statement)]
