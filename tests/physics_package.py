@@ -9,6 +9,7 @@ from types import ModuleType
 from typing import Any
 
 import sympy as sp
+from stored_book import stored
 
 from axiderive import notation as nt
 from axiderive.code import example
@@ -27,11 +28,11 @@ MATERIAL = {
 
 @cache
 def derived() -> dict[str, dict[str, dict[str, Entry]]]:
-    """All entries these modules rest on, by system, profile and suffix."""
+    """All entries these modules rest on, as the catalogue holds them, by system, profile and suffix."""
     out: dict[str, dict[str, dict[str, Entry]]] = {system: {} for system in SYSTEMS}
     for problem in systems.problems():
         if problem.system.name in SYSTEMS:
-            out[problem.system.name][problem.name] = problem.derive()
+            out[problem.system.name][problem.name] = stored(problem.key)
     return out
 
 
