@@ -16,7 +16,7 @@ from axiderive.figures.plots import frames
 from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
 from axiderive.readback.further import Further, wrong
-from axiderive.rows.blocks import blocks
+from axiderive.rows.blocks import blocks, every
 from axiderive.rows.laws import power_of_depth, universal_rows
 from axiderive.rows.limits import limit_rows
 
@@ -89,7 +89,7 @@ def test_only_one_power_of_the_radius_has_a_universal_curve() -> None:
 
 def test_further_rows_stand_in_their_blocks() -> None:
     derived = {key: stored(key) for key in ("power_law", "power_law.adh")}
-    found = blocks("power_law", derived, {}, {"power_law": evidence("power_law")})
+    found = blocks("power_law", derived, every("power_law", derived), {}, {"power_law": evidence("power_law")})
     labels = [[re.sub(r"\\hyperref\[.*?\]|[{}]", "", row["label"]) for row in line] for line in found["normal"].further]
     assert labels == [["Axis"]]  # the special cases stand in a table
     assert [row["label"] for row in found["normal"].approached if row.get("ruled")][:2] == ["Edge", "Far field"]

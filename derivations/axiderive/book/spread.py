@@ -42,7 +42,8 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
     own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
     main = next((entries for key, entries in own.items() if key == profile_id), {})
-    shown = blocks.blocks(profile_id, derived, refusals, evidence)
+    rows = blocks.every(profile_id, derived)
+    shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
     return {
         "name": profile_id,
         "title": prose(profile.title),
@@ -52,6 +53,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "panel": panel(profile, main, pool.strip) if main else [],
         "place": str(pool.place),
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
+        "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
         "blocks": {key: asdict(block) for key, block in shown.items()},
         "evidence": proven.evidence_rows(profile_id, own, evidence),
         "proved": proven.summary(own, evidence),

@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 PACKAGES = ("texlive-latex-recommended", "texlive-pictures", "texlive-fonts-recommended", "tex-gyre")
+SOURCES = frozenset({".tex", ".sty", ".cls"})
+"""Suffixes of what the PDF is made of, beside the web edition in the same folder."""
 INSTALL = f"apt-get install --no-install-recommends {' '.join(PACKAGES)}"
 NEEDED = ("tikz.sty", "tgpagella.sty", "tgheros.sty", "mathpazo.sty", "booktabs.sty")
 # without -halt-on-error a bad label kept pdflatex looping for minutes

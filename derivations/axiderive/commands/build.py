@@ -24,7 +24,7 @@ from ..exits import FAILED, INCOMPLETE, CommandError
 from ..physics import systems
 from ..store.cache import Cache, digest
 from ..store.index import nearest
-from ..store.writing import GENERATED_SUFFIXES, RECEIPTS, ensure_writable, publish, stale_files, write_atomic
+from ..store.writing import RECEIPTS, ensure_writable, publish, stale_files, write_atomic
 
 MOST_REMARKS = 5
 
@@ -156,7 +156,7 @@ def _handbook(root: Path, cache: Cache, arguments: argparse.Namespace, progress:
     sources = {
         path.relative_to(folder).as_posix(): path.read_bytes()
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and path.suffix in GENERATED_SUFFIXES
+        if path.is_file() and path.suffix in pdf.SOURCES
     }
     target = folder / "handbook.pdf"
     key = digest(["pdf", {path: hashlib.sha256(content).hexdigest() for path, content in sources.items()}])

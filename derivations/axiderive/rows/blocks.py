@@ -71,11 +71,9 @@ def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
     return title, note
 
 
-def printed(one: Row, profile_id: str) -> dict[str, Any]:
-    """A row as the template sees it."""
+def told(one: Row, profile_id: str) -> dict[str, Any]:
+    """A row as the web edition shows it."""
     label, small = one.label
-    if small.startswith("of first") and one.regions[0].condition:  # the range stands where the words would
-        label = f"{label} {small}"
     return {
         "key": one.key,
         "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
@@ -90,6 +88,14 @@ def printed(one: Row, profile_id: str) -> dict[str, Any]:
     }
 
 
+def printed(one: Row, profile_id: str) -> dict[str, Any]:
+    """A row as the template of the book sees it."""
+    found = told(one, profile_id)
+    if found["small"].startswith("of first") and one.regions[0].condition:  # the range stands where the words would
+        found["label"] += f" {found['small']}"
+    return found
+
+
 def ending(entry: Entry, profile_id: str) -> str:
     """The key without the profile: d, adh.Fc, fgm.tan.u."""
     return entry.key[len(profile_id) + 1 :]
@@ -102,13 +108,21 @@ def ending_of(suffix: str, beside: Entry) -> str:
     return f"{group}.{suffix}".lstrip(".")
 
 
+def every(profile_id: str, derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, list[Row]]:
+    """All rows of the problems of a profile, by name of the system."""
+    pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
+    own = [Problem(system, name) for system in SYSTEMS if system.pool is pool]
+    return {p.system.name: rows_of(p.system, derived[p.key], derived, name) for p in own if p.key in derived}
+
+
 def blocks(
     profile_id: str,
     derived: Mapping[str, Mapping[str, Entry]],
+    rows: Mapping[str, list[Row]],
     refusals: Mapping[str, str],
     evidence: Mapping[str, Any] | None = None,
 ) -> dict[str, Block]:
-    """Blocks by name of the system, in the order of the systems; `refusals` says why a system has none."""
+    """Blocks by name of the system, in the order of the systems, of `every` row; `refusals` says why one has none."""
     found, pool, name = {}, pool_of(profile_id), profile_id.rpartition(".")[2]
     for system in SYSTEMS:
         if system.pool is not pool:
@@ -118,9 +132,9 @@ def blocks(
             continue
         problem = Problem(system, name)
         if problem.key in derived:
-            rows = in_print(system, rows_of(system, derived[problem.key], derived, problem.name))
+            shown = in_print(system, rows[system.name])
             further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
-            found[system.name] = _block(system, profile_id, rows, further, heading(system, derived[problem.key]))
+            found[system.name] = _block(system, profile_id, shown, further, heading(system, derived[problem.key]))
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found

@@ -15,8 +15,7 @@ from ..figures.axes import SHOWN, drawn
 from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
 from ..print.words import prose
-from ..rows.blocks import ending, ending_of, heading, rows_of
-from ..rows.row import Row
+from ..rows.blocks import ending, heading
 from .words import formula
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -99,17 +98,18 @@ class Known:
         measured = _measured(agreed["evaluation"])
         return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
 
-    def row(self, one: Row) -> WebRow:
-        """A row of the book as the page shows it, its formulas as LaTeX in HTML."""
-        label, small = one.label
+    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> WebRow:
+        """A row as the page shows it, its formulas as LaTeX in HTML, from what `rows.blocks.told` says of it."""
+        first, *more = (entries[key] for key in one["comment"].split())
+        shown = ((formula(r["tex"], display=True), r["condition"]) for r in one["regions"])
         return WebRow(
-            label,
-            small,
-            [(formula(r.tex, display=True), formula(r.condition) if r.condition else "") for r in one.regions],
-            one.remark,
-            one.uses and ending_of(one.uses, one.entry),
-            prose(one.entry.note),
-            [self.formula(entry) for entry in (one.entry, *one.also)],
+            one["label"],
+            one["small"],
+            [(tex, formula(condition) if condition else "") for tex, condition in shown],
+            one["remark"],
+            one["uses"],
+            prose(first.note),
+            [self.formula(entry) for entry in (first, *more)],
         )
 
 
@@ -170,9 +170,9 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         records = evidence.get(problem.key, {}).get("entries", {})
         source = modules[problem.module]
         known = Known(problem, records, agreed, signatures(source), examples(source))
-        rows = rows_of(problem.system, derived[problem.key], derived, problem.name)
+        entries = {entry.key: entry for entry in derived[problem.key].values()}
         further = _apart([_further(one, model["name"]) for one in block["approached"]])
-        shown = [known.row(one) for one in rows]
+        shown = [known.row(one, entries) for one in model["rows"][name]]
         sections.append(Section(anchor, title, note, shown, further=further, figures=pictures.get(name, ())))
     return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}
 
