@@ -12,10 +12,12 @@ from types import ModuleType
 import pytest
 from hypothesis import HealthCheck, settings
 from plane_modules import PACKAGE, entries, written
-from stored_book import CATALOGUE, KEYS, evidence, stored
+from stored_book import CATALOGUE, KEYS, evidence, kernels, stored
 
+from axiderive.code import python
 from axiderive.code.plane import module_sources
 from axiderive.profiles import plane
+from axiderive.scene.linker import sources
 from axiderive.web import html_sources
 
 # a run says the same of the same commit, on a machine that is busy too, which draws slowly;
@@ -26,6 +28,15 @@ settings.register_profile("explore", PATIENT)
 settings.load_profile("repeatable")
 
 WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materials")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def kernels_of_the_catalogue() -> Iterator[None]:
+    """To fit them anew takes six seconds; one test compares them, see `test_runtime`."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(python, "kernels_source", kernels)
+        patch.setattr(sources, "kernels_source", kernels)
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -5,9 +5,11 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+from stored_book import kernels
+
 from axiderive.code.imports import PLACE, runtime_sources
 from axiderive.code.python import NODE_COUNTS
-from axiderive.code.tables import kernels_source, nodes_source, symbols_sources
+from axiderive.code.tables import nodes_source, symbols_sources
 from axiderive.entry import Entry
 from axiderive.physics.plane import derive
 from axiderive.profiles import plane
@@ -23,12 +25,6 @@ CONCAVE = [name for name in plane.COMPLETE_NAMES if name.startswith("concave")]
 @cache
 def entries(name: str) -> dict[str, Entry]:
     return derive(plane.load(name))
-
-
-@cache
-def kernels() -> str:
-    """Fitted anew they take five seconds."""
-    return kernels_source()
 
 
 def written(folder: Path, package: str, sources: dict[str, str]) -> None:

@@ -37,6 +37,12 @@ def stored(key: str) -> dict[str, Entry]:
 
 
 @cache
+def kernels() -> str:
+    """The fitted kernels of the run time as the catalogue holds them."""
+    return (CATALOGUE / "axicontact" / "_runtime" / "kernels.py").read_text()
+
+
+@cache
 def evidence(key: str) -> dict[str, Any]:
     """What the catalogue holds of the checks and measurements of a problem."""
     found: dict[str, Any] = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]

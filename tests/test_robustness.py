@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from stored_book import kernels
 
 HANGS = 600
 """Seconds after which a build counts as hanging: it takes a few, and a minute where many share the machine."""
@@ -23,6 +24,7 @@ import os, signal, sys, time
 from pathlib import Path
 from threading import Thread
 from axiderive import cli
+from axiderive.code import python
 from axiderive.commands import build as commands
 root, steps = sys.argv[1], 0
 last, pause = int(os.environ.get("LAST_STEP", 0)), float(os.environ.get("PAUSE", 0))
@@ -39,6 +41,8 @@ def count(event, given):
             Thread(target=die, daemon=True).start() if pause else die()
 
 commands.project_root = lambda: Path(root)
+# fitted anew in every build they would take longer than all the rest of it
+python.kernels_source = lambda: {kernels!r}
 if __name__ == "__main__":
     sys.addaudithook(count)
     code = cli.main(sys.argv[2:])
@@ -54,7 +58,7 @@ EARLY = 40
 @pytest.fixture(scope="module")
 def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("program") / "build.py"
-    path.write_text(PROGRAM)
+    path.write_text(PROGRAM.replace("{kernels!r}", repr(kernels())))
     return path
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 import pytest
+from stored_book import kernels
 
 import axicontact
 from axicontact._runtime import inverse as roots
@@ -19,7 +20,7 @@ from axicontact._runtime.shapes.powers import power_displacement, power_pressure
 from axicontact._runtime.special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axiderive.code import tables as certified
 from axiderive.code.imports import PLACE, runtime_sources
-from axiderive.code.tables import bounds
+from axiderive.code.tables import bounds, kernels_source
 
 EPS = np.finfo(float).eps
 FOUR_ULP, SIXTEEN_ULP = 4 * EPS, 16 * EPS
@@ -177,3 +178,8 @@ def test_a_root_across_an_infinite_slope_takes_few_steps() -> None:
             beyond = breaks.inverse_beyond(curve, value, 1.0, 2.0, leaving=(1.0, 2.0))
         np.testing.assert_allclose(across, a, rtol=4 * EPS)
         np.testing.assert_allclose(beyond, a, rtol=4 * EPS)
+
+
+def test_the_kernels_of_the_catalogue_are_what_a_fit_gives() -> None:
+    """All other tests take them from there."""
+    assert kernels_source() == kernels()

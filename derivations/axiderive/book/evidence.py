@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 import mpmath as mp
@@ -202,6 +203,7 @@ def slope_factor(angle: float, nu: float) -> float:
     return float(mp.pi * (mp.pi / 4 + 0.15483073 * steep) / (mp.pi / 2 - 0.83119312 * steep) ** 2)
 
 
+@cache
 def sphere_over_paraboloid(ratio: float) -> float:
     """Force of a sphere over that of its paraboloid at the contact radius `ratio` times R, from the integrals."""
     return float(_force(lambda x: x / mp.sqrt(1 - x * x), ratio) / _force(lambda x: x, ratio))
@@ -216,6 +218,7 @@ def _force(slope: Any, a: float) -> Any:
     return 2 * (a * depth(mp.mpf(a)) - mp.quad(depth, [0, a]))
 
 
+@cache
 def layer_factor(ratio: float, nu: float) -> float:
     """Force of a paraboloid on a bonded layer over that on a half-space, at sqrt(R d) = `ratio` times the thickness.
 

@@ -59,26 +59,6 @@ def module_source(entries: Mapping[str, Entry]) -> str:
     return _environment().get_template("module.py.j2").render(module=_module(entries))
 
 
-def source_of(entry: Entry, entries: Mapping[str, Entry] | None = None) -> str:
-    """The text of the public function of one entry, with the private functions it rests on."""
-    if entries is None:
-        from ..physics.normal import derive
-
-        entries = derive(entry.profile)
-    module = _module(entries)
-    name = entry.quantity.function
-    public = [p for p in module.public if p.signature.startswith(f"def {name}(")]
-    text = "\n".join(p for function in public for p in function.body)
-    private: list[dict[str, object]] = []
-    for function in reversed(module.private):
-        if f"{function['name']}" in text:
-            private.insert(0, function)
-            text += "\n" + "\n".join(str(line) for line in function["lines"])  # type: ignore[attr-defined]
-    part = ModuleText(module.title, module.text, [], public, private)
-    whole = _environment().get_template("module.py.j2").render(module=part)
-    return whole[whole.index(f"def {name}(") :]
-
-
 def _module(entries: Mapping[str, Entry]) -> ModuleText:
     profile = next(iter(entries.values())).profile
     functions = _private_functions(profile, entries)

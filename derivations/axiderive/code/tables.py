@@ -306,11 +306,6 @@ def _number(text: str) -> str:
     return repr(float(sp.sympify(text, locals={"pi": sp.pi})))
 
 
-def key_of(symbol: sp.Symbol, name: str) -> str:
-    """The keyword of `require` for a parameter `name`: the symbol itself where its letter is taken."""
-    return f"{symbol}={name}" if symbol in LETTERS else f"{name}={name}"
-
-
 def symbols_sources(names: Iterable[str], arguments: Iterable[sp.Symbol | sp.IndexedBase] = ()) -> dict[str, str]:
     """The texts of `symbols.py` and `intervals.py` for the parameters of these names in the notation.
 

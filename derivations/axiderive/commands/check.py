@@ -17,7 +17,7 @@ from ..physics.systems import Problem
 from ..stable import records
 from ..stable.drift import drift
 from ..stable.measure import closure
-from ..store.index import Index, NoCatalogueError, load, table
+from ..store.index import NoCatalogueError, load, table
 
 HEAD = ["key", "status", "evidence"]
 
@@ -25,7 +25,7 @@ HEAD = ["key", "status", "evidence"]
 def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: bool) -> bool:
     """Verify these keys (profiles, problems or single formulas; all if empty); whether all of them passed."""
     index = load()
-    wanted = _wanted(keys, index)
+    wanted = index.wanted(keys)
     stored = folder if folder.is_dir() else index.folder.parent / "evidence"
     started, checked, failures = time.perf_counter(), 0, []
     rows: list[list[str]] = []
@@ -48,17 +48,6 @@ def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: boo
         print(f"FAILED {failure['key']}: {failure['message']}", file=sys.stderr)
     print(f"{checked} formulas, {len(failures)} failures, {time.perf_counter() - started:.1f} s, seed {settings.seed}")
     return not failures
-
-
-def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
-    """The keys to check, by problem; the name of a profile stands for all of its problems."""
-    whole = {row["name"]: list(row["problems"]) for row in index.profiles}
-    wanted: dict[str, set[str]] = {}
-    for key in keys or whole:
-        for own in whole.get(key, [key]):
-            for entry in index.select(own):
-                wanted.setdefault(entry["problem"], set()).add(entry["key"])
-    return wanted
 
 
 def _drift(

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ..store.index import Index, NoCatalogueError, load, table
+from ..store.index import NoCatalogueError, load, table
 from ..verifier import reasons, rests_on
 
 ONLY_FIRST = "by the first prover only"
@@ -26,11 +26,11 @@ def verify(keys: Sequence[str], folder: Path) -> bool:
     index = load()
     stored = folder if folder.is_dir() else index.folder.parent / "evidence"
     started, rows, failures, counts = time.perf_counter(), list[list[str]](), list[str](), [0, 0]
-    for key, selected in _wanted(keys, index).items():
+    for key, selected in index.wanted(keys).items():
         record, below = _read(stored, key), rests_on(key)
         missing = reasons(record, _read(stored, below) if below else None)
         for suffix, proof in record["evidence"]["entries"].items():
-            if suffix not in selected or not proof["certified"]:
+            if f"{key}.{suffix}" not in selected or not proof["certified"]:
                 continue
             cases, reason = len(record["entries"][suffix]["cases"]), missing[suffix]
             counts = [counts[0] + (0 if reason else cases), counts[1] + cases]
@@ -42,18 +42,6 @@ def verify(keys: Sequence[str], folder: Path) -> bool:
         print(f"FAILED {failure}", file=sys.stderr)
     print(f"{counts[0]} of {counts[1]} certified cases checked twice, {time.perf_counter() - started:.1f} s")
     return not failures
-
-
-def _wanted(keys: Sequence[str], index: Index) -> dict[str, set[str]]:
-    """Quantities by problem; the name of a profile stands for all of its problems."""
-    whole = {row["name"]: list(row["problems"]) for row in index.profiles}
-    wanted: dict[str, set[str]] = {}
-    for key in keys or whole:
-        for own in whole.get(key, [key]):
-            for entry in index.select(own):
-                suffix = entry["key"].removeprefix(f"{entry['problem']}.")
-                wanted.setdefault(entry["problem"], set()).add(suffix)
-    return wanted
 
 
 def _read(folder: Path, key: str) -> Mapping[str, Any]:

@@ -103,21 +103,8 @@ def _lift(profile: Profile, n: sp.Rational) -> dict[str, Any]:
 
 def _radii(breaks: list[float]) -> list[float]:
     """Fractions of the contact radius, dense at the edge and around every break."""
-    found = {
-        0.002,
-        0.005,
-        0.01,
-        0.02,
-        *(i / 40 for i in range(1, 39)),
-        0.96,
-        0.97,
-        0.98,
-        0.985,
-        0.99,
-        0.995,
-        0.998,
-        0.9995,
-    }
+    ends = (0.002, 0.005, 0.01, 0.02, 0.96, 0.97, 0.98, 0.985, 0.99, 0.995, 0.998, 0.9995)
+    found = {*ends, *(i / 40 for i in range(1, 39))}
     for b in breaks:
         found |= {b * (1 + s * gap) for gap in (1e-6, 1e-5, 1e-4, 5e-4, 2e-3, 5e-3, 0.01, 0.02, 0.04) for s in (-1, 1)}
     return sorted(x for x in found if 0 < x < 1 and all(abs(x - b) > 1e-9 for b in breaks))

@@ -166,6 +166,15 @@ class Index:
             return found
         raise self._not_known(key)
 
+    def wanted(self, keys: Sequence[str]) -> dict[str, set[str]]:
+        """The keys of entries by problem, all without any; the name of a profile stands for all of its problems."""
+        whole = {row["name"]: list(row["problems"]) for row in self.profiles}
+        found: dict[str, set[str]] = {}
+        for own in (own for key in keys or whole for own in whole.get(key, [key])):
+            for entry in self.select(own):
+                found.setdefault(entry["problem"], set()).add(entry["key"])
+        return found
+
     def _not_known(self, key: str) -> UnknownNameError:
         """The error that leads to what an unknown key may stand for, the profile mended before the quantity."""
         asked = ".".join(key.split())
