@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cache
@@ -165,3 +166,18 @@ def test_public_functions_say_what_they_return():
         if ast.get_docstring(node) is None
     ]
     assert not missing
+
+
+def test_the_guides_name_files_and_tables_that_are_there():
+    """Each `TABLE` of a file, and each file of a room, that CONTRIBUTING or the page on the house sends a reader to."""
+    root = ENGINE.parents[1]
+    text = (root / "CONTRIBUTING.md").read_text() + (root / "docs" / "architecture.md").read_text()
+    named = set(re.findall(r"`((?:\w+/)+\w+\.py)`", text))
+    places = (ENGINE, root, root / "catalogue", root / "catalogue" / "axicontact")
+    assert len(named) > 40
+    assert not [name for name in named if not any((place / name).is_file() for place in places)]
+    tables = re.findall(
+        r"`([A-Z_]{4,})`(?:,\s| and\s|\s)*(?:`[A-Z_]+`(?:,\s| and\s|\s))*of\s+`((?:\w+/)+\w+\.py)`", text
+    )
+    assert len(tables) > 9
+    assert not [(t, name) for t, name in tables if not re.search(rf"^{t}\b", (ENGINE / name).read_text(), re.MULTILINE)]
