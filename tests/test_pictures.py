@@ -10,7 +10,7 @@ import pytest
 from stored_book import stored
 
 from axiderive.figures import plots
-from axiderive.figures.axes import SHOWN, printed
+from axiderive.figures.axes import SCREEN, printed
 from axiderive.figures.axes import drawn as framed
 from axiderive.figures.curves import WIDEST, curves
 from axiderive.figures.drawing import Drawing, Rows
@@ -201,18 +201,27 @@ def test_a_curve_in_print_keeps_within_the_tolerance_of_its_points() -> None:
 
 
 def test_the_book_and_the_web_edition_draw_a_plot_at_the_same_places() -> None:
-    """Each number at its tick, and every point of a curve between them as far as its value says."""
-    frame, _ = plots.plots(profile_of("rounded_cone"), drawn("rounded_cone"))
-    for layout in (printed(frame, 27.0), SHOWN):
-        figure = framed(frame, layout)
+    """Every point of a curve lies between the ticks as its values between their numbers, on axes of either kind."""
+    profile, numbers = profile_of("rounded_cone"), drawn("rounded_cone")
+    frames = *plots.plots(profile, numbers), curves(profile, numbers)[0]
+    assert [frame.logarithmic[1] for frame in frames] == [False, True, False]
+    assert frames[-1].y[0] < 0
+    for frame, layout in itertools.product(frames, (None, SCREEN)):
+        size = layout or printed(frame, 27.0)
+        figure = framed(frame, size)
         assert figure.window is not None
-        ticks = [line.points[0] for line in figure.lines if line.look == "tick"]
-        across = dict(zip(frame.ticks[0], (x for x, y in ticks if y == 0), strict=False))
-        (low, left), (high, right) = min(across.items()), max(across.items())
-        trace = figure.window.traces[-1]
-        for (x, y), (own, height) in zip(map(figure.window.place, trace.points), frame.curves[-1].rows, strict=True):
-            assert x == pytest.approx(left + (right - left) * (own - low) / (high - low), abs=1e-9)
-            assert y / layout.height == pytest.approx((height - frame.y[0]) / (frame.y[1] - frame.y[0]))
+        corners = zip(figure.window.x, figure.window.y, strict=True)
+        assert [figure.window.place(corner) for corner in corners] == [(0.0, 0.0), (size.width, size.height)]
+        ticks = [line.points for line in figure.lines if line.look == "tick"]
+        own = [math.log10 if logarithmic else float for logarithmic in frame.logarithmic]
+        places = [[start[i] for start, end in ticks if start[1 - i] == 0 > end[1 - i]] for i in (0, 1)]
+        for trace, curve in zip(figure.window.traces, (*frame.references, *frame.curves), strict=True):
+            for place, point in zip(map(figure.window.place, trace.points), curve.rows, strict=True):
+                for i in (0, 1):
+                    low, *_, high = (own[i](value) for value in frame.ticks[i])
+                    first, *_, last = places[i]
+                    share = (own[i](point[i]) - low) / (high - low)
+                    assert place[i] == pytest.approx(first + (last - first) * share, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["cone", "hyperboloid"])

@@ -128,7 +128,7 @@ def printed(axes: Axes, height: float) -> Layout:
     return Layout(width, height, 79.9 - width, 0.1, 11.2, 1.0, 0.78, ((-width / 2, -4.9), "north"), None)
 
 
-SHOWN = Layout(346.0, 200.0, 46.0, 8.0, 40.0, 28.0, 4.0, ((0.0, -40.0), "south east"), ((-38.0, 26.0), "north west"))
+SCREEN = Layout(346.0, 200.0, 46.0, 8.0, 40.0, 28.0, 4.0, ((0.0, -40.0), "south east"), ((-38.0, 26.0), "north west"))
 """Of the web edition, in units of SVG."""
 TONES = 4
 """Shades from the first curve of a family to its last."""

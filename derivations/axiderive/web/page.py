@@ -11,7 +11,7 @@ from typing import Any
 from ..book.page import Calls, Signatures, assigned, called, examples, imported, signatures
 from ..book.spread import problems_of
 from ..entry import Entry
-from ..figures.axes import SHOWN, drawn
+from ..figures.axes import SCREEN, drawn
 from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
 from ..print.words import prose
@@ -183,5 +183,5 @@ UNIT = 84.0
 
 def figures(model: Mapping[str, Any]) -> dict[str, list[Picture]]:
     """The plots of a page by the system they stand with, in the order of the book."""
-    found = [svg(drawn(axes, SHOWN)) for part in ("plots", "curves", "axes") for axes in model[part]]
-    return {model["first"]: found, "graded.normal": [svg(drawn(axes, SHOWN)) for axes in model["graded"]]}
+    found = [svg(drawn(axes, SCREEN)) for part in ("plots", "curves", "axes") for axes in model[part]]
+    return {model["first"]: found, "graded.normal": [svg(drawn(axes, SCREEN)) for axes in model["graded"]]}
