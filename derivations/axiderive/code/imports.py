@@ -27,10 +27,11 @@ class Public:
     summary: str
     doc: list[str]
     body: list[str]
-    decorator: str = ""
+    plain: bool = False
+    """Whether it asks the function over plain numbers first."""
 
 
-WITH_MATH = "with_math"
+PLAIN = "Plain"
 PEAK = ("PeakPressure", "peak_share")
 CALLED = {
     "functions": HELPERS_OF["functions"],
@@ -64,6 +65,11 @@ class ModuleText:
     imports: list[str] = field(default_factory=list)
     public: list[Public] = field(default_factory=list)
     private: list[dict[str, object]] = field(default_factory=list)
+
+    @property
+    def plain(self) -> bool:
+        """Whether a function of it asks the functions over plain numbers."""
+        return any(function.plain for function in self.public)
 
     @property
     def interface(self) -> list[str]:
@@ -108,9 +114,8 @@ def imports(module: ModuleText) -> list[str]:
     if "np." in text:
         blocks.append("import numpy as np")
     blocks.append("")
-    decorated = any(function.decorator for function in module.public)
     used = {file: [name for name in names if re.search(rf"\b{name}\(", text)] for file, names in CALLED.items()}
-    used["interface"] += ["Array", "Result", "elementwise", *([WITH_MATH] if decorated else [])]
+    used["interface"] += ["Array", "Result", "elementwise", *([PLAIN] if module.plain else [])]
     used["rules"] = [name for name in _rule_names() if re.search(rf"\b{name}\(", text)]
     used["kernels"] = re.findall(r"\bOUTSIDE_\d+", text)
     for file in sorted(file for file, names in used.items() if names):

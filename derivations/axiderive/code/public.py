@@ -15,7 +15,7 @@ from ..profiles.profile import Profile
 from . import example
 from .bodies.peak import RADIUS, RESULT
 from .docstring import docstring
-from .imports import WITH_MATH, Public
+from .imports import Public
 from .private import Private, PrivateFunctions, parameter_name
 from .text import python
 
@@ -60,8 +60,11 @@ def public(
     if len(signature) > 120:
         signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> {returns}:"
     # a rule between parameters and a sequence of coefficients are checked by the function itself; a pair is no number
-    decorator = "" if summed or profile.rules or ring else WITH_MATH
-    return Public(signature, quantity.summary, doc, body, decorator)
+    plain = not (summed or profile.rules or ring or spread)
+    if plain:
+        given = ", ".join([*private.fields, *private.needs])
+        body = [f"value = plain.{quantity.function}({given})", "if value is not None:", "    return value", *body]
+    return Public(signature, quantity.summary, doc, body, plain)
 
 
 def unused(names: Iterable[str]) -> list[str]:

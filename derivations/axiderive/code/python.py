@@ -25,6 +25,7 @@ from .bodies.inverses import Inverses
 from .bodies.regimes import split
 from .imports import PLACE, ModuleText, imports, is_used, runtime_sources
 from .private import Private, PrivateFunctions, parameter_name
+from .programs import program_sources
 from .public import PACKAGE, check, public, shown_example
 from .tables import kernels_source, nodes_source, symbols_sources
 from .text import python
@@ -188,7 +189,7 @@ def package_sources(derived: Derived) -> dict[str, str]:
     tables = symbols_sources(parameter_names(derived), _arguments(derived))
     files |= {f"{PACKAGE}/{PLACE}/{name}": text for name, text in tables.items()}
     files[f"{PACKAGE}/__init__.py"] = package_source(_packages(files))
-    return files
+    return files | program_sources(files)
 
 
 def parameter_names(derived: Derived) -> set[str]:

@@ -209,17 +209,24 @@ class Texts(abc.MetaPathFinder, abc.InspectLoader):
 
 
 @contextmanager
-def loaded(texts: Mapping[str, str], module: str) -> Iterator[Any]:
-    """The module at a path, with the rest of its package, under a name of its own."""
+def imported(texts: Mapping[str, str]) -> Iterator[str]:
+    """The name under which the modules of a package can be imported from their texts, while this lasts."""
     name = f"_emitted_{sha256(repr(sorted(texts.items())).encode()).hexdigest()[:16]}"
     finder = Texts(name, texts)
     sys.meta_path.insert(0, finder)
     try:
-        yield import_module(".".join((name, *PurePosixPath(module).with_suffix("").parts[1:])))
+        yield name
     finally:
         sys.meta_path.remove(finder)
         for known in [known for known in sys.modules if known.partition(".")[0] == name]:
             del sys.modules[known]
+
+
+@contextmanager
+def loaded(texts: Mapping[str, str], module: str) -> Iterator[Any]:
+    """The module at a path, with the rest of its package, under a name of its own."""
+    with imported(texts) as name:
+        yield import_module(".".join((name, *PurePosixPath(module).with_suffix("").parts[1:])))
 
 
 def form(source: str, function: str) -> tuple[str, list[int]]:
@@ -257,7 +264,7 @@ def _stated(body: ast.FunctionDef) -> set[int]:
 
 
 def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
-    """The texts of modules, of all they import from the package, and of the packages around them.
+    """The texts of modules, of all they import from the package, of their programs, and of the packages around them.
 
     A package stands for its name alone, with an empty text, unless it is imported to ask it for one of its modules.
     """
@@ -266,9 +273,17 @@ def closure(sources: Mapping[str, str], *modules: str) -> dict[str, str]:
     while pending:
         path = pending.pop()
         found[path] = sources[path]
-        pending += [other for other in _imported(sources, path) if other not in found and other not in pending]
+        others = [*_imported(sources, path), *_programs(sources, path)]
+        pending += [other for other in others if other not in found and other not in pending]
     packages = {f"{parent}/__init__.py" for path in found for parent in PurePosixPath(path).parents if parent.name}
     return dict(sorted({**dict.fromkeys(packages, ""), **found}.items()))
+
+
+def _programs(sources: Mapping[str, str], path: str) -> Iterator[str]:
+    """What is evaluated for a module, which is imported with the first call."""
+    program = path.replace("/", "/_programs/", 1)
+    if program in sources and "/_programs/" not in path:
+        yield program
 
 
 def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Formulas for blocks of arrays: NumPy's functions one after another into a few arrays that stay in cache.
+"""A formula for blocks of arrays: NumPy's functions one after another into a few arrays that stay in cache.
 
 What depends on plain numbers alone is computed once per call.  `np.where` becomes a decision for every block:
 a branch that holds nowhere in it is not evaluated.
@@ -7,13 +7,9 @@ a branch that holds nowhere in it is not evaluated.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from collections.abc import Sequence
 
-import numpy as np
-
-from ..interface import Array
-from .trace import CONNECTIVES, FUNCTIONS, RELATIONS, Graph, Node, Path, needed, of_a_module, places, trace, used_at
+from .graph import Graph, Node, Path, needed, places, used_at
 
 ODD = frozenset(("sqrt", "arcsinh", "arctan", "log1p", "tanh", "square"))
 """Functions that are zero at zero and positive beyond."""
@@ -127,74 +123,20 @@ def _sign(node: Node, known: list[int | None]) -> int | None:
     return known[0] if node.name in ODD else None
 
 
-NAMES = {name: getattr(np, name) for name in (*FUNCTIONS, *RELATIONS, *CONNECTIVES, "copyto", "count_nonzero")}
-NAMES |= {"inf": np.inf, "nan": np.nan}
-INFINITE = np.array(np.inf).view(np.uint64)[()]
 EXTREMES = ("minimum", "maximum")
 SIGNS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/"}
-PREPARE = """
-def prepare({numbers}):
-{lines}
-    return ({results})
-"""
-BLOCK = """
-def block(out, {arguments}):
-    size = out.size
-{lines}
-"""
 
 
-CHECK = """
-    {name} = largest({array})
-    if {name} == inf: raise FloatingPointError"""
+class Blocks:
+    """Text of a program; arrays of scratch are freed where their value is used for the last time.
 
-
-class Program(NamedTuple):
-    """`prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled)` needs.
-
-    A FloatingPointError says that the block needs the body itself, as it does for fields that are not positive
-    and finite; a program for `positive` arguments asks this of all its arrays, and its caller of the numbers.
+    `names` are the arguments, `given` those that are arrays, `fields` those whose range is asked for.
+    The `constants` are those of a whole module: what stands for a number as an array without dimensions.
     """
 
-    prepare: Callable[..., tuple[Any, ...]]
-    block: Callable[..., None]
-    scratch: int
-    masks: int
-    filled: tuple[float, ...]
-    """Arrays of these numbers: NumPy's maximum of two arrays costs half of that with a number."""
-    positive: bool
-
-
-_programs: dict[tuple[Any, ...], Program | None] = {}
-
-
-def program(
-    function: Callable[..., Any], count: int, keywords: tuple[str, ...], arrays: tuple[bool, ...]
-) -> Program | None:
-    """The program of a function of a module for `count` fields and keywords, by which of all of them are arrays."""
-    key = (function, count, keywords, arrays)
-    if key not in _programs:
-        if not of_a_module(function):
-            return None
-        fields = tuple(f"x{i}" for i in range(count))
-        result = trace(function, fields, keywords)
-        names = [*fields, *keywords]
-        given = [name for name, is_array in zip(names, arrays, strict=True) if is_array]
-        summed = result is None or any(node.name == "integral" for node in needed(result))
-        _programs[key] = None if result is None or summed else _Writer(result, names, given, fields).program()
-    return _programs[key]
-
-
-def largest(block: Array) -> float:
-    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
-    bits = np.maximum.reduce(block.view(np.uint64))
-    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
-
-
-class _Writer:
-    """Text of a program; arrays of scratch are freed where their value is used for the last time."""
-
-    def __init__(self, result: Node, names: list[str], given: list[str], fields: tuple[str, ...]) -> None:
+    def __init__(
+        self, result: Node, names: Sequence[str], given: Sequence[str], fields: Sequence[str], constants: dict[str, str]
+    ) -> None:
         result = numbers_first(result, set(given))
         simpler = without_choice(result, set(given))
         self.positive = simpler is not result
@@ -208,19 +150,21 @@ class _Writer:
         self.last = self._last_uses()
         self.text: list[str] = []
         self.where: dict[Node, str] = {}
-        self.constants: dict[str, str] = {}
+        self.constants = constants
         self.filled: dict[float, str] = {}
         self.free: list[str] = []
         self.idle: list[str] = []
         self.count = self.mask_count = 0
         self.refused: Node | None = None
 
-    def program(self) -> Program:
+    def written(self, name: str) -> str:
+        """The functions `prepare_<name>` and `block_<name>`."""
         result = self.nodes[-1]
         if result.name == "unless":
             self.refused, result = result.operands
             if self.refused not in self.arrays:
-                self._line(1, f"if {self.of(self.refused)}: raise FloatingPointError")
+                self._line(1, f"if {self.of(self.refused)}:")
+                self._line(2, "raise FloatingPointError")
         self._region((), result, "out", 1)
         numbers = [x for x in self.nodes if x not in self.arrays and x.name not in ("number", "unless")]
         lines = [
@@ -230,23 +174,34 @@ class _Writer:
         ]
         reaching = {x for user in self.arrays for x in user.operands} | {result, self.refused}
         results = [self.of(x) for x in numbers if x in reaching]
-        passed = ", ".join(results) + ("," if results else "")
-        space = NAMES | {"largest": largest}
-        exec(PREPARE.format(numbers=", ".join(self.numbers), lines="\n".join(lines), results=passed), space)
-        space |= {name: np.array(float(value)) for value, name in self.constants.items()}
+        lines.append(f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})")
         scratch = [f"w{i}" for i in range(self.count)] + [f"m{i}" for i in range(self.mask_count)]
         scratch += self.filled.values()
-        arguments = ", ".join([*self.given, *results, *scratch])
-        exec(BLOCK.format(arguments=arguments, lines="\n".join(self._with_checks())), space)
-        return Program(space["prepare"], space["block"], self.count, self.mask_count, tuple(self.filled), self.positive)
+        arguments = ", ".join(["out", *self.given, *results, *scratch])
+        text = self._with_checks()
+        if any(" != size" in line for line in text):
+            text.insert(0, "    size = out.size")
+        return "\n".join(
+            [
+                *(f"def prepare_{name}({', '.join(self.numbers)}):", *lines, "", ""),
+                *(f"def block_{name}({arguments}):", *text, ""),
+            ]
+        )
+
+    def record(self, name: str) -> str:
+        """The program as the run time knows it."""
+        said = {"scratch": self.count, "masks": self.mask_count, "filled": tuple(self.filled), "positive": self.positive}
+        rest = "".join(f", {key}={value!r}" for key, value in said.items() if value)
+        return f"Program({tuple(self.given)!r}, prepare_{name}, block_{name}{rest})"
 
     def of(self, node: Node) -> str:
+        """The name of a value, or of the array it stands in."""
         if node.name == "argument":
             return str(node.value)
         if node.name == "number":
             # as an array without dimensions: half of what a call with a float costs
-            return self.constants.setdefault(repr(node.value), f"c{len(self.constants)}")
-        return self.where[node] if node in self.arrays else f"_{node.order}"
+            return self.constants.setdefault(repr(node.value), f"C{len(self.constants)}")
+        return self.where[node] if node in self.arrays else f"v{node.order}"
 
     def _extreme(self, node: Node) -> str:
         if node.name != "number":
@@ -258,7 +213,10 @@ class _Writer:
 
     def _with_checks(self) -> list[str]:
         """The lines and, behind the first, which brings the arrays to cache, what asks for their range."""
-        checks = [CHECK[1:].format(name=_largest(name), array=name) for name in self.checked]
+        checks = []
+        for array in self.checked:
+            name = _largest(array)
+            checks += [f"    {name} = largest({array})", f"    if {name} == np.inf:", "        raise FloatingPointError"]
         first = int(not self.text[0].lstrip().startswith("if "))
         return [*self.text[:first], *checks, *self.text[first:]]
 
@@ -285,11 +243,12 @@ class _Writer:
         for node in steps:
             self._step(node, place if node is target else None, depth)
             if node is self.refused:
-                self._line(depth, f"if count_nonzero({self.of(node)}): raise FloatingPointError")
+                self._line(depth, f"if np.count_nonzero({self.of(node)}):")
+                self._line(depth + 1, "raise FloatingPointError")
         if lend and place in self.free:
             self.free.remove(place)
         if not inside:
-            self._line(depth, f"copyto({place}, {self.of(target)})")
+            self._line(depth, f"np.copyto({place}, {self.of(target)})")
 
     def _step(self, node: Node, place: str | None, depth: int) -> None:
         dying = {x: self.where[x] for x in node.operands if x in self.where and self.last[x] is node}
@@ -325,7 +284,7 @@ class _Writer:
                 self._region((*path, (node, holds)), branch, place, depth + 1)
             return
         mask, some = self.of(condition), f"some{node.order}"
-        self._line(depth, f"{some} = count_nonzero({mask})")
+        self._line(depth, f"{some} = np.count_nonzero({mask})")
         self._line(depth, f"if {some}:")
         self._region((*path, (node, True)), x, place, depth + 1)
         self._line(depth, f"if {some} != size:")
@@ -336,10 +295,10 @@ class _Writer:
             self._line(depth + 1, f"{name} = {other} if {some} else {place}")
             self._region(inner, y, name, depth + 1)
             self._line(depth + 1, f"if {some}:")
-            self._line(depth + 2, f"copyto({place}, {name}, where=~{mask})")
+            self._line(depth + 2, f"np.copyto({place}, {name}, where=~{mask})")
             self.free.append(other)
         else:
-            self._line(depth + 1, f"copyto({place}, {self.of(y)}, where=~{mask})")
+            self._line(depth + 1, f"np.copyto({place}, {self.of(y)}, where=~{mask})")
 
     def _new(self) -> str:
         if self.free:
@@ -371,8 +330,8 @@ def _ufunc(node: Node, operands: list[str]) -> str:
     if node.name == "power" and node.operands[1].name == "number":
         special = {2.0: "square", 0.5: "sqrt"}.get(float(node.operands[1].value or 0.0))
         if special:
-            return f"{special}({operands[0]}"
-    return f"{node.name}({', '.join(operands)}"
+            return f"np.{special}({operands[0]}"
+    return f"np.{node.name}({', '.join(operands)}"
 
 
 def _of_numbers(node: Node, operands: list[str]) -> str:

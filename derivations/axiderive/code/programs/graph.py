@@ -1,4 +1,4 @@
-"""A formula as a graph: the body of a private function, run once with objects that record what is done to them.
+"""A formula as a graph: the body of a private function, run once by the build with objects that record what is done.
 
 NumPy's functions find the objects by its protocols `__array_ufunc__` and `__array_function__`.  A body that
 decides by its data or asks for shapes has no such graph; where it asks once whether a rare branch is needed at
@@ -9,8 +9,7 @@ length of the interval, its unit, a variable and what is summed over that.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from types import FunctionType
-from typing import Any, TypeAlias, TypeGuard
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -27,7 +26,7 @@ FUNCTIONS = frozenset(
 WHOLE = frozenset((3.0, 4.0))
 """Exponents of powers that become products; the seventh power as products took the force under r**6 to 5.4 units."""
 LONGEST = 2000
-"""Operations beyond which a body stays as it is: compiling the text would take longer than it saves."""
+"""Operations beyond which a body stays as it is: its text would be longer than anyone reads."""
 
 
 class Node:
@@ -177,11 +176,6 @@ class Traced(NDArrayOperatorsMixin):
         if not isinstance(x, (bool, int, float, np.bool_, np.number)):
             raise UntraceableError
         return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
-
-
-def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:
-    """Whether compiling pays: a function inside another one is a new one every time."""
-    return isinstance(function, FunctionType) and function.__globals__.get(function.__name__) is function
 
 
 def trace(function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str]) -> Node | None:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from .trace import Node
+from .graph import Node
 
 RANGE = 1000
 """Doubles are normal from 2**-1022 to 2**1024."""

@@ -3,18 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..interface import BLOCK, Array, Result, elementwise
+from ..interface import BLOCK, Array, Result, elementwise, of_a_module, programs
 from ..interface import numbers as doubles
-from .blocks import Program, program
 
 POSITIONS = ("r", "x")
 """First arguments of fields, which vanish at infinity, but for those of the body itself, its profile."""
 REAL = "biuf"
 """Kinds of NumPy's types that a field may have."""
+INFINITE = np.array(np.inf).view(np.uint64)[()]
+
+
+class Program(NamedTuple):
+    """A formula for blocks of arrays, as the build wrote it: NumPy's functions into a few arrays that stay in cache.
+
+    `prepare(*numbers)` gives what `block(out, *arrays, *prepared, *scratch, *masks, *filled)` needs.
+    A FloatingPointError says that the block needs the body itself, as it does for fields that are not positive
+    and finite; a program for `positive` arguments asks this of all its arrays, and its caller of the numbers.
+    """
+
+    arrays: tuple[str, ...]
+    """The arguments that are arrays; the others are numbers."""
+    prepare: Callable[..., tuple[Any, ...]]
+    block: Callable[..., None]
+    scratch: int = 0
+    masks: int = 0
+    filled: tuple[float, ...] = ()
+    """Arrays of these numbers: NumPy's maximum of two arrays costs half of that with a number."""
+    positive: bool = False
+
+
+def largest(block: Array) -> float:
+    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
+    bits = np.maximum.reduce(block.view(np.uint64))
+    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
 
 
 def over_arrays(
@@ -30,19 +55,19 @@ def over_arrays(
     values: list[Array] = [value if type(value) is float else doubles(name, value, REAL) for name, value in given]
     several = tuple([type(value) is not float and value.size != 1 for value in values])
     if any(several):
-        return _evaluated(function, len(fields), tuple(parameters), values, several)
+        return _evaluated(function, names, len(fields), values, several)
     # one point: its fields as arrays
     count = len(fields)
     points = [np.array([_number(value)]) for value in values[:count]] + [_number(value) for value in values[count:]]
-    result = _evaluated(function, count, tuple(parameters), points, (True,) * count + (False,) * len(parameters))
+    result = _evaluated(function, names, count, points, (True,) * count + (False,) * len(parameters))
     dimensions = max([0 if type(value) is float else value.ndim for value in values], default=0)
     return result.reshape((1,) * dimensions) if dimensions else float(result[0])
 
 
 def _evaluated(
     function: Callable[..., Array],
+    names: tuple[str, ...],
     count: int,
-    keywords: tuple[str, ...],
     values: list[Array],
     several: tuple[bool, ...],
 ) -> Array:
@@ -50,7 +75,7 @@ def _evaluated(
     arrays = [value for value, more in zip(values, several, strict=True) if more]
     # as np.float64: a product of two floats of Python overflows in silence
     numbers = [np.float64(_number(value)) for value, more in zip(values, several, strict=True) if not more]
-    found, out = program(function, count, keywords, several), np.empty(_shape(values))
+    found, out = _program(function, count, names, several), np.empty(_shape(values))
     if not all(number >= 0.0 for number in numbers[: count - sum(several[:count])]):
         out.fill(np.nan)
         return out
@@ -58,16 +83,28 @@ def _evaluated(
         # without scratch a step costs less than its call, and a rule at many radii is one polynomial for all of them
         size = BLOCK if found is not None and found.scratch else 2 * BLOCK
         far = not several[0] and numbers[0] == np.inf
-        compiled = None if found is None or far else _compiled(found, numbers, min(out.size, size))
+        fill = None if found is None or far else _filling(found, names, several, numbers, min(out.size, size))
         fields = sum(several[:count])
         for part, *blocks in _blocks(out, arrays, size):
-            if compiled is not None and compiled(part, *blocks):
+            if fill is not None and fill(part, *blocks):
                 continue
             rest, more = iter(numbers), iter(blocks)
-            _by_body(function, count, keywords, [next(more if is_array else rest) for is_array in several], part)
+            _by_body(function, count, names[count:], [next(more if is_array else rest) for is_array in several], part)
             for block in blocks[:fields]:
                 part[~(block >= 0.0)] = np.nan
     return out
+
+
+def _program(
+    function: Callable[..., Array], count: int, names: tuple[str, ...], several: tuple[bool, ...]
+) -> Program | None:
+    """What was written for these arrays, or for arrays alone, where there is either."""
+    if not of_a_module(function):
+        return None
+    blocks = getattr(programs(function.__module__), "BLOCKS", {})
+    written = blocks.get((function.__name__, count, *names), {})
+    found: Program | None = written.get(tuple([name for name, more in zip(names, several, strict=True) if more]))
+    return found or written.get(names)
 
 
 def _vanishes(function: Callable[..., Array]) -> bool:
@@ -115,23 +152,31 @@ def _by_body(
     part[infinite & ~np.isnan(part)] = 0.0
 
 
-def _compiled(found: Program, numbers: list[Any], size: int) -> Callable[..., bool] | None:
+def _filling(
+    found: Program, names: tuple[str, ...], several: tuple[bool, ...], numbers: list[Any], size: int
+) -> Callable[..., bool] | None:
     """The program with its numbers, which says whether a block stayed in the range of doubles; None if they do not."""
+    given = iter(numbers)
+    known = {name: next(given) for name, more in zip(names, several, strict=True) if not more}
+    # allocated for every call: threads share nothing
+    spread = [np.full(size, known[name]) if name in known else None for name in found.arrays]
     try:
-        results = found.prepare(*numbers)
+        results = found.prepare(*(value for name, value in known.items() if name not in found.arrays))
     except FloatingPointError:
         return None
     if found.positive and not all([0.0 < value < np.inf for value in results]):
         return None
     prepared = [np.asarray(value) for value in results]
-    # allocated for every call: threads share nothing
     work = [np.empty(size) for _ in range(found.scratch)] + [np.empty(size, dtype=bool) for _ in range(found.masks)]
     work += [np.full(size, value) for value in found.filled]
 
     def fill(out: Array, *arrays: Array) -> bool:
-        places = work if out.size == size else [place[: out.size] for place in work]
+        whole = out.size == size
+        places = work if whole else [place[: out.size] for place in work]
+        blocks = iter(arrays)
+        own = [next(blocks) if value is None else value if whole else value[: out.size] for value in spread]
         try:
-            found.block(out, *arrays, *prepared, *places)
+            found.block(out, *own, *prepared, *places)
         except FloatingPointError:
             return False
         return True

@@ -1,0 +1,215 @@
+"""What runs on a user's machine, written by the build as plain source: `axicontact/_programs`.
+
+A module of programs stands beside every module of the package whose functions are evaluated: flat functions of `math` for
+plain numbers (`plain`), NumPy's functions block by block (`blocks`), and the same as expressions of any array library
+(`expressions`).  All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from types import FunctionType, ModuleType
+from typing import Any
+
+from ...stable.measure import imported
+from ..imports import PLACE
+from ..public import PACKAGE
+from .blocks import Blocks
+from .bodies import Twins
+from .expressions import expression
+from .graph import Lengths, Node, needed, trace
+from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum
+
+FOLDER = "_programs"
+EVALUATING = ("elementwise", "even", "odd")
+"""Functions of the run time whose first argument is a formula, and whose further ones are its arguments."""
+REACH = "require_reach"
+"""What asks that its first argument is not below the second."""
+OF_MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
+
+
+@dataclass(frozen=True)
+class Call:
+    """A formula as a public function calls it."""
+
+    formula: FunctionType
+    fields: tuple[str, ...]
+    keywords: tuple[str, ...]
+    orders: tuple[tuple[str, str], ...]
+    """Arguments of which the public function asks that the first is not above the second."""
+
+
+def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
+    """The programs for the modules of a package, as `{path: text}` for `{path: text}`.
+
+    The package is imported under a name of its own, and every formula that a public function evaluates is run once with
+    objects that record what is done to them.
+    """
+    files: dict[str, str] = {}
+    with imported(texts) as package:
+        sources = {_dotted(path): text for path, text in texts.items() if path.endswith(".py")}
+        inside = import_module(f"{package}.{PLACE}.intervals").INSIDE
+        twins = Twins(package, sources)
+        calls: dict[str, set[Call]] = {}
+        for path in sorted(sources):
+            if path and not path.startswith((PLACE, FOLDER)):
+                for call in _calls(import_module(f"{package}.{path}"), sources[path]):
+                    calls.setdefault(call.formula.__module__.removeprefix(f"{package}."), set()).add(call)
+        for path, found in sorted(calls.items()):
+            module = _Module(path, found, inside, twins)
+            own = {path: module.text(), f"expressions.{path}": module.expressions()}
+            files |= {_path(f"{FOLDER}.{name}"): text for name, text in own.items() if text}
+        files |= {_path(path): text for path, text in twins.sources().items()}
+    folders = {folder for path in files for folder in _folders(path)}
+    files |= {f"{folder}/__init__.py": DOCSTRINGS.get(folder, "") for folder in folders}
+    return dict(sorted(files.items()))
+
+
+DOCSTRINGS = {
+    f"{PACKAGE}/{FOLDER}": '''"""What is evaluated for plain numbers, for blocks of arrays and over other array libraries, written by the build.
+
+Of a function `_pressure` of `normal/cone.py` there are in `normal/cone.py` of this folder `pressure` for plain numbers,
+`prepare_...` and `block_...` for arrays, and below `expressions` the same for any array library.  What iterates stands
+below `bodies`, with `math` in the place of NumPy.
+"""
+''',
+}
+
+
+def _dotted(path: str) -> str:
+    parts = path.removesuffix(".py").split("/")[1:]
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def _path(dotted: str) -> str:
+    return f"{PACKAGE}/{dotted.replace('.', '/')}.py"
+
+
+def _folders(path: str) -> Iterator[str]:
+    parts = path.split("/")
+    for count in range(2, len(parts)):
+        yield "/".join(parts[:count])
+
+
+def _calls(module: ModuleType, text: str) -> Iterator[Call]:
+    """The formulas that the functions of a module evaluate."""
+    for public in ast.parse(text).body:
+        if not isinstance(public, ast.FunctionDef):
+            continue
+        calls = [node for node in ast.walk(public) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)]
+        orders = tuple(
+            (call.args[1].id, call.args[0].id)  # type: ignore[attr-defined]
+            for call in calls
+            if call.func.id == REACH  # type: ignore[attr-defined]
+        )
+        for call in calls:
+            if call.func.id not in EVALUATING:  # type: ignore[attr-defined]
+                continue
+            formula = _named(module, call.args[0])
+            if formula is not None:
+                keywords = tuple(str(k.arg) for k in call.keywords if k.arg != "unused")
+                names = formula.__code__.co_varnames[: formula.__code__.co_argcount]
+                yield Call(formula, names[: len(call.args) - 1], keywords, orders)
+
+
+def _named(module: ModuleType, node: ast.expr) -> FunctionType | None:
+    """The function that a name, or an attribute of a module, stands for; None for what is bound to arguments."""
+    if isinstance(node, ast.Name):
+        found = getattr(module, node.id, None)
+    elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        found = getattr(getattr(module, node.value.id), node.attr)
+    else:
+        return None
+    return found if isinstance(found, FunctionType) and found.__closure__ is None else None
+
+
+class _Module:
+    """The programs of one module."""
+
+    def __init__(
+        self, path: str, calls: Collection[Call], inside: Mapping[str, tuple[float, float]], twins: Twins
+    ) -> None:
+        self.path, self.inside, self.twins = path, inside, twins
+        self.calls: dict[str, list[Call]] = {}
+        for call in sorted(calls, key=lambda call: (call.formula.__name__, call.fields, call.keywords, call.orders)):
+            self.calls.setdefault(call.formula.__name__, []).append(call)
+        self.rules: dict[Lengths, str] = {}
+        self.constants: dict[str, str] = {}
+        self.records: list[str] = []
+        self.texts: list[str] = []
+        self.over: list[str] = []
+        self.bodies: set[str] = set()
+
+    def text(self) -> str:
+        """The module, empty if nothing can be written."""
+        for name, calls in self.calls.items():
+            formula = calls[0].formula
+            arguments = formula.__code__.co_varnames[: formula.__code__.co_argcount]
+            result = trace(formula, arguments, ())
+            self._plain(name, calls, arguments, result)
+            over = result and expression(name.removeprefix("_"), arguments, result)
+            self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
+            if result is not None and not any(map(is_sum, needed(result))):
+                for fields, keywords in dict.fromkeys((call.fields, call.keywords) for call in calls):
+                    self._blocks(name, fields, (*fields, *keywords), result)
+        if not self.texts:
+            return ""
+        records = [f"BLOCKS = {{\n{chr(10).join(self.records)}\n}}"] if self.records else []
+        return "\n\n\n".join([self._head(), *(text.rstrip("\n") for text in self.texts), *records]) + "\n"
+
+    def expressions(self) -> str:
+        """The formulas in closed form over any array library `xp`, empty if there are none."""
+        head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
+        return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
+
+    def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
+        ranges = {own: self._range(own) for own in arguments}
+        if result is not None:
+            lines = Lines(result, ranges, self.rules).text()
+        elif self.twins.add(calls[0].formula):
+            self.bodies.add(name)
+            lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED]
+        else:
+            return
+        orders = dict.fromkeys(order for call in calls for order in call.orders if {*order} <= {*arguments})
+        relations = [f"{low} <= {high}" for low, high in orders]
+        self.texts.append(function(name.removeprefix("_"), ranges, relations, lines))
+
+    def _range(self, name: str) -> tuple[float, float]:
+        low, high = self.inside.get(name, (SMALL, LARGE))
+        return max(SMALL, low), min(LARGE, high)
+
+    def _blocks(self, name: str, fields: tuple[str, ...], names: tuple[str, ...], result: Node) -> None:
+        """The programs for the first field, all fields and all arguments as arrays."""
+        records = []
+        for arrays in dict.fromkeys((fields[:1], fields, names)):
+            if arrays:
+                writer = Blocks(result, names, arrays, fields, self.constants)
+                own = "_".join([name.removeprefix("_"), *(["all"] if arrays == names else arrays)])
+                own += "_signed" * (not fields)
+                self.texts.append(writer.written(own))
+                records.append(f"        {arrays!r}: {writer.record(own)},")
+        if records:
+            self.records += [f"    {(name, len(fields), *names)!r}: {{", *records, "    },"]
+
+    def _head(self) -> str:
+        level = "." * (self.path.count(".") + 2)
+        values = [f"{name} = np.array({value})" for value, name in self.constants.items()]
+        values += [f"{name} = rule({lengths!r})" for lengths, name in self.rules.items()]
+        text = "\n".join([*values, *self.texts])
+        called = set(re.findall(r"(?<![\w.])(?:(\w+)(?=\()|(inf|nan)\b)", text))
+        math_names = sorted({name for pair in called for name in pair if name in OF_MATH})
+        lines = [f'"""Programs of {PACKAGE}.{self.path}."""', "", "from __future__ import annotations", ""]
+        lines += [f"from math import {', '.join(math_names)}", ""] if math_names else []
+        lines += ["import numpy as np", ""] if self.records else []
+        lines += [f"from {level}{PLACE}.arrays.blocks import Program, largest"] if self.records else []
+        lines += [f"from {level}{PLACE}.plain import rule"] if self.rules else []
+        if self.bodies:
+            folder, _, name = f"bodies.{self.path}".rpartition(".")
+            lines.append(f"from {level}{FOLDER}.{folder} import {name} as bodies")
+        return "\n".join([*lines, *([""] + values if values else [])])

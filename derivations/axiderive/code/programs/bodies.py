@@ -1,0 +1,209 @@
+"""Bodies that iterate, over plain numbers: their own text, with `math` under NumPy's names for `np`.
+
+What a body calls of the package is taken along; constants and classes stay where they are.  A body that needs nodes along
+an axis, or anything else that only arrays have, has no such twin.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from dis import get_instructions
+from functools import cache
+from importlib import import_module
+from types import CodeType, FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+
+NEEDS_ARRAYS = frozenset(
+    (
+        "integral",
+        "integral_by_panels",
+        "in_groups",
+        "pressure_integral",
+        "gauss_legendre",
+        "enumerate",
+    )
+)
+"""Names that a body may not refer to: rules with nodes along an axis, and sums over coefficients."""
+HEAD = '"""Bodies of {title} over plain numbers: the same text with `math` for NumPy."""\n\n'
+
+
+@dataclass
+class Twin:
+    """What is taken along of one module."""
+
+    functions: dict[str, FunctionType] = field(default_factory=dict)
+    imports: dict[str, set[str]] = field(default_factory=dict)
+    """Names by the module they are imported from."""
+    modules: dict[str, str] = field(default_factory=dict)
+    """Modules of the package by the name they go by."""
+    others: set[str] = field(default_factory=set)
+    """Modules of other packages."""
+
+
+class Twins:
+    """The twins of a package's bodies; `texts` holds the sources of its modules by dotted name below the package."""
+
+    def __init__(self, package: str, texts: Mapping[str, str]) -> None:
+        self.package, self.texts = package, texts
+        self.found: dict[str, Twin] = {}
+        self.math = import_module(f"{package}._runtime.plain").MATH
+        self._needy: dict[FunctionType, bool] = {}
+
+    def add(self, function: FunctionType) -> bool:
+        """Take a function along with all it calls; False, and nothing is taken, if it needs arrays."""
+        if self._needs_arrays(function, set()):
+            return False
+        pending = [function]
+        while pending:
+            own = pending.pop()
+            twin = self.found.setdefault(self._module(own), Twin())
+            if own.__name__ not in twin.functions:
+                twin.functions[own.__name__] = own
+                pending += self._taken(own, twin)
+        return True
+
+    def _module(self, function: Any) -> str:
+        """The dotted name of the module of a function, below the package."""
+        return str(function.__module__).removeprefix(f"{self.package}.")
+
+    def _taken(self, function: FunctionType, twin: Twin) -> Iterator[FunctionType]:
+        """What else has to be taken along for a function; what it imports is noted in the twin."""
+        space, own = function.__globals__, self._module(function)
+        for name in sorted(_globals(function.__code__)):
+            value = space.get(name)
+            if name not in space or value is np:
+                continue
+            if self._is_own(value, FunctionType) and value.__closure__ is None:
+                yield value
+                if self._module(value) != own:
+                    twin.imports.setdefault(f"_programs.bodies.{self._module(value)}", set()).add(value.__name__)
+            elif self._is_own(value, ModuleType):
+                path = value.__name__.removeprefix(f"{self.package}.")
+                twin.modules[name] = path
+                for attribute in sorted(_attributes_of(function, name)):
+                    yield getattr(value, attribute)
+            elif isinstance(value, ModuleType):
+                twin.others.add(value.__name__)
+            else:
+                twin.imports.setdefault(own, set()).add(name)
+        for name in sorted(_annotated(self._text(function))):
+            if name in space and name != "np":
+                twin.imports.setdefault(own, set()).add(name)
+
+    def sources(self) -> dict[str, str]:
+        """The texts of all twins by dotted name below the package."""
+        return {f"_programs.bodies.{path}": self._source(path, twin) for path, twin in sorted(self.found.items())}
+
+    def _source(self, path: str, twin: Twin) -> str:
+        level = "." * (path.count(".") + 3)
+        order = {name: place for place, name in enumerate(_defined(self.texts[path]))}
+        functions = sorted(twin.functions.values(), key=lambda one: order[one.__name__])
+        lines = ["from __future__ import annotations", "", *(f"import {name}" for name in sorted(twin.others)), ""]
+        for name, module in sorted(twin.modules.items()):
+            folder, _, last = module.rpartition(".")
+            lines.append(f"from {level}_programs.bodies.{folder} import {last}" + (f" as {name}" if name != last else ""))
+        lines += [
+            f"from {level}{module} import {', '.join(sorted(names))}" for module, names in sorted(twin.imports.items())
+        ]
+        texts = [self._text(function) for function in functions]
+        if any("np." in text for text in texts):
+            lines.append(f"from {level}_runtime.plain import MATH as np")
+        head = HEAD.format(title=f"axicontact.{path}")
+        return head + "\n".join(lines) + "".join(f"\n\n\n{text}" for text in texts) + "\n"
+
+    def _text(self, function: FunctionType) -> str:
+        return _bodies(self.texts[self._module(function)])[function.__name__]
+
+    def _needs_arrays(self, function: FunctionType, seen: set[FunctionType]) -> bool:
+        if function not in self._needy:
+            seen.add(function)
+            found = self._looks_for_arrays(function) or any(
+                self._needs_arrays(other, seen) for other in self._called(function) if other not in seen
+            )
+            if not found and len(seen) > 1:
+                return False  # others that are asked now may call it in a circle
+            self._needy[function] = found
+        return self._needy[function]
+
+    def _looks_for_arrays(self, function: FunctionType) -> bool:
+        code = function.__code__
+        if _names(code) & NEEDS_ARRAYS or any(self._of_arrays(*attribute) for attribute in _attributes(code)):
+            return True
+        # what it imports has NumPy for `np`
+        return any(step.opname == "IMPORT_NAME" for step in get_instructions(code))
+
+    def _called(self, function: FunctionType) -> list[FunctionType]:
+        names, space = _names(function.__code__), function.__globals__
+        spaces = [space, *(vars(m) for n in names if self._is_own(m := space.get(n), ModuleType))]
+        called: list[Any] = [known.get(name) for known in spaces for name in names]
+        return [other for other in called if self._is_own(other, FunctionType)]
+
+    def _of_arrays(self, owner: str, name: str) -> bool:
+        """Whether plain numbers have nothing of that name; `sum` is one of NumPy, and of Python without `np` before."""
+        if owner == "np":
+            return not hasattr(self.math, name)
+        return hasattr(np.ndarray, name) and not any(hasattr(kind, name) for kind in (float, list, tuple))
+
+    def _is_own(self, value: Any, kind: type) -> bool:
+        name = getattr(value, "__module__" if kind is FunctionType else "__name__", None)
+        return isinstance(value, kind) and str(name).startswith(f"{self.package}.")
+
+
+def _names(code: CodeType) -> set[str]:
+    inner = (_names(constant) for constant in code.co_consts if isinstance(constant, CodeType))
+    return set(code.co_names).union(*inner)
+
+
+def _globals(code: CodeType) -> set[str]:
+    """The global names that are looked up."""
+    inner = (_globals(constant) for constant in code.co_consts if isinstance(constant, CodeType))
+    own = {step.argval for step in get_instructions(code) if step.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
+    return own.union(*inner)
+
+
+def _attributes(code: CodeType) -> Iterator[tuple[str, str]]:
+    """What attributes are looked up, each behind the global name it is one of, or behind none."""
+    owner = ""
+    for step in get_instructions(code):
+        if step.opname in ("LOAD_ATTR", "LOAD_METHOD"):
+            yield owner, step.argval
+        owner = step.argval if step.opname == "LOAD_GLOBAL" else ""
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _attributes(constant)
+
+
+def _attributes_of(function: FunctionType, name: str) -> set[str]:
+    return {attribute for owner, attribute in _attributes(function.__code__) if owner == name}
+
+
+@cache
+def _bodies(text: str) -> dict[str, str]:
+    """The functions of a module by name, as they are written."""
+    lines = text.splitlines()
+    found = {}
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.FunctionDef):
+            first = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+            found[node.name] = "\n".join(lines[first - 1 : node.end_lineno])
+    return found
+
+
+def _defined(text: str) -> list[str]:
+    return list(_bodies(text))
+
+
+@cache
+def _annotated(text: str) -> frozenset[str]:
+    """The names that the annotations of a function use."""
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef):
+            given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+            notes = [one.annotation for one in given if one.annotation] + [node.returns] * bool(node.returns)
+            found |= {part.id for note in notes for part in ast.walk(note) if isinstance(part, ast.Name)}
+    return frozenset(found - set(dir(__builtins__)) - {"tuple", "float", "str", "int", "bool"})
