@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from axicontact._runtime.programs import bounds as ranges
-from axicontact._runtime.programs.bounds import Bound, bounds
-from axicontact._runtime.programs.trace import Node, needed, trace
+from axiderive.code.programs import bounds as ranges
+from axiderive.code.programs.bounds import Bound, bounds
+from axiderive.code.programs.graph import Node, needed, trace
 
 EPS = np.finfo(float).eps
 CASES: list[tuple[Callable[..., Any], tuple[str, ...]]] = [

@@ -12,11 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from written import needs_arrays
 
+from axicontact._programs.bodies.normal import rounded_punch as bodies
 from axicontact._runtime import integrals
+from axicontact._runtime.arrays.extended import Extended, extended
 from axicontact._runtime.functions import difference_of_products, lower_power, nth_root, without_root
-from axicontact._runtime.programs.extended import Extended, extended
-from axicontact._runtime.programs.plain import scalar
+from axicontact._runtime.plain import MATH
 from axicontact.normal import cone, paraboloid, rounded_punch, sphere, truncated_cone
 from axiderive.notation import LENGTH, describe
 from axiderive.profiles import load
@@ -111,19 +113,18 @@ def test_zero_and_infinity_of_roots_and_powers() -> None:
 
 
 def test_plain_numbers_take_the_body_with_math() -> None:
-    twin = scalar(cone._pressure)
-    assert twin is not None
-    assert type(twin(0.3, 1.0, 0.4, 2.0)) is float
-    assert scalar(rounded_punch._pressure) is None
-    assert scalar(rounded_punch._force_from_depth) is not None
+    assert needs_arrays(rounded_punch._pressure)
+    assert not needs_arrays(rounded_punch._force_from_depth)
     # a local variable may have the name of a function of NumPy: angle
-    assert scalar(sphere._depth_at) is not None
+    assert not needs_arrays(sphere._depth_at)
     assert integrals.np is np
+    assert bodies.np is MATH
+    assert type(bodies._force_from_depth(0.3, 2.0, 0.5, 2.0)) is float
 
 
 def test_plain_numbers_pass_by_the_array_machinery(monkeypatch: pytest.MonkeyPatch) -> None:
     expected = cone.pressure(np.array([0.3]), 1.0, theta=0.4, E_star=2.0)
-    cone.stiffness(1.0, theta=0.4, E_star=2.0)  # the short way is compiled at the first call
+    cone.stiffness(1.0, theta=0.4, E_star=2.0)  # programs are imported with the first call
     monkeypatch.setattr(cone, "elementwise", None)
     value = cone.pressure(0.3, 1.0, theta=0.4, E_star=2.0)
     assert type(value) is float

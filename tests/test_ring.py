@@ -6,7 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from axicontact._runtime.programs.plain import plain
+from axicontact._programs.plane import concave_power as programs
 from axicontact._runtime.shapes.ring import lifted_at_zero_pressure, outside_zero_pressure, ring_of_zero_pressure
 from axicontact.plane import concave_power
 
@@ -64,9 +64,7 @@ def test_a_ring_next_to_the_centre_and_one_next_to_the_edge() -> None:
 
 def test_plain_numbers_need_no_arrays() -> None:
     """A search over arrays took 7 ms for one number."""
-    formula = plain(concave_power._minimum_load)
-    assert formula is not None
     for n in (1.5, 2.0, 2.7, 4.0, 11.0):
-        value = formula(0.1, n, 3.0)
+        value = programs.minimum_load(0.1, n, 3.0)
         exact = concave_power.minimum_load(a=1.0, h=np.full(2, 0.1), n=n, E_star=3.0)[0]
         assert value == pytest.approx(exact, rel=8 * EPS, abs=0.0)

@@ -2,16 +2,17 @@
 
 A message says what is wrong, what is allowed, and what to do.  Plain numbers are evaluated by `math`, anything else
 over arrays; float in and float out.  Checks in a loop and the way through `elementwise` take eight times as long as
-the formula of the pressure under a cone; with condition and formula compiled into one function by `with_math` it takes
-one and a half times as long.
+the formula of the pressure under a cone; where a function first asks `Plain`, which has conditions and formula in one
+function, it takes one and a half times as long.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import update_wrapper
-from types import FunctionType
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
+from collections.abc import Callable, Sequence
+from functools import cache, partial
+from importlib import import_module
+from types import FunctionType, ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -25,11 +26,11 @@ Array: TypeAlias = Any
 Result: TypeAlias = Any
 """A float where every argument is a number, an array otherwise."""
 
-SMALL, LARGE = 1e-30, 1e30
-"""Plain numbers between these take the short way."""
 BLOCK = 32768
 """Some arrays of this many numbers stay in the cache of a core."""
-_formulas: dict[Callable[..., Array], Callable[..., float | None]] = {}
+PROGRAMS = f"{__name__.split('._runtime')[0]}._programs"
+"""What the build wrote for plain numbers and for blocks of arrays, in modules named as those it belongs to."""
+_plain: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
 def elementwise(function: Callable[..., Array], *fields: ArrayLike, unused: Any = (), **parameters: Any) -> Result:
@@ -39,58 +40,66 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, unused: Any 
     Divisions and roots outside a branch are silent.  A block in which a number leaves the range of doubles
     is evaluated again with numbers that have no such range.
     """
-    for number in (*fields, *parameters.values(), *unused):
-        if type(number) is not float or not SMALL < number < LARGE:
-            break
-    else:
-        formula = _formulas.get(function) or _compiled_formula(function)
-        if formula is not None:
-            value = formula(*fields, **parameters)
-            if value is not None:
-                return value
-    # not imported with the package, nor is what compiles: each comes with the first call that needs it
-    from .programs.arrays import over_arrays
+    formula = _plain.get(function) or _plain_formula(function)
+    value = formula(*fields, **parameters)
+    if value is not None and all([type(number) is float for number in unused]):
+        return value
+    # not imported with the package: it comes with the first call that needs it
+    from .arrays.blocks import over_arrays
 
     return over_arrays(function, fields, unused, parameters)
 
 
-def _compiled_formula(function: Callable[..., Array]) -> Callable[..., float | None] | None:
-    """The function over plain numbers."""
-    from .programs.plain import plain
-
-    formula = plain(function)
-    if formula is not None:
-        _formulas[function] = formula
-    return formula
+def _plain_formula(function: Callable[..., Array]) -> Callable[..., float | None]:
+    """The function over plain numbers, which gives None where it has no value to trust."""
+    if not of_a_module(function):
+        return nothing
+    _plain[function] = getattr(programs(function.__module__), function.__name__.removeprefix("_"), nothing)
+    return _plain[function]
 
 
-Function = TypeVar("Function", bound=Callable[..., Any])
+def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:
+    """Whether it is one that the build saw: what is bound to arguments or made in a call is another one every time."""
+    return isinstance(function, FunctionType) and function.__qualname__ == function.__name__
 
 
-def with_math(function: Function) -> Function:
-    """The function, with a short way for floats of ordinary size inside their domains.
+@cache
+def programs(module: str, kind: str = "") -> ModuleType | None:
+    """What the build wrote for the functions of a module; None if nothing."""
+    path = module.removeprefix(f"{PROGRAMS.removesuffix('._programs')}.")
+    try:
+        return import_module(f"{PROGRAMS}.{kind}{path}")
+    except ModuleNotFoundError as error:
+        if error.name is None or not error.name.startswith(PROGRAMS):
+            raise
+        return None
 
-    The formula is the private function of the same name.  Whatever is wrong, not a float or far out is left
-    to the function itself: so are results that may have left the range of doubles on the way.
+
+def nothing(*fields: Any, **parameters: Any) -> None:
+    """In the place of a formula for plain numbers where there is none."""
+
+
+class Plain:
+    """The functions of a module over plain numbers: each gives None where the function itself has to see to it.
+
+    They are imported with the first call of one, not with the module.  Until then there is in the place of each what
+    imports them: looking for a missing attribute would cost every call as much as the formula of a force.
     """
 
-    def begin() -> None:
-        # compiled when first called: a millisecond for each function is much for an import
-        from .programs.plain import call_text
+    if TYPE_CHECKING:
 
-        text, names = call_text(function.__code__, function.__globals__[f"_{function.__name__}"])
-        space.update(names)
-        exec(text, space)  # names of our own functions, no text of anyone else
-        call.__code__ = space["call"].__code__
+        def __getattr__(self, name: str) -> Callable[..., float | None]: ...
 
-    space: dict[str, Any] = {"function": function, "begin": begin}
-    call = FunctionType(_first_call.__code__, space)
-    return cast("Function", update_wrapper(call, function))
+    def __init__(self, module: str, names: Sequence[str]) -> None:
+        self._module = module
+        for name in names:
+            setattr(self, name, partial(self._first, name))
 
-
-def _first_call(*fields: Any, **keywords: Any) -> Any:
-    begin()  # type: ignore[name-defined]  # noqa: F821 - runs among the names of `with_math`
-    return function(*fields, **keywords)  # noqa: F821
+    def _first(self, name: str, *arguments: Any) -> float | None:
+        for own in [own for own in vars(self) if own != "_module"]:
+            setattr(self, own, getattr(programs(self._module), own, nothing))
+        value: float | None = getattr(self, name)(*arguments)
+        return value
 
 
 def require(**parameters: ArrayLike) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.shapes.powers import power_punches
 
 if TYPE_CHECKING:
@@ -32,7 +32,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -73,11 +75,13 @@ def profile(r: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     >>> round(value, 6)
     -0.001215
     """
+    value = plain.profile(r, a, h)
+    if value is not None:
+        return value
     require(a=a, h=h)
     return elementwise(_profile, r, a=a, h=h)
 
 
-@with_math
 def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -120,11 +124,13 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     1.36
     """
+    value = plain.force(d, a, h, E_star)
+    if value is not None:
+        return value
     require(a=a, h=h, E_star=E_star)
     return elementwise(_force, d, a=a, h=h, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -170,11 +176,13 @@ def pressure(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: 
     >>> round(value, 6)
     0.142583
     """
+    value = plain.pressure(r, d, a, h, E_star)
+    if value is not None:
+        return value
     require(a=a, h=h, E_star=E_star)
     return elementwise(_pressure, r, d, a=a, h=h, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -217,11 +225,13 @@ def displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike) -> R
     >>> round(value, 6)
     0.22814
     """
+    value = plain.displacement(r, d, a, h)
+    if value is not None:
+        return value
     require(a=a, h=h)
     return elementwise(_displacement, r, d, a=a, h=h)
 
 
-@with_math
 def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -262,11 +272,13 @@ def stiffness(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, h)
+    if value is not None:
+        return value
     require(a=a, h=h, E_star=E_star)
     return elementwise(_stiffness, a=a, E_star=E_star, unused=(h,))
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -309,11 +321,13 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.6
     """
+    value = plain.depth_from_force(F, a, h, E_star)
+    if value is not None:
+        return value
     require(a=a, h=h, E_star=E_star)
     return elementwise(_depth_from_force, F, a=a, h=h, E_star=E_star)
 
 
-@with_math
 def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     """Radius of the ring where the pressure first vanishes on unloading.
 
@@ -352,11 +366,13 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike) -> Result:
     >>> round(value, 6)
     0.5
     """
+    value = plain.zero_radius(a, h)
+    if value is not None:
+        return value
     require(a=a, h=h)
     return elementwise(_zero_radius, a=a, unused=(h,))
 
 
-@with_math
 def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     """Least indentation depth of complete contact.
 
@@ -395,11 +411,13 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike) -> Result:
     >>> round(value, 6)
     0.2
     """
+    value = plain.minimum_depth(h, a)
+    if value is not None:
+        return value
     require(a=a, h=h)
     return elementwise(_minimum_depth, h=h, unused=(a,))
 
 
-@with_math
 def minimum_force(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     """Least normal force of complete contact.
 
@@ -440,6 +458,9 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.56
     """
+    value = plain.minimum_force(a, h, E_star)
+    if value is not None:
+        return value
     require(a=a, h=h, E_star=E_star)
     return elementwise(_minimum_force, a=a, h=h, E_star=E_star)
 

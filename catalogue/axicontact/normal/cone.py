@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import beside_cone
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -34,7 +34,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -73,11 +75,13 @@ def profile(r: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.109509
     """
+    value = plain.profile(r, theta)
+    if value is not None:
+        return value
     require(theta=theta)
     return elementwise(_profile, r, theta=theta)
 
 
-@with_math
 def depth(a: ArrayLike, *, theta: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -116,11 +120,13 @@ def depth(a: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.573385
     """
+    value = plain.depth(a, theta)
+    if value is not None:
+        return value
     require(theta=theta)
     return elementwise(_depth, a, theta=theta)
 
 
-@with_math
 def force(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -161,11 +167,13 @@ def force(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.573385
     """
+    value = plain.force(a, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_force, a, theta=theta, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -208,11 +216,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike)
     >>> round(value, 6)
     0.341999
     """
+    value = plain.pressure(r, a, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_pressure, r, a, theta=theta, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -252,11 +262,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.093319
     """
+    value = plain.displacement(r, a, theta)
+    if value is not None:
+        return value
     require(theta=theta)
     return elementwise(_displacement, r, a, theta=theta)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -296,11 +308,13 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, theta)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(theta,))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -341,11 +355,13 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Resul
     >>> round(value, 6)
     0.182514
     """
+    value = plain.mean_pressure(a, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_mean_pressure, a, theta=theta, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -384,11 +400,13 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     1.000025
     """
+    value = plain.radius_from_depth(d, theta)
+    if value is not None:
+        return value
     require(theta=theta)
     return elementwise(_radius_from_depth, d, theta=theta)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -429,11 +447,13 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> R
     >>> round(value, 6)
     1.000013
     """
+    value = plain.radius_from_force(F, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_radius_from_force, F, theta=theta, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -474,11 +494,13 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Re
     >>> round(value, 6)
     0.573415
     """
+    value = plain.force_from_depth(d, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_force_from_depth, d, theta=theta, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -519,6 +541,9 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Re
     >>> round(value, 6)
     0.573393
     """
+    value = plain.depth_from_force(F, theta, E_star)
+    if value is not None:
+        return value
     require(theta=theta, E_star=E_star)
     return elementwise(_depth_from_force, F, theta=theta, E_star=E_star)
 

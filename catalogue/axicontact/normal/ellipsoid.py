@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
 from .._runtime.shapes.arcs import arc_strips
@@ -37,7 +37,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -78,11 +80,13 @@ def profile(r: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.018184
     """
+    value = plain.profile(r, h, b)
+    if value is not None:
+        return value
     require(h=h, b=b)
     return elementwise(_profile, r, h=h, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -122,11 +126,13 @@ def depth(a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.482831
     """
+    value = plain.depth(a, h, b)
+    if value is not None:
+        return value
     require(h=h, b=b)
     return elementwise(_depth, a, h=h, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -168,11 +174,13 @@ def force(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     0.669202
     """
+    value = plain.force(a, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_force, a, h=h, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -218,11 +226,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: 
     >>> round(value, 6)
     0.280783
     """
+    value = plain.pressure(r, a, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_pressure, r, a, h=h, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -268,11 +278,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> R
     >>> round(value, 6)
     0.109557
     """
+    value = plain.displacement(r, a, h, b)
+    if value is not None:
+        return value
     require(h=h, b=b)
     return elementwise(_displacement, r, a, h=h, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -314,11 +326,13 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, h, b)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(h, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -360,11 +374,13 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     0.213014
     """
+    value = plain.mean_pressure(a, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_mean_pressure, a, h=h, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -405,11 +421,13 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.999974
     """
+    value = plain.radius_from_depth(d, h, b)
+    if value is not None:
+        return value
     require(h=h, b=b)
     return elementwise(_radius_from_depth, d, h=h, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -452,11 +470,13 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: Array
     >>> round(value, 6)
     0.999999
     """
+    value = plain.radius_from_force(F, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, h=h, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -499,11 +519,13 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.669139
     """
+    value = plain.force_from_depth(d, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, h=h, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -546,6 +568,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.48283
     """
+    value = plain.depth_from_force(F, h, b, E_star)
+    if value is not None:
+        return value
     require(h=h, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, h=h, b=b, E_star=E_star)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse_below
 from .._runtime.rules import displacement_integral, force_integral, pressure_integral
 from .._runtime.special import dawson
@@ -36,7 +36,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -77,11 +79,13 @@ def profile(r: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     >>> round(value, 6)
     0.060248
     """
+    value = plain.profile(r, h, s)
+    if value is not None:
+        return value
     require(h=h, s=s)
     return elementwise(_profile, r, h=h, s=s)
 
 
-@with_math
 def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -124,11 +128,13 @@ def depth(a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     >>> round(value, 6)
     0.753311
     """
+    value = plain.depth(a, h, s)
+    if value is not None:
+        return value
     require(h=h, s=s)
     return elementwise(_depth, a, h=h, s=s)
 
 
-@with_math
 def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -173,11 +179,13 @@ def force(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     0.859934
     """
+    value = plain.force(a, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_force, a, h=h, s=s, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -225,11 +233,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: 
     >>> round(value, 6)
     0.525588
     """
+    value = plain.pressure(r, a, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_pressure, r, a, h=h, s=s, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -274,11 +284,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> R
     >>> round(value, 6)
     0.13992
     """
+    value = plain.displacement(r, a, h, s)
+    if value is not None:
+        return value
     require(h=h, s=s)
     return elementwise(_displacement, r, a, h=h, s=s)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -320,11 +332,13 @@ def stiffness(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, s, E_star, h)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_stiffness, a, s=s, E_star=E_star, unused=(h,))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -368,11 +382,13 @@ def mean_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     0.273725
     """
+    value = plain.mean_pressure(a, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_mean_pressure, a, h=h, s=s, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -414,11 +430,13 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike) -> Result:
     >>> round(value, 6)
     0.999983
     """
+    value = plain.radius_from_depth(d, h, s)
+    if value is not None:
+        return value
     require(h=h, s=s)
     return elementwise(_radius_from_depth, d, h=h, s=s)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -462,11 +480,13 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     >>> round(value, 6)
     0.999974
     """
+    value = plain.radius_from_force(F, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_radius_from_force, F, h=h, s=s, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -509,11 +529,13 @@ def force_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.859911
     """
+    value = plain.force_from_depth(d, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_force_from_depth, d, h=h, s=s, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -556,6 +578,9 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.753294
     """
+    value = plain.depth_from_force(F, h, s, E_star)
+    if value is not None:
+        return value
     require(h=h, s=s, E_star=E_star)
     return elementwise(_depth_from_force, F, h=h, s=s, E_star=E_star)
 

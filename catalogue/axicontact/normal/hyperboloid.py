@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import inverse
 from .._runtime.rules import displacement_integral_sinh, pressure_integral_sinh
 from .._runtime.special import arctan_gap
@@ -36,7 +36,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -77,11 +79,13 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.044657
     """
+    value = plain.profile(r, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_profile, r, theta=theta, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -121,11 +125,13 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.531551
     """
+    value = plain.depth(a, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_depth, a, theta=theta, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -167,11 +173,13 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     0.625132
     """
+    value = plain.force(a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_force, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -219,11 +227,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     >>> round(value, 6)
     0.353587
     """
+    value = plain.pressure(r, a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -267,11 +277,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     >>> round(value, 6)
     0.101888
     """
+    value = plain.displacement(r, a, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_displacement, r, a, theta=theta, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -313,11 +325,13 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(theta, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -359,11 +373,13 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     >>> round(value, 6)
     0.198986
     """
+    value = plain.mean_pressure(a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_mean_pressure, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -404,11 +420,13 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
     >>> round(value, 6)
     0.999926
     """
+    value = plain.radius_from_depth(d, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_radius_from_depth, d, theta=theta, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -451,11 +469,13 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     >>> round(value, 6)
     0.999977
     """
+    value = plain.radius_from_force(F, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -498,11 +518,13 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.62503
     """
+    value = plain.force_from_depth(d, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -545,6 +567,9 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.531535
     """
+    value = plain.depth_from_force(F, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import beside
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
 
 if TYPE_CHECKING:
@@ -35,7 +35,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -74,11 +76,13 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.028125
     """
+    value = plain.profile(r, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_profile, r, R=R)
 
 
-@with_math
 def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -116,11 +120,13 @@ def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.625
     """
+    value = plain.depth(a, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_depth, a, R=R)
 
 
-@with_math
 def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -160,11 +166,13 @@ def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.833333
     """
+    value = plain.force(a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_force, a, R=R, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -206,11 +214,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
     >>> round(value, 6)
     0.37956
     """
+    value = plain.pressure(r, a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_pressure, r, a, R=R, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -250,11 +260,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.136247
     """
+    value = plain.displacement(r, a, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_displacement, r, a, R=R)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -294,11 +306,13 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, R)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R,))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -338,11 +352,13 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.265258
     """
+    value = plain.mean_pressure(a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_mean_pressure, a, R=R, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -380,11 +396,13 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     1.0
     """
+    value = plain.radius_from_depth(d, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_radius_from_depth, d, R=R)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -424,11 +442,13 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Resul
     >>> round(value, 6)
     0.999987
     """
+    value = plain.radius_from_force(F, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_radius_from_force, F, R=R, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -468,11 +488,13 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     0.833333
     """
+    value = plain.force_from_depth(d, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_force_from_depth, d, R=R, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -512,6 +534,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     0.624983
     """
+    value = plain.depth_from_force(F, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 

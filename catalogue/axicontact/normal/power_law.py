@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import lower_power, nth_root, without_root
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.shapes.powers import power_displacement, power_pressure
 from .._runtime.special import gamma_ratio
 
@@ -36,7 +36,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -77,11 +79,13 @@ def profile(r: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     >>> round(value, 6)
     0.073943
     """
+    value = plain.profile(r, A, n)
+    if value is not None:
+        return value
     require(A=A, n=n)
     return elementwise(_profile, r, A=A, n=n)
 
 
-@with_math
 def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -122,11 +126,13 @@ def depth(a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     >>> round(value, 6)
     0.808745
     """
+    value = plain.depth(a, A, n)
+    if value is not None:
+        return value
     require(A=A, n=n)
     return elementwise(_depth, a, A=A, n=n)
 
 
-@with_math
 def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -169,11 +175,13 @@ def force(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     0.970494
     """
+    value = plain.force(a, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_force, a, A=A, n=n, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -222,11 +230,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: 
     >>> round(value, 6)
     0.506949
     """
+    value = plain.pressure(r, a, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_pressure, r, a, A=A, n=n, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -272,11 +282,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> R
     >>> round(value, 6)
     0.15835
     """
+    value = plain.displacement(r, a, A, n)
+    if value is not None:
+        return value
     require(A=A, n=n)
     return elementwise(_displacement, r, a, A=A, n=n)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -318,11 +330,13 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, A, n)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(A, n))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -364,11 +378,13 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     0.308918
     """
+    value = plain.mean_pressure(a, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_mean_pressure, a, A=A, n=n, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -408,11 +424,13 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike) -> Result:
     >>> round(value, 6)
     0.999963
     """
+    value = plain.radius_from_depth(d, A, n)
+    if value is not None:
+        return value
     require(A=A, n=n)
     return elementwise(_radius_from_depth, d, A=A, n=n)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -454,11 +472,13 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
     >>> round(value, 6)
     1.000003
     """
+    value = plain.radius_from_force(F, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_radius_from_force, F, A=A, n=n, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -501,11 +521,13 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.970404
     """
+    value = plain.force_from_depth(d, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_force_from_depth, d, A=A, n=n, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -548,6 +570,9 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.808748
     """
+    value = plain.depth_from_force(F, A, n, E_star)
+    if value is not None:
+        return value
     require(A=A, n=n, E_star=E_star)
     return elementwise(_depth_from_force, F, A=A, n=n, E_star=E_star)
 

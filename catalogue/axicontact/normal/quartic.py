@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import beside, nth_root, without_root
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_4
 from .._runtime.special import PeakPressure
 
@@ -37,7 +37,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -76,11 +78,13 @@ def profile(r: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.00324
     """
+    value = plain.profile(r, A)
+    if value is not None:
+        return value
     require(A=A)
     return elementwise(_profile, r, A=A)
 
 
-@with_math
 def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -118,11 +122,13 @@ def depth(a: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     1.066667
     """
+    value = plain.depth(a, A)
+    if value is not None:
+        return value
     require(A=A)
     return elementwise(_depth, a, A=A)
 
 
-@with_math
 def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -162,11 +168,13 @@ def force(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     1.706667
     """
+    value = plain.force(a, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_force, a, A=A, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -208,11 +216,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> 
     >>> round(value, 6)
     0.509589
     """
+    value = plain.pressure(r, a, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_pressure, r, a, A=A, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -252,11 +262,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     0.280517
     """
+    value = plain.displacement(r, a, A)
+    if value is not None:
+        return value
     require(A=A)
     return elementwise(_displacement, r, a, A=A)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -296,11 +308,13 @@ def stiffness(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, A)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(A,))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -340,11 +354,13 @@ def mean_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.543249
     """
+    value = plain.mean_pressure(a, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_mean_pressure, a, A=A, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -382,11 +398,13 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike) -> Result:
     >>> round(value, 6)
     1.000078
     """
+    value = plain.radius_from_depth(d, A)
+    if value is not None:
+        return value
     require(A=A)
     return elementwise(_radius_from_depth, d, A=A)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -426,11 +444,13 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Resul
     >>> round(value, 6)
     1.000039
     """
+    value = plain.radius_from_force(F, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_radius_from_force, F, A=A, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -470,11 +490,13 @@ def force_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     1.707333
     """
+    value = plain.force_from_depth(d, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_force_from_depth, d, A=A, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -514,6 +536,9 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     1.066833
     """
+    value = plain.depth_from_force(F, A, E_star)
+    if value is not None:
+        return value
     require(A=A, E_star=E_star)
     return elementwise(_depth_from_force, F, A=A, E_star=E_star)
 

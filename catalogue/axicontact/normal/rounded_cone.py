@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import beside
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 from .._runtime.shapes.across import inverse_beyond
@@ -37,7 +37,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -79,11 +81,13 @@ def profile(r: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.040192
     """
+    value = plain.profile(r, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_profile, r, theta=theta, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -124,11 +128,13 @@ def depth(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.587308
     """
+    value = plain.depth(a, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_depth, a, theta=theta, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -172,11 +178,13 @@ def force(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     0.691652
     """
+    value = plain.force(a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_force, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -228,11 +236,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_st
     >>> round(value, 6)
     0.408675
     """
+    value = plain.pressure(r, a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_pressure, r, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -279,11 +289,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike) 
     >>> round(value, 6)
     0.112658
     """
+    value = plain.displacement(r, a, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_displacement, r, a, theta=theta, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -325,11 +337,13 @@ def stiffness(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(theta, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -373,11 +387,13 @@ def mean_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Array
     >>> round(value, 6)
     0.22016
     """
+    value = plain.mean_pressure(a, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_mean_pressure, a, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -419,11 +435,13 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike) -> Result
     >>> round(value, 6)
     0.999988
     """
+    value = plain.radius_from_depth(d, theta, b)
+    if value is not None:
+        return value
     require(theta=theta, b=b)
     return elementwise(_radius_from_depth, d, theta=theta, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -468,11 +486,13 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     >>> round(value, 6)
     1.000034
     """
+    value = plain.radius_from_force(F, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -515,11 +535,13 @@ def force_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.691635
     """
+    value = plain.force_from_depth(d, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, theta=theta, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -562,6 +584,9 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.587332
     """
+    value = plain.depth_from_force(F, theta, b, E_star)
+    if value is not None:
+        return value
     require(theta=theta, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import beside
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 from .._runtime.shapes.across import inverse_beyond
@@ -38,7 +38,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -78,11 +80,13 @@ def profile(r: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Resu
     >>> round(value, 6)
     0.016875
     """
+    value = plain.profile(r, R1, R2, b)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b)
     return elementwise(_profile, r, R1=R1, R2=R2, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -125,11 +129,13 @@ def depth(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result
     >>> round(value, 6)
     0.721207
     """
+    value = plain.depth(a, R1, R2, b)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b)
     return elementwise(_depth, a, R1=R1, R2=R2, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -175,11 +181,13 @@ def force(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: A
     >>> round(value, 6)
     1.657516
     """
+    value = plain.force(a, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_force, a, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -235,11 +243,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: Arr
     >>> round(value, 6)
     0.242628
     """
+    value = plain.pressure(r, a, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_pressure, r, a, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -288,11 +298,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b:
     >>> round(value, 6)
     0.181518
     """
+    value = plain.displacement(r, a, R1, R2, b)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b)
     return elementwise(_displacement, r, a, R1=R1, R2=R2, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -336,11 +348,13 @@ def stiffness(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_sta
     >>> round(value, 6)
     3.0
     """
+    value = plain.stiffness(a, E_star, R1, R2, b)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R1, R2, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -382,11 +396,13 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E
     >>> round(value, 6)
     0.234491
     """
+    value = plain.mean_pressure(a, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_mean_pressure, a, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -430,11 +446,13 @@ def radius_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
     >>> round(value, 6)
     1.499996
     """
+    value = plain.radius_from_depth(d, R1, R2, b)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b)
     return elementwise(_radius_from_depth, d, R1=R1, R2=R2, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -481,11 +499,13 @@ def radius_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLik
     >>> round(value, 6)
     1.500097
     """
+    value = plain.radius_from_force(F, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -530,11 +550,13 @@ def force_from_depth(d: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     >>> round(value, 6)
     1.657496
     """
+    value = plain.force_from_depth(d, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -579,6 +601,9 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     >>> round(value, 6)
     0.721368
     """
+    value = plain.depth_from_force(F, R1, R2, b, E_star)
+    if value is not None:
+        return value
     require(R1=R1, R2=R2, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, require_reach, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require, require_reach
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_beyond, peak_integral_beyond, pressure_integral_beyond
 from .._runtime.special import PeakPressure, arctan_gap, peak_share, root_gap
@@ -37,7 +37,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -79,11 +81,13 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
+    value = plain.profile(r, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     return elementwise(_profile, r, R=R, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -124,12 +128,14 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.270723
     """
+    value = plain.depth(a, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     require_reach(a, b)
     return elementwise(_depth, a, R=R, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -172,12 +178,14 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     0.780061
     """
+    value = plain.force(a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_force, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -229,12 +237,14 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     >>> round(value, 6)
     0.064187
     """
+    value = plain.pressure(r, a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -280,12 +290,14 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     >>> round(value, 6)
     0.07949
     """
+    value = plain.displacement(r, a, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     require_reach(a, b)
     return elementwise(_displacement, r, a, R=R, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -328,12 +340,14 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     3.24
     """
+    value = plain.stiffness(a, E_star, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -376,12 +390,14 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     0.094613
     """
+    value = plain.mean_pressure(a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -422,11 +438,13 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     1.619976
     """
+    value = plain.radius_from_depth(d, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     return elementwise(_radius_from_depth, d, R=R, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -469,11 +487,13 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     >>> round(value, 6)
     1.620013
     """
+    value = plain.radius_from_force(F, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -516,11 +536,13 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.779986
     """
+    value = plain.force_from_depth(d, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -563,6 +585,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.270735
     """
+    value = plain.depth_from_force(F, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, R=R, b=b, E_star=E_star)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
 from .._runtime.shapes.arcs import arc_strips
@@ -37,7 +37,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -76,11 +78,13 @@ def profile(r: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.030306
     """
+    value = plain.profile(r, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_profile, r, R=R)
 
 
-@with_math
 def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -119,11 +123,13 @@ def depth(a: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.804719
     """
+    value = plain.depth(a, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_depth, a, R=R)
 
 
-@with_math
 def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -164,11 +170,13 @@ def force(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     1.115337
     """
+    value = plain.force(a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_force, a, R=R, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -213,11 +221,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> 
     >>> round(value, 6)
     0.467972
     """
+    value = plain.pressure(r, a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_pressure, r, a, R=R, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -261,11 +271,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.182594
     """
+    value = plain.displacement(r, a, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_displacement, r, a, R=R)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -306,11 +318,13 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, R)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R,))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -351,11 +365,13 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     >>> round(value, 6)
     0.355023
     """
+    value = plain.mean_pressure(a, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_mean_pressure, a, R=R, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -394,11 +410,13 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike) -> Result:
     >>> round(value, 6)
     0.999991
     """
+    value = plain.radius_from_depth(d, R)
+    if value is not None:
+        return value
     require(R=R)
     return elementwise(_radius_from_depth, d, R=R)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -439,11 +457,13 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Resul
     >>> round(value, 6)
     0.999916
     """
+    value = plain.radius_from_force(F, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_radius_from_force, F, R=R, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -484,11 +504,13 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     1.115299
     """
+    value = plain.force_from_depth(d, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_force_from_depth, d, R=R, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -529,6 +551,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     >>> round(value, 6)
     0.804551
     """
+    value = plain.depth_from_force(F, R, E_star)
+    if value is not None:
+        return value
     require(R=R, E_star=E_star)
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 

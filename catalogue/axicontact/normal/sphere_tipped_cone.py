@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import sine_root
-from .._runtime.interface import Array, Result, elementwise, require, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.rules import (
     displacement_integral_beyond,
     displacement_integral_tanh,
@@ -43,7 +43,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -82,11 +84,13 @@ def profile(r: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.038105
     """
+    value = plain.profile(r, R, theta)
+    if value is not None:
+        return value
     require(R=R, theta=theta)
     return elementwise(_profile, r, R=R, theta=theta)
 
 
-@with_math
 def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -129,11 +133,13 @@ def depth(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     >>> round(value, 6)
     0.622635
     """
+    value = plain.depth(a, R, theta)
+    if value is not None:
+        return value
     require(R=R, theta=theta)
     return elementwise(_depth, a, R=R, theta=theta)
 
 
-@with_math
 def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -180,11 +186,13 @@ def force(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     0.7453
     """
+    value = plain.force(a, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_force, a, R=R, theta=theta, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -229,11 +237,13 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_st
     >>> round(value, 6)
     0.428504
     """
+    value = plain.pressure(r, a, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_pressure, r, a, R=R, theta=theta, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -276,11 +286,13 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike) 
     >>> round(value, 6)
     0.121421
     """
+    value = plain.displacement(r, a, R, theta)
+    if value is not None:
+        return value
     require(R=R, theta=theta)
     return elementwise(_displacement, r, a, R=R, theta=theta)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -322,11 +334,13 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, R, theta)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R, theta))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -368,11 +382,13 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Array
     >>> round(value, 6)
     0.237236
     """
+    value = plain.mean_pressure(a, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_mean_pressure, a, R=R, theta=theta, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -416,11 +432,13 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike) -> Result
     >>> round(value, 6)
     0.999954
     """
+    value = plain.radius_from_depth(d, R, theta)
+    if value is not None:
+        return value
     require(R=R, theta=theta)
     return elementwise(_radius_from_depth, d, R=R, theta=theta)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -468,11 +486,13 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: A
     >>> round(value, 6)
     1.0
     """
+    value = plain.radius_from_force(F, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_radius_from_force, F, R=R, theta=theta, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -515,11 +535,13 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.74523
     """
+    value = plain.force_from_depth(d, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_force_from_depth, d, R=R, theta=theta, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -562,6 +584,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
     >>> round(value, 6)
     0.622635
     """
+    value = plain.depth_from_force(F, R, theta, E_star)
+    if value is not None:
+        return value
     require(R=R, theta=theta, E_star=E_star)
     return elementwise(_depth_from_force, F, R=R, theta=theta, E_star=E_star)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, require_reach, with_math
+from .._runtime.interface import Array, Plain, Result, elementwise, require, require_reach
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 
@@ -35,7 +35,9 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@with_math
+plain = Plain(__name__, __all__)
+
+
 def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Profile f(r) of the indenter.
 
@@ -77,11 +79,13 @@ def profile(r: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.0
     """
+    value = plain.profile(r, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     return elementwise(_profile, r, R=R, b=b)
 
 
-@with_math
 def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Indentation depth at contact radius a.
 
@@ -122,12 +126,14 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     0.721688
     """
+    value = plain.depth(a, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     require_reach(a, b)
     return elementwise(_depth, a, R=R, b=b)
 
 
-@with_math
 def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force.
 
@@ -170,12 +176,14 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     >>> round(value, 6)
     1.082532
     """
+    value = plain.force(a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_force, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact pressure, positive in compression; zero outside the contact.
 
@@ -226,12 +234,14 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     >>> round(value, 6)
     0.360444
     """
+    value = plain.pressure(r, a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_pressure, r, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Displacement of the surface into the half-space, inside and outside the contact.
 
@@ -275,12 +285,14 @@ def displacement(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> R
     >>> round(value, 6)
     0.177251
     """
+    value = plain.displacement(r, a, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     require_reach(a, b)
     return elementwise(_displacement, r, a, R=R, b=b)
 
 
-@with_math
 def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact stiffness dF/dd.
 
@@ -323,12 +335,14 @@ def stiffness(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) ->
     >>> round(value, 6)
     2.0
     """
+    value = plain.stiffness(a, E_star, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_stiffness, a, E_star=E_star, unused=(R, b))
 
 
-@with_math
 def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Mean pressure F/(pi a^2).
 
@@ -371,12 +385,14 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     >>> round(value, 6)
     0.344581
     """
+    value = plain.mean_pressure(a, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     require_reach(a, b)
     return elementwise(_mean_pressure, a, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     """Contact radius at indentation depth d.
 
@@ -416,11 +432,13 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     >>> round(value, 6)
     1.000007
     """
+    value = plain.radius_from_depth(d, R, b)
+    if value is not None:
+        return value
     require(R=R, b=b)
     return elementwise(_radius_from_depth, d, R=R, b=b)
 
 
-@with_math
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Contact radius under the normal force F.
 
@@ -463,11 +481,13 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     >>> round(value, 6)
     1.000139
     """
+    value = plain.radius_from_force(F, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_radius_from_force, F, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Normal force at indentation depth d.
 
@@ -511,11 +531,13 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     1.082556
     """
+    value = plain.force_from_depth(d, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_force_from_depth, d, R=R, b=b, E_star=E_star)
 
 
-@with_math
 def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Indentation depth under the normal force F.
 
@@ -559,6 +581,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     >>> round(value, 6)
     0.721922
     """
+    value = plain.depth_from_force(F, R, b, E_star)
+    if value is not None:
+        return value
     require(R=R, b=b, E_star=E_star)
     return elementwise(_depth_from_force, F, R=R, b=b, E_star=E_star)
 

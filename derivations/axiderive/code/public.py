@@ -50,7 +50,8 @@ def public(
         body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
         if "A" in private.needs:
             function, passed = f"partial({private.name}, A=A)", [p for p in passed if p != "A=A"]
-    spread = unused(name for name in required if name not in private.needs)
+    further = [name for name in required if name not in private.needs]
+    spread = unused(further)
     evaluated = f"elementwise({', '.join([function, *fields, *passed, *spread])})"
     body += _results(evaluated, functions, required) if ring else [f"return {evaluated}"]
     notes = _notes(profile, quantity, private, functions)
@@ -60,9 +61,9 @@ def public(
     if len(signature) > 120:
         signature = f"def {quantity.function}(\n    {', '.join(typed)}\n) -> {returns}:"
     # a rule between parameters and a sequence of coefficients are checked by the function itself; a pair is no number
-    plain = not (summed or profile.rules or ring or spread)
+    plain = not (summed or profile.rules or ring)
     if plain:
-        given = ", ".join([*private.fields, *private.needs])
+        given = ", ".join([*private.fields, *private.needs, *further])
         body = [f"value = plain.{quantity.function}({given})", "if value is not None:", "    return value", *body]
     return Public(signature, quantity.summary, doc, body, plain)
 

@@ -80,8 +80,8 @@ class _Expression:
 
     def __init__(self, function: Callable[..., Any], xp: Any, written: Callable[..., Any]) -> None:
         self.function, self.xp = function, xp
-        self.fields = function.__code__.co_varnames[: function.__code__.co_argcount]  # type: ignore[attr-defined]
-        code = written.__code__  # type: ignore[attr-defined]
+        self.fields = function.__code__.co_varnames[: function.__code__.co_argcount]
+        code = written.__code__
         self.arguments = frozenset(code.co_varnames[1 : code.co_argcount])
         self.formula = partial(written, _Library(xp, code.co_names))
         update_wrapper(self, function)

@@ -86,6 +86,10 @@ class Plain:
     imports them: looking for a missing attribute would cost every call as much as the formula of a force.
     """
 
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Callable[..., float | None]: ...
+
     def __init__(self, module: str, names: Sequence[str]) -> None:
         self._module = module
         for name in names:

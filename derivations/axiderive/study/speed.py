@@ -8,7 +8,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from types import ModuleType
@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..code.programs.graph import Lengths, trace
+from ..code.programs.plain import LARGE, SMALL, TRUSTED, Lines
 from ..entry import FOUR, Entry
 from ..physics import systems
 from .methods import arguments
@@ -122,15 +124,25 @@ def in_steps(entry: Entry, module: ModuleType) -> Callable[..., float]:
     LookupError
         If the form cannot be written for plain numbers.
     """
-    plain, interface = (import_module(f"axicontact._runtime.{name}") for name in ("programs.plain", "interface"))
     private = getattr(module, f"_{entry.quantity.function}")
     names = private.__code__.co_varnames[: private.__code__.co_argcount]
-    found = plain.lines(private, dict.fromkeys(names, (interface.SMALL, interface.LARGE)))
-    if found is None:
+    result, rules = trace(private, names, ()), dict[Lengths, str]()
+    if result is not None:
+        text = Lines(result, dict.fromkeys(names, (SMALL, LARGE)), rules).text()
+        return _bare(entry, ["if True:" if line.strip() == TRUSTED[0] else line for line in text], _space(rules))
+    programs = import_module("axicontact._runtime.interface").programs
+    twin = getattr(programs(module.__name__, "bodies."), private.__name__, None)
+    if twin is None:
         message = f"{entry.key} has no form for plain numbers; leave it out of the study of calls"
         raise LookupError(message)
-    text, space = found
-    return _bare(entry, [line for line in text if line.strip() != plain.CHECK], space)
+    return _bare(entry, [f"return twin({', '.join(names)})"], {"twin": twin})
+
+
+def _space(rules: Mapping[Lengths, str]) -> dict[str, Any]:
+    """The names that the lines of a formula use."""
+    rule = import_module("axicontact._runtime.plain").rule
+    known = {name: value for name, value in vars(math).items() if not name.startswith("_")}
+    return known | {name: rule(lengths) for lengths, name in rules.items()}
 
 
 def _bare(entry: Entry, lines: Sequence[str], names: dict[str, Any]) -> Callable[..., float]:

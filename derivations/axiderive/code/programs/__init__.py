@@ -1,7 +1,7 @@
 """What runs on a user's machine, written by the build as plain source: `axicontact/_programs`.
 
-A module of programs stands beside every module of the package whose functions are evaluated: flat functions of `math` for
-plain numbers (`plain`), NumPy's functions block by block (`blocks`), and the same as expressions of any array library
+A module of programs stands beside every module whose functions are evaluated: flat functions of `math` for plain
+numbers (`plain`), NumPy's functions block by block (`blocks`), and the same as expressions of any array library
 (`expressions`).  All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
 """
 
@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from types import FunctionType, ModuleType
-from typing import Any
+from typing import TypeGuard
 
 from ...stable.measure import imported
 from ..imports import PLACE
@@ -42,6 +42,12 @@ class Call:
     keywords: tuple[str, ...]
     orders: tuple[tuple[str, str], ...]
     """Arguments of which the public function asks that the first is not above the second."""
+    unused: tuple[str, ...]
+    """Arguments of the public function that the formula does not need, but whose ranges are asked for."""
+
+    def order(self) -> tuple[object, ...]:
+        """By name, and the same in every run."""
+        return self.formula.__name__, self.fields, self.keywords, self.orders, self.unused
 
 
 def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
@@ -65,20 +71,17 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
             own = {path: module.text(), f"expressions.{path}": module.expressions()}
             files |= {_path(f"{FOLDER}.{name}"): text for name, text in own.items() if text}
         files |= {_path(path): text for path, text in twins.sources().items()}
-    folders = {folder for path in files for folder in _folders(path)}
-    files |= {f"{folder}/__init__.py": DOCSTRINGS.get(folder, "") for folder in folders}
-    return dict(sorted(files.items()))
+    files |= {f"{folder}/__init__.py": "" for path in [*files] for folder in _folders(path)}
+    return dict(sorted((files | {f"{PACKAGE}/{FOLDER}/__init__.py": README}).items()))
 
 
-DOCSTRINGS = {
-    f"{PACKAGE}/{FOLDER}": '''"""What is evaluated for plain numbers, for blocks of arrays and over other array libraries, written by the build.
+README = '''"""What is evaluated for plain numbers, for blocks of arrays, and over other array libraries; the build writes it.
 
-Of a function `_pressure` of `normal/cone.py` there are in `normal/cone.py` of this folder `pressure` for plain numbers,
-`prepare_...` and `block_...` for arrays, and below `expressions` the same for any array library.  What iterates stands
-below `bodies`, with `math` in the place of NumPy.
+For `_pressure` of `axicontact/normal/cone.py` there are in `normal/cone.py` of this folder `pressure` for plain
+numbers, `prepare_...` and `block_...` for arrays, and below `expressions` the same for any array library.  What
+iterates stands below `bodies`, with `math` in the place of NumPy.
 """
-''',
-}
+'''
 
 
 def _dotted(path: str) -> str:
@@ -113,8 +116,16 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
             formula = _named(module, call.args[0])
             if formula is not None:
                 keywords = tuple(str(k.arg) for k in call.keywords if k.arg != "unused")
-                names = formula.__code__.co_varnames[: formula.__code__.co_argcount]
-                yield Call(formula, names[: len(call.args) - 1], keywords, orders)
+                unused = [n.id for k in call.keywords if k.arg == "unused" for n in ast.walk(k.value) if _is_name(n)]
+                yield Call(formula, _arguments(formula)[: len(call.args) - 1], keywords, orders, tuple(unused))
+
+
+def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
+    return isinstance(node, ast.Name)
+
+
+def _arguments(formula: FunctionType) -> tuple[str, ...]:
+    return formula.__code__.co_varnames[: formula.__code__.co_argcount]
 
 
 def _named(module: ModuleType, node: ast.expr) -> FunctionType | None:
@@ -136,7 +147,7 @@ class _Module:
     ) -> None:
         self.path, self.inside, self.twins = path, inside, twins
         self.calls: dict[str, list[Call]] = {}
-        for call in sorted(calls, key=lambda call: (call.formula.__name__, call.fields, call.keywords, call.orders)):
+        for call in sorted(calls, key=Call.order):
             self.calls.setdefault(call.formula.__name__, []).append(call)
         self.rules: dict[Lengths, str] = {}
         self.constants: dict[str, str] = {}
@@ -148,9 +159,8 @@ class _Module:
     def text(self) -> str:
         """The module, empty if nothing can be written."""
         for name, calls in self.calls.items():
-            formula = calls[0].formula
-            arguments = formula.__code__.co_varnames[: formula.__code__.co_argcount]
-            result = trace(formula, arguments, ())
+            arguments = _arguments(calls[0].formula)
+            result = trace(calls[0].formula, arguments, ())
             self._plain(name, calls, arguments, result)
             over = result and expression(name.removeprefix("_"), arguments, result)
             self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
@@ -168,7 +178,8 @@ class _Module:
         return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
-        ranges = {own: self._range(own) for own in arguments}
+        unused = dict.fromkeys(name for call in calls for name in call.unused)
+        ranges = {own: self._range(own) for own in (*arguments, *unused)}
         if result is not None:
             lines = Lines(result, ranges, self.rules).text()
         elif self.twins.add(calls[0].formula):
@@ -176,9 +187,9 @@ class _Module:
             lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED]
         else:
             return
-        orders = dict.fromkeys(order for call in calls for order in call.orders if {*order} <= {*arguments})
+        orders = dict.fromkeys(order for call in calls for order in call.orders if ranges.keys() >= {*order})
         relations = [f"{low} <= {high}" for low, high in orders]
-        self.texts.append(function(name.removeprefix("_"), ranges, relations, lines))
+        self.texts.append(function(name.removeprefix("_"), ranges, relations, lines, tuple(unused)))
 
     def _range(self, name: str) -> tuple[float, float]:
         low, high = self.inside.get(name, (SMALL, LARGE))

@@ -190,7 +190,12 @@ class Blocks:
 
     def record(self, name: str) -> str:
         """The program as the run time knows it."""
-        said = {"scratch": self.count, "masks": self.mask_count, "filled": tuple(self.filled), "positive": self.positive}
+        said = {
+            "scratch": self.count,
+            "masks": self.mask_count,
+            "filled": tuple(self.filled),
+            "positive": self.positive,
+        }
         rest = "".join(f", {key}={value!r}" for key, value in said.items() if value)
         return f"Program({tuple(self.given)!r}, prepare_{name}, block_{name}{rest})"
 
@@ -200,7 +205,7 @@ class Blocks:
             return str(node.value)
         if node.name == "number":
             # as an array without dimensions: half of what a call with a float costs
-            return self.constants.setdefault(repr(node.value), f"C{len(self.constants)}")
+            return self.constants.setdefault(literal(float(node.value)), f"C{len(self.constants)}")
         return self.where[node] if node in self.arrays else f"v{node.order}"
 
     def _extreme(self, node: Node) -> str:
@@ -209,14 +214,18 @@ class Blocks:
         return self.filled.setdefault(float(node.value or 0.0), f"f{len(self.filled)}")
 
     def _of_number(self, node: Node) -> str:
-        return f"({node.value!r})" if node.name == "number" else self.of(node)
+        return f"({literal(float(node.value))})" if node.name == "number" else self.of(node)
 
     def _with_checks(self) -> list[str]:
         """The lines and, behind the first, which brings the arrays to cache, what asks for their range."""
         checks = []
         for array in self.checked:
             name = _largest(array)
-            checks += [f"    {name} = largest({array})", f"    if {name} == np.inf:", "        raise FloatingPointError"]
+            checks += [
+                f"    {name} = largest({array})",
+                f"    if {name} == np.inf:",
+                "        raise FloatingPointError",
+            ]
         first = int(not self.text[0].lstrip().startswith("if "))
         return [*self.text[:first], *checks, *self.text[first:]]
 
@@ -319,6 +328,11 @@ class Blocks:
 
     def _line(self, depth: int, line: str) -> None:
         self.text.append("    " * depth + line)
+
+
+def literal(value: float) -> str:
+    """A number as NumPy's users write it."""
+    return repr(value) if math.isfinite(value) else f"np.{value!r}".replace("np.-", "-np.")
 
 
 def _largest(name: str) -> str:

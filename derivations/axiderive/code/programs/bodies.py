@@ -1,7 +1,7 @@
 """Bodies that iterate, over plain numbers: their own text, with `math` under NumPy's names for `np`.
 
-What a body calls of the package is taken along; constants and classes stay where they are.  A body that needs nodes along
-an axis, or anything else that only arrays have, has no such twin.
+What a body calls of the package is taken along; constants and classes stay where they are.  A body that needs nodes
+along an axis, or anything else that only arrays have, has no such twin.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Twins:
 
     def add(self, function: FunctionType) -> bool:
         """Take a function along with all it calls; False, and nothing is taken, if it needs arrays."""
-        if self._needs_arrays(function, set()):
+        if self.needs_arrays(function):
             return False
         pending = [function]
         while pending:
@@ -66,6 +66,10 @@ class Twins:
                 pending += self._taken(own, twin)
         return True
 
+    def needs_arrays(self, function: FunctionType) -> bool:
+        """Whether a body, or one that it calls, needs nodes along an axis or what only arrays have."""
+        return self._needs_arrays(function, set())
+
     def _module(self, function: Any) -> str:
         """The dotted name of the module of a function, below the package."""
         return str(function.__module__).removeprefix(f"{self.package}.")
@@ -74,13 +78,14 @@ class Twins:
         """What else has to be taken along for a function; what it imports is noted in the twin."""
         space, own = function.__globals__, self._module(function)
         for name in sorted(_globals(function.__code__)):
-            value = space.get(name)
+            value: Any = space.get(name)
             if name not in space or value is np:
                 continue
             if self._is_own(value, FunctionType) and value.__closure__ is None:
                 yield value
-                if self._module(value) != own:
-                    twin.imports.setdefault(f"_programs.bodies.{self._module(value)}", set()).add(value.__name__)
+                if self._module(value) != own or value.__name__ != name:
+                    taken = name if value.__name__ == name else f"{value.__name__} as {name}"
+                    twin.imports.setdefault(f"_programs.bodies.{self._module(value)}", set()).add(taken)
             elif self._is_own(value, ModuleType):
                 path = value.__name__.removeprefix(f"{self.package}.")
                 twin.modules[name] = path
@@ -105,7 +110,9 @@ class Twins:
         lines = ["from __future__ import annotations", "", *(f"import {name}" for name in sorted(twin.others)), ""]
         for name, module in sorted(twin.modules.items()):
             folder, _, last = module.rpartition(".")
-            lines.append(f"from {level}_programs.bodies.{folder} import {last}" + (f" as {name}" if name != last else ""))
+            lines.append(
+                f"from {level}_programs.bodies.{folder} import {last}" + (f" as {name}" if name != last else "")
+            )
         lines += [
             f"from {level}{module} import {', '.join(sorted(names))}" for module, names in sorted(twin.imports.items())
         ]
@@ -204,6 +211,6 @@ def _annotated(text: str) -> frozenset[str]:
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.FunctionDef):
             given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
-            notes = [one.annotation for one in given if one.annotation] + [node.returns] * bool(node.returns)
-            found |= {part.id for note in notes for part in ast.walk(note) if isinstance(part, ast.Name)}
+            notes = [*(one.annotation for one in given), node.returns]
+            found |= {part.id for note in notes if note for part in ast.walk(note) if isinstance(part, ast.Name)}
     return frozenset(found - set(dir(__builtins__)) - {"tuple", "float", "str", "int", "bool"})

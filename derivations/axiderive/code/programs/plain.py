@@ -32,10 +32,17 @@ DEEPEST = 24
 """Operations inside one another on one line; Python refuses two hundred parentheses."""
 
 
-def function(name: str, arguments: Mapping[str, tuple[float, float]], orders: Sequence[str], lines: list[str]) -> str:
+def function(
+    name: str,
+    arguments: Mapping[str, tuple[float, float]],
+    orders: Sequence[str],
+    lines: list[str],
+    unused: Sequence[str] = (),
+) -> str:
     """The text of a function of plain numbers: None where one is no float or outside its range, or the result may err.
 
-    `orders` are relations between the arguments that must hold beside; the lines return a value.
+    `orders` are relations between the arguments that must hold beside; the lines return a value, and do not need those
+    arguments that are `unused`, which come last and may be left out where they have been looked at before.
     """
     # a third faster than in a chain
     inside = [f"{own} > {low!r} and {own} < {high!r}" for own, (low, high) in arguments.items()]
@@ -43,8 +50,9 @@ def function(name: str, arguments: Mapping[str, tuple[float, float]], orders: Se
         inside.insert(0, f"{' is '.join(f'{own}.__class__' for own in arguments)} is float")
     condition = " and ".join([*inside, *orders]) or "True"
     body = "\n".join(f"            {line}" for line in lines)
+    signature = [f"{own}={min(1.0, 0.5 * arguments[own][1])!r}" if own in unused else own for own in arguments]
     text = (
-        f"def {name}({', '.join(arguments)}):\n    if {condition}:\n        try:\n{body}\n"
+        f"def {name}({', '.join(signature)}):\n    if {condition}:\n        try:\n{body}\n"
         "        except (ArithmeticError, ValueError):\n            pass\n    return None\n"
     )
     # without the brackets that the order of operations makes needless

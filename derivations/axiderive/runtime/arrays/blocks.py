@@ -14,6 +14,7 @@ POSITIONS = ("r", "x")
 """First arguments of fields, which vanish at infinity, but for those of the body itself, its profile."""
 REAL = "biuf"
 """Kinds of NumPy's types that a field may have."""
+_programs: dict[Any, Program | None] = {}
 INFINITE = np.array(np.inf).view(np.uint64)[()]
 
 
@@ -83,7 +84,7 @@ def _evaluated(
         # without scratch a step costs less than its call, and a rule at many radii is one polynomial for all of them
         size = BLOCK if found is not None and found.scratch else 2 * BLOCK
         far = not several[0] and numbers[0] == np.inf
-        fill = None if found is None or far else _filling(found, names, several, numbers, min(out.size, size))
+        fill = None if found is None or far else _filling(found, several, numbers, min(out.size, size))
         fields = sum(several[:count])
         for part, *blocks in _blocks(out, arrays, size):
             if fill is not None and fill(part, *blocks):
@@ -101,10 +102,12 @@ def _program(
     """What was written for these arrays, or for arrays alone, where there is either."""
     if not of_a_module(function):
         return None
-    blocks = getattr(programs(function.__module__), "BLOCKS", {})
-    written = blocks.get((function.__name__, count, *names), {})
-    found: Program | None = written.get(tuple([name for name, more in zip(names, several, strict=True) if more]))
-    return found or written.get(names)
+    key = (function, count, names, several)
+    if key not in _programs:
+        written = getattr(programs(function.__module__), "BLOCKS", {}).get((function.__name__, count, *names), {})
+        arrays = tuple([name for name, more in zip(names, several, strict=True) if more])
+        _programs[key] = written.get(arrays) or written.get(names)
+    return _programs[key]
 
 
 def _vanishes(function: Callable[..., Array]) -> bool:
@@ -152,16 +155,15 @@ def _by_body(
     part[infinite & ~np.isnan(part)] = 0.0
 
 
-def _filling(
-    found: Program, names: tuple[str, ...], several: tuple[bool, ...], numbers: list[Any], size: int
-) -> Callable[..., bool] | None:
+def _filling(found: Program, several: tuple[bool, ...], numbers: list[Any], size: int) -> Callable[..., bool] | None:
     """The program with its numbers, which says whether a block stayed in the range of doubles; None if they do not."""
-    given = iter(numbers)
-    known = {name: next(given) for name, more in zip(names, several, strict=True) if not more}
     # allocated for every call: threads share nothing
-    spread = [np.full(size, known[name]) if name in known else None for name in found.arrays]
+    spread: list[Array | None] = []
+    if len(found.arrays) > sum(several):
+        known = iter(numbers)
+        spread = [None if more else np.full(size, next(known)) for more in several]
     try:
-        results = found.prepare(*(value for name, value in known.items() if name not in found.arrays))
+        results = found.prepare(*([] if spread else numbers))
     except FloatingPointError:
         return None
     if found.positive and not all([0.0 < value < np.inf for value in results]):
@@ -173,10 +175,11 @@ def _filling(
     def fill(out: Array, *arrays: Array) -> bool:
         whole = out.size == size
         places = work if whole else [place[: out.size] for place in work]
-        blocks = iter(arrays)
-        own = [next(blocks) if value is None else value if whole else value[: out.size] for value in spread]
+        if spread:
+            blocks = iter(arrays)
+            arrays = tuple([next(blocks) if own is None else own if whole else own[: out.size] for own in spread])
         try:
-            found.block(out, *own, *prepared, *places)
+            found.block(out, *arrays, *prepared, *places)
         except FloatingPointError:
             return False
         return True

@@ -1,0 +1,74 @@
+"""Programs of axicontact.adhesive.concave_paraboloid."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(-2.0)
+C1 = np.array(6.283185307179586)
+C2 = np.array(8.0)
+C3 = np.array(3.0)
+
+
+def pull_off_depth(a, h, E_star, dgamma):
+    if a.__class__ is h.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return -2.0 * h - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pull_off_depth_all_signed():
+    return ()
+
+
+def block_pull_off_depth_all_signed(out, a, h, E_star, dgamma, w0, w1):
+    np.multiply(C0, h, out)
+    np.sqrt(a, w0)
+    np.multiply(C1, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def pull_off_force(a, h, E_star, dgamma):
+    if a.__class__ is h.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return -2.0 * a * sqrt(6.283185307179586 * E_star * dgamma * a) - 8.0 * E_star * h / 3.0 * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pull_off_force_all_signed():
+    return ()
+
+
+def block_pull_off_force_all_signed(out, a, h, E_star, dgamma, w0):
+    np.multiply(C0, a, out)
+    np.multiply(C1, E_star, w0)
+    np.multiply(w0, dgamma, w0)
+    np.multiply(w0, a, w0)
+    np.sqrt(w0, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(C2, E_star, out)
+    np.multiply(out, h, out)
+    np.divide(out, C3, out)
+    np.multiply(out, a, out)
+    np.subtract(w0, out, out)
+
+
+BLOCKS = {
+    ('_pull_off_depth', 0, 'a', 'h', 'E_star', 'dgamma'): {
+        ('a', 'h', 'E_star', 'dgamma'): Program(('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=2),
+    },
+    ('_pull_off_force', 0, 'a', 'h', 'E_star', 'dgamma'): {
+        ('a', 'h', 'E_star', 'dgamma'): Program(('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=1),
+    },
+}

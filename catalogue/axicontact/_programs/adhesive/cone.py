@@ -1,0 +1,492 @@
+"""Programs of axicontact.adhesive.cone."""
+
+from __future__ import annotations
+
+from math import atan, atan2, log1p, sqrt, tan
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(3.141592653589793)
+C1 = np.array(0.5)
+C2 = np.array(6.283185307179586)
+C3 = np.array(2.0)
+C4 = np.array(0.6366197723675814)
+C5 = np.array(1.0)
+C6 = np.array(0.0)
+
+
+def depth(a, theta, E_star, dgamma):
+    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 3.141592653589793 * tan(theta) * a / 2.0 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(theta, E_star, dgamma):
+    v4 = np.tan(theta)
+    v6 = (3.141592653589793) * v4
+    v10 = v6 * (0.5)
+    v14 = (6.283185307179586) * dgamma
+    v15 = v14 / E_star
+    v16 = np.sqrt(v15)
+    return (v10, v16)
+
+
+def block_depth_a(out, a, v10, v16, w0):
+    np.multiply(v10, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.sqrt(a, w0)
+    np.multiply(w0, v16, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, theta, E_star, dgamma, w0, w1):
+    np.tan(theta, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(C0, out, out)
+    np.multiply(out, a, out)
+    np.multiply(out, C1, out)
+    np.sqrt(a, w0)
+    np.multiply(C2, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def displacement(r, a, theta, E_star, dgamma):
+    if r.__class__ is a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v5 = tan(theta)
+            v7 = r - a
+            v8 = r + a
+            v24 = r > a
+            if v24:
+                v12 = a / (r + sqrt(v7 * v8))
+                v25 = v5 * a * (2.0 * atan(v12) - v12)
+            else:
+                v25 = 3.141592653589793 * v5 * a / 2.0 - v5 * r
+            return v25 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * v8)) if v24 else 1.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, theta, E_star, dgamma):
+    v5 = np.tan(theta)
+    v6 = v5 * a
+    v19 = (3.141592653589793) * v5
+    v20 = v19 * a
+    v21 = v20 / (2.0)
+    v35 = np.sqrt(a)
+    v37 = (6.283185307179586) * dgamma
+    v38 = v37 / E_star
+    v39 = np.sqrt(v38)
+    v40 = v35 * v39
+    return (a, v5, v6, v21, v40)
+
+
+def block_displacement_r(out, r, a, v5, v6, v21, v40, w0, w1, w2, m0, f0):
+    size = out.size
+    np.subtract(r, a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(r, a, w0)
+    np.greater(r, a, m0)
+    some25 = np.count_nonzero(m0)
+    if some25:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(r, w1, w1)
+        np.divide(a, w1, w1)
+        np.arctan(w1, w2)
+        np.multiply(C3, w2, w2)
+        np.subtract(w2, w1, w1)
+        np.multiply(v6, w1, w1)
+    if some25 != size:
+        other25 = w2 if some25 else w1
+        np.multiply(v5, r, other25)
+        np.subtract(v21, other25, other25)
+        if some25:
+            np.copyto(w1, other25, where=~m0)
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.maximum(out, f0, out=w2)
+        np.multiply(w2, w0, w2)
+        np.sqrt(w2, w2)
+        np.arctan2(a, w2, w2)
+        np.multiply(C4, w2, w2)
+    if some34 != size:
+        np.copyto(w2, C5, where=~m0)
+    np.multiply(v40, w2, w2)
+    np.subtract(w1, w2, out)
+
+
+def prepare_displacement_r_a(theta, E_star, dgamma):
+    v5 = np.tan(theta)
+    v19 = (3.141592653589793) * v5
+    v22 = v19 * (0.5)
+    v39 = (6.283185307179586) * dgamma
+    v40 = v39 / E_star
+    v41 = np.sqrt(v40)
+    return (v5, v22, v41)
+
+
+def block_displacement_r_a(out, r, a, v5, v22, v41, w0, w1, w2, w3, m0, f0):
+    size = out.size
+    np.subtract(r, a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(r, a, w0)
+    np.greater(r, a, m0)
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.multiply(v5, a, w1)
+        np.multiply(out, w0, w2)
+        np.sqrt(w2, w2)
+        np.add(r, w2, w2)
+        np.divide(a, w2, w2)
+        np.arctan(w2, w3)
+        np.multiply(C3, w3, w3)
+        np.subtract(w3, w2, w2)
+        np.multiply(w1, w2, w1)
+    if some27 != size:
+        other27 = w2 if some27 else w1
+        np.multiply(v22, a, other27)
+        np.multiply(v5, r, w3)
+        np.subtract(other27, w3, other27)
+        if some27:
+            np.copyto(w1, other27, where=~m0)
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.maximum(out, f0, out=w2)
+        np.multiply(w2, w0, w2)
+        np.sqrt(w2, w2)
+        np.arctan2(a, w2, w2)
+        np.multiply(C4, w2, w2)
+    if some36 != size:
+        np.copyto(w2, C5, where=~m0)
+    np.sqrt(a, w0)
+    np.multiply(w0, v41, w0)
+    np.multiply(w0, w2, w2)
+    np.subtract(w1, w2, out)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4, m0, f0):
+    size = out.size
+    np.tan(theta, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some26 = np.count_nonzero(m0)
+    if some26:
+        np.multiply(out, a, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.arctan(w3, w4)
+        np.multiply(C3, w4, w4)
+        np.subtract(w4, w3, w3)
+        np.multiply(w2, w3, w2)
+    if some26 != size:
+        other26 = w3 if some26 else w2
+        np.multiply(C0, out, other26)
+        np.multiply(other26, a, other26)
+        np.multiply(other26, C1, other26)
+        np.multiply(out, r, w4)
+        np.subtract(other26, w4, other26)
+        if some26:
+            np.copyto(w2, other26, where=~m0)
+    some35 = np.count_nonzero(m0)
+    if some35:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C4, out, out)
+    if some35 != size:
+        np.copyto(out, C5, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(C2, dgamma, w0)
+    np.divide(w0, E_star, w0)
+    np.sqrt(w0, w0)
+    np.multiply(w1, w0, w0)
+    np.multiply(w0, out, out)
+    np.subtract(w2, out, out)
+
+
+def force(a, theta, E_star, dgamma):
+    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0 - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(theta, E_star, dgamma):
+    v5 = (3.141592653589793) * E_star
+    v6 = np.tan(theta)
+    v7 = v5 * v6
+    v12 = v7 * (0.5)
+    v14 = (2.0) * E_star
+    v18 = (6.283185307179586) * dgamma
+    v19 = v18 / E_star
+    v20 = np.sqrt(v19)
+    return (v12, v14, v20)
+
+
+def block_force_a(out, a, v12, v14, v20, w0, w1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v12, out, out)
+    np.multiply(v14, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v20, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, theta, E_star, dgamma, w0, w1, w2):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.tan(theta, w0)
+    np.multiply(out, w0, w0)
+    np.square(a, out)
+    np.multiply(w0, out, out)
+    np.multiply(out, C1, out)
+    np.multiply(C3, E_star, w0)
+    np.multiply(w0, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(C2, dgamma, w2)
+    np.divide(w2, E_star, w2)
+    np.sqrt(w2, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w2, w2)
+    np.subtract(out, w2, out)
+
+
+def pressure(r, a, theta, E_star, dgamma):
+    if r.__class__ is a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v5 = a - r
+            v6 = a + r
+            if r <= a:
+                v25 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v36 = E_star * v25 / (3.141592653589793 * sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * v6)) if v25 > 0.0 else 0.0
+            else:
+                v36 = 0.0
+            return (E_star * tan(theta) * log1p((v5 + sqrt(v5 * v6)) / r) / 2.0 if r < a else 0.0) - v36
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, theta, E_star, dgamma):
+    v10 = np.tan(theta)
+    v11 = E_star * v10
+    v18 = v11 * (0.5)
+    v22 = np.sqrt(a)
+    v24 = (6.283185307179586) * dgamma
+    v25 = v24 / E_star
+    v26 = np.sqrt(v25)
+    v27 = v22 * v26
+    v28 = np.greater(v27, (0.0))
+    v29 = E_star * v27
+    return (a, v18, v28, v29)
+
+
+def block_pressure_r(out, r, a, v18, v28, v29, w0, w1, w2, m0, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(out, w1, w1)
+        np.divide(w1, r, w1)
+        np.log1p(w1, w1)
+        np.multiply(v18, w1, w1)
+    if some21 != size:
+        np.copyto(w1, C6, where=~m0)
+    np.less_equal(r, a, m0)
+    some38 = np.count_nonzero(m0)
+    if some38:
+        if v28:
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C0, w2, w2)
+            np.divide(v29, w2, w2)
+        else:
+            np.copyto(w2, C6)
+    if some38 != size:
+        np.copyto(w2, C6, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_r_a(theta, E_star, dgamma):
+    v10 = np.tan(theta)
+    v11 = E_star * v10
+    v18 = v11 * (0.5)
+    v24 = (6.283185307179586) * dgamma
+    v25 = v24 / E_star
+    v26 = np.sqrt(v25)
+    return (E_star, v18, v26)
+
+
+def block_pressure_r_a(out, r, a, E_star, v18, v26, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(out, w1, w1)
+        np.divide(w1, r, w1)
+        np.log1p(w1, w1)
+        np.multiply(v18, w1, w1)
+    if some21 != size:
+        np.copyto(w1, C6, where=~m0)
+    np.less_equal(r, a, m0)
+    some38 = np.count_nonzero(m0)
+    if some38:
+        np.sqrt(a, w3)
+        np.multiply(w3, v26, w3)
+        np.greater(w3, C6, m1)
+        some36 = np.count_nonzero(m1)
+        if some36:
+            np.multiply(E_star, w3, w2)
+            np.maximum(out, f0, out=w4)
+            np.multiply(w4, w0, w4)
+            np.sqrt(w4, w4)
+            np.multiply(C0, w4, w4)
+            np.divide(w2, w4, w2)
+        if some36 != size:
+            np.copyto(w2, C6, where=~m1)
+    if some38 != size:
+        np.copyto(w2, C6, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.tan(theta, w2)
+        np.multiply(E_star, w2, w2)
+        np.add(out, w1, w1)
+        np.divide(w1, r, w1)
+        np.log1p(w1, w1)
+        np.multiply(w2, w1, w1)
+        np.multiply(w1, C1, w1)
+    if some20 != size:
+        np.copyto(w1, C6, where=~m0)
+    np.less_equal(r, a, m0)
+    some37 = np.count_nonzero(m0)
+    if some37:
+        np.sqrt(a, w3)
+        np.multiply(C2, dgamma, w4)
+        np.divide(w4, E_star, w4)
+        np.sqrt(w4, w4)
+        np.multiply(w3, w4, w4)
+        np.greater(w4, C6, m1)
+        some35 = np.count_nonzero(m1)
+        if some35:
+            np.multiply(E_star, w4, w2)
+            np.maximum(out, f0, out=w3)
+            np.multiply(w3, w0, w3)
+            np.sqrt(w3, w3)
+            np.multiply(C0, w3, w3)
+            np.divide(w2, w3, w2)
+        if some35 != size:
+            np.copyto(w2, C6, where=~m1)
+    if some37 != size:
+        np.copyto(w2, C6, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'theta', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'theta', 'E_star', 'dgamma'): Program(('a', 'theta', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_displacement', 2, 'r', 'a', 'theta', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=4, masks=1, filled=(0.0,)),
+        ('r', 'a', 'theta', 'E_star', 'dgamma'): Program(('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=5, masks=1, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'theta', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'theta', 'E_star', 'dgamma'): Program(('a', 'theta', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+    },
+    ('_pressure', 2, 'r', 'a', 'theta', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=3, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'theta', 'E_star', 'dgamma'): Program(('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=5, masks=2, filled=(0.0,)),
+    },
+}

@@ -1,0 +1,325 @@
+"""Programs of axicontact.adhesive.hyperboloid."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, sqrt, tan
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(6.283185307179586)
+C1 = np.array(2.0)
+C2 = np.array(1.0)
+C3 = np.array(2.229767813968649e-06)
+C4 = np.array(0.0021043873129700233)
+C5 = np.array(0.04325113828415611)
+C6 = np.array(0.2725778671008127)
+C7 = np.array(0.7123414383945195)
+C8 = np.array(0.8116412201960678)
+C9 = np.array(0.3333333333333333)
+C10 = np.array(0.002445452808893491)
+C11 = np.array(0.06453295925870227)
+C12 = np.array(0.5368820963772863)
+C13 = np.array(1.9680296155712274)
+C14 = np.array(3.5294070829658954)
+C15 = np.array(3.034923660588189)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, theta, b, E_star, dgamma):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return tan(theta) * a * atan(a / b) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(theta, b, E_star, dgamma):
+    v7 = np.tan(theta)
+    v12 = (6.283185307179586) * dgamma
+    v13 = v12 / E_star
+    v14 = np.sqrt(v13)
+    return (b, v7, v14)
+
+
+def block_depth_a(out, a, b, v7, v14, w0):
+    np.divide(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.arctan(out, out)
+    np.multiply(v7, a, w0)
+    np.multiply(w0, out, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v14, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, theta, b, E_star, dgamma, w0, w1):
+    np.divide(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.arctan(out, out)
+    np.tan(theta, w0)
+    np.multiply(w0, a, w0)
+    np.multiply(w0, out, out)
+    np.sqrt(a, w0)
+    np.multiply(C0, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def displacement(r, a, theta, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v11 = r - a
+            v16 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (r + a))
+            v51 = tan(theta)
+            v57 = b * b
+            v80 = r > a
+            if v80:
+                v10 = b / sqrt(r * r + b * b)
+                v17 = a / v16
+                v19 = asinh(v17 / v10)
+                v24 = 0.0 - expm1(-2.0 * v19)
+                v27 = v24 if v24 > 0.0 else inf
+                v41 = v10 * v10
+                v53 = b * v51
+                v64 = []
+                for node, weight in RULE_0(v19 / 1.0):
+                    v28 = node * v19
+                    v37 = v17 * (exp(-v28) * (0.0 - expm1(-2.0 * (v19 - v28))) / v27)
+                    v38 = v37 * v37
+                    v40 = sqrt(1.0 + v38)
+                    v48 = r * v37 / v40
+                    v63 = (v51 * atan(v48 / b) + v53 * v48 / (v48 * v48 + v57)) * atan(v37) * (sqrt(v41 + v38) / (v40 * v40 * v40))
+                    v64.append(weight * v63)
+                v64 = fsum(v64) * v19
+                v81 = 0.6366197723675814 * (r * v64)
+            else:
+                v73 = r * r
+                v81 = v51 * a * atan(a / b) - v51 * v73 / (sqrt(v73 + v57) + b)
+            value = v81 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v16) if v80 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, theta, b, E_star, dgamma):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v12 = a / b
+            if v12 < 1.0:
+                v16 = v12 * v12
+                v59 = v12 * v16 * (((((((2.229767813968649e-06 * v16 + 0.0021043873129700233) * v16 + 0.04325113828415611) * v16 + 0.2725778671008127) * v16 + 0.7123414383945195) * v16 + 0.8116412201960678) * v16 + 0.3333333333333333) / ((((((0.002445452808893491 * v16 + 0.06453295925870227) * v16 + 0.5368820963772863) * v16 + 1.9680296155712274) * v16 + 3.5294070829658954) * v16 + 3.034923660588189) * v16 + 1.0))
+            else:
+                v59 = v12 - atan(v12)
+            value = E_star * tan(theta) * (a * a * atan2(a, b) + b * b * v59) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(theta, b, E_star, dgamma):
+    v6 = np.tan(theta)
+    v7 = E_star * v6
+    v11 = np.square(b)
+    v63 = (2.0) * E_star
+    v67 = (6.283185307179586) * dgamma
+    v68 = v67 / E_star
+    v69 = np.sqrt(v68)
+    return (b, v7, v11, v63, v69)
+
+
+def block_force_a(out, a, b, v7, v11, v63, v69, w0, w1, w2, w3, w4, m0, f0):
+    size = out.size
+    np.arctan2(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, w0)
+    np.multiply(w0, out, out)
+    np.divide(a, b, w0)
+    np.less(w0, C2, m0)
+    some59 = np.count_nonzero(m0)
+    if some59:
+        np.minimum(w0, f0, out=w1)
+        np.multiply(w1, w1, w2)
+        np.multiply(w1, w2, w1)
+        np.multiply(C3, w2, w3)
+        np.add(w3, C4, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C9, w3)
+        np.multiply(C10, w2, w4)
+        np.add(w4, C11, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C12, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C13, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w2, w2)
+        np.add(w2, C2, w2)
+        np.divide(w3, w2, w2)
+        np.multiply(w1, w2, w1)
+    if some59 != size:
+        other59 = w2 if some59 else w1
+        np.arctan(w0, other59)
+        np.subtract(w0, other59, other59)
+        if some59:
+            np.copyto(w1, other59, where=~m0)
+    np.multiply(v11, w1, w1)
+    np.add(out, w1, w1)
+    np.multiply(v7, w1, w1)
+    np.multiply(v63, a, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v69, w0)
+    np.multiply(out, w0, w0)
+    np.subtract(w1, w0, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, theta, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.arctan2(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.tan(theta, w0)
+    np.multiply(E_star, w0, w0)
+    np.square(a, w1)
+    np.multiply(w1, out, out)
+    np.square(b, w1)
+    np.divide(a, b, w2)
+    np.less(w2, C2, m0)
+    some59 = np.count_nonzero(m0)
+    if some59:
+        np.minimum(w2, f0, out=w3)
+        np.multiply(w3, w3, w4)
+        np.multiply(w3, w4, w3)
+        np.multiply(C3, w4, w5)
+        np.add(w5, C4, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C9, w5)
+        np.multiply(C10, w4, w6)
+        np.add(w6, C11, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C12, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C13, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w4, w4)
+        np.add(w4, C2, w4)
+        np.divide(w5, w4, w4)
+        np.multiply(w3, w4, w3)
+    if some59 != size:
+        other59 = w4 if some59 else w3
+        np.arctan(w2, other59)
+        np.subtract(w2, other59, other59)
+        if some59:
+            np.copyto(w3, other59, where=~m0)
+    np.multiply(w1, w3, w3)
+    np.add(out, w3, w3)
+    np.multiply(w0, w3, w3)
+    np.multiply(C1, E_star, w0)
+    np.multiply(w0, a, w0)
+    np.sqrt(a, out)
+    np.multiply(C0, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(out, w1, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(w3, w1, out)
+
+
+def pressure(r, a, theta, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v10 = a - r
+            v15 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * (a + r))
+            if r < a:
+                v6 = r * r
+                v9 = sqrt(v6 + b * b)
+                v17 = asinh(v15 / v9)
+                v22 = 0.0 - expm1(-2.0 * v17)
+                v25 = v22 if v22 > 0.0 else inf
+                v41 = tan(theta)
+                v43 = b * v41
+                v47 = b * b
+                v52 = v9 * v9
+                v56 = []
+                for node, weight in RULE_0(v17 / 1.0):
+                    v26 = node * v17
+                    v35 = v15 * (exp(-v26) * (0.0 - expm1(-2.0 * (v17 - v26))) / v25)
+                    v36 = v35 * v35
+                    v38 = sqrt(v6 + v36)
+                    v55 = (v41 * atan(v38 / b) + v43 * v38 / (v38 * v38 + v47)) / v38 * sqrt(v52 + v36)
+                    v56.append(weight * v55)
+                v56 = fsum(v56) * v17
+                v62 = E_star / 3.141592653589793 * v56
+            else:
+                v62 = 0.0
+            if r <= a:
+                v68 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v75 = E_star * v68 / (3.141592653589793 * v15) if v68 > 0.0 else 0.0
+            else:
+                v75 = 0.0
+            value = v62 - v75
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_force', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1, filled=(1.0,)),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=7, masks=1, filled=(1.0,)),
+    },
+}

@@ -1,0 +1,613 @@
+"""Programs of axicontact.adhesive.paraboloid."""
+
+from __future__ import annotations
+
+from math import atan2, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(2.0)
+C1 = np.array(6.283185307179586)
+C2 = np.array(-0.7327347664453868)
+C3 = np.array(-32.15553480435792)
+C4 = np.array(-332.23363563146734)
+C5 = np.array(-1070.7082873491413)
+C6 = np.array(-85.27694715374247)
+C7 = np.array(5044.821368830373)
+C8 = np.array(8082.413158212496)
+C9 = np.array(3759.725330928701)
+C10 = np.array(0.26666666666720995)
+C11 = np.array(0.21387262524856868)
+C12 = np.array(32.12935731379798)
+C13 = np.array(746.8124983579742)
+C14 = np.array(6202.125133759036)
+C15 = np.array(23553.080984642995)
+C16 = np.array(44404.005348491315)
+C17 = np.array(40380.01430284195)
+C18 = np.array(14099.684276696918)
+C19 = np.array(1.0)
+C20 = np.array(0.6666666666666666)
+C21 = np.array(0.6366197723675814)
+C22 = np.array(3.141592653589793)
+C23 = np.array(4.0)
+C24 = np.array(3.0)
+C25 = np.array(0.0)
+
+
+def depth(a, R, E_star, dgamma):
+    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return a * a / R - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, E_star, dgamma):
+    v9 = (6.283185307179586) * dgamma
+    v10 = v9 / E_star
+    v11 = np.sqrt(v10)
+    return (R, v11)
+
+
+def block_depth_a(out, a, R, v11, w0):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v11, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, E_star, dgamma, w0, w1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+    np.sqrt(a, w0)
+    np.multiply(C1, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def displacement(r, a, R, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v6 = a * a
+            v11 = r - a
+            v12 = r + a
+            v80 = r > a
+            if v80:
+                v16 = a / (r + sqrt(v11 * v12))
+                v18 = v16 * v16
+                v81 = 2.0 * v6 / (3.141592653589793 * R) * (a / r * (0.6666666666666666 + v18 * (((((((((-0.7327347664453868 * v18 + -32.15553480435792) * v18 + -332.23363563146734) * v18 + -1070.7082873491413) * v18 + -85.27694715374247) * v18 + 5044.821368830373) * v18 + 8082.413158212496) * v18 + 3759.725330928701) * v18 + 0.26666666666720995) / ((((((((0.21387262524856868 * v18 + 32.12935731379798) * v18 + 746.8124983579742) * v18 + 6202.125133759036) * v18 + 23553.080984642995) * v18 + 44404.005348491315) * v18 + 40380.01430284195) * v18 + 14099.684276696918) * v18 + 1.0))))
+            else:
+                v81 = v6 / R - r * r / (2.0 * R)
+            value = v81 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * v12)) if v80 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, R, E_star, dgamma):
+    v6 = np.square(a)
+    v7 = (2.0) * v6
+    v9 = (3.141592653589793) * R
+    v10 = v7 / v9
+    v75 = v6 / R
+    v77 = (2.0) * R
+    v90 = np.sqrt(a)
+    v92 = (6.283185307179586) * dgamma
+    v93 = v92 / E_star
+    v94 = np.sqrt(v93)
+    v95 = v90 * v94
+    return (a, v10, v75, v77, v95)
+
+
+def block_displacement_r(out, r, a, v10, v75, v77, v95, w0, w1, w2, w3, w4, m0, f0):
+    size = out.size
+    np.subtract(r, a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(r, a, w0)
+    np.greater(r, a, m0)
+    some81 = np.count_nonzero(m0)
+    if some81:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(r, w1, w1)
+        np.divide(a, w1, w1)
+        np.divide(a, r, w2)
+        np.multiply(w1, w1, w1)
+        np.multiply(C2, w1, w3)
+        np.add(w3, C3, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C4, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C9, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C10, w3)
+        np.multiply(C11, w1, w4)
+        np.add(w4, C12, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C13, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C16, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C17, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C18, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C19, w4)
+        np.divide(w3, w4, w4)
+        np.multiply(w1, w4, w4)
+        np.add(C20, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.multiply(v10, w4, w1)
+    if some81 != size:
+        other81 = w4 if some81 else w1
+        np.square(r, other81)
+        np.divide(other81, v77, other81)
+        np.subtract(v75, other81, other81)
+        if some81:
+            np.copyto(w1, other81, where=~m0)
+    some89 = np.count_nonzero(m0)
+    if some89:
+        np.maximum(out, f0, out=w4)
+        np.multiply(w4, w0, w4)
+        np.sqrt(w4, w4)
+        np.arctan2(a, w4, w4)
+        np.multiply(C21, w4, w4)
+    if some89 != size:
+        np.copyto(w4, C19, where=~m0)
+    np.multiply(v95, w4, w4)
+    np.subtract(w1, w4, out)
+
+
+def prepare_displacement_r_a(R, E_star, dgamma):
+    v9 = (3.141592653589793) * R
+    v77 = (2.0) * R
+    v92 = (6.283185307179586) * dgamma
+    v93 = v92 / E_star
+    v94 = np.sqrt(v93)
+    return (R, v9, v77, v94)
+
+
+def block_displacement_r_a(out, r, a, R, v9, v77, v94, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.square(a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some81 = np.count_nonzero(m0)
+    if some81:
+        np.multiply(C0, out, w2)
+        np.divide(w2, v9, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.divide(a, r, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C2, w3, w5)
+        np.add(w5, C3, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C4, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C10, w5)
+        np.multiply(C11, w3, w6)
+        np.add(w6, C12, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C13, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C19, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w3, w6, w6)
+        np.add(C20, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w2, w6, w2)
+    if some81 != size:
+        other81 = w6 if some81 else w2
+        np.divide(out, R, other81)
+        np.square(r, w4)
+        np.divide(w4, v77, w4)
+        np.subtract(other81, w4, other81)
+        if some81:
+            np.copyto(w2, other81, where=~m0)
+    some89 = np.count_nonzero(m0)
+    if some89:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C21, out, out)
+    if some89 != size:
+        np.copyto(out, C19, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v94, w1)
+    np.multiply(w1, out, out)
+    np.subtract(w2, out, out)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.square(a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some81 = np.count_nonzero(m0)
+    if some81:
+        np.multiply(C0, out, w2)
+        np.multiply(C22, R, w3)
+        np.divide(w2, w3, w3)
+        np.multiply(w0, w1, w2)
+        np.sqrt(w2, w2)
+        np.add(r, w2, w2)
+        np.divide(a, w2, w2)
+        np.divide(a, r, w4)
+        np.multiply(w2, w2, w2)
+        np.multiply(C2, w2, w5)
+        np.add(w5, C3, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C4, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C10, w5)
+        np.multiply(C11, w2, w6)
+        np.add(w6, C12, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C13, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w2, w6)
+        np.add(w6, C19, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w2, w6, w6)
+        np.add(C20, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w3, w6, w2)
+    if some81 != size:
+        other81 = w6 if some81 else w2
+        np.divide(out, R, other81)
+        np.square(r, w3)
+        np.multiply(C0, R, w4)
+        np.divide(w3, w4, w4)
+        np.subtract(other81, w4, other81)
+        if some81:
+            np.copyto(w2, other81, where=~m0)
+    some89 = np.count_nonzero(m0)
+    if some89:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C21, out, out)
+    if some89 != size:
+        np.copyto(out, C19, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(C1, dgamma, w0)
+    np.divide(w0, E_star, w0)
+    np.sqrt(w0, w0)
+    np.multiply(w1, w0, w0)
+    np.multiply(w0, out, out)
+    np.subtract(w2, out, out)
+
+
+def force(a, R, E_star, dgamma):
+    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 4.0 * E_star / (3.0 * R) * (a * (a * a)) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, E_star, dgamma):
+    v5 = (4.0) * E_star
+    v7 = (3.0) * R
+    v8 = v5 / v7
+    v13 = (2.0) * E_star
+    v17 = (6.283185307179586) * dgamma
+    v18 = v17 / E_star
+    v19 = np.sqrt(v18)
+    return (v8, v13, v19)
+
+
+def block_force_a(out, a, v8, v13, v19, w0, w1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v8, out, out)
+    np.multiply(v13, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v19, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, E_star, dgamma, w0, w1, w2):
+    np.multiply(C23, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(C24, R, w0)
+    np.divide(out, w0, w0)
+    np.square(a, out)
+    np.multiply(a, out, out)
+    np.multiply(w0, out, out)
+    np.multiply(C0, E_star, w0)
+    np.multiply(w0, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(C1, dgamma, w2)
+    np.divide(w2, E_star, w2)
+    np.sqrt(w2, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w2, w2)
+    np.subtract(out, w2, out)
+
+
+def pressure(r, a, R, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v5 = a - r
+            v6 = a + r
+            if r <= a:
+                v23 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v33 = E_star * v23 / (3.141592653589793 * sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * v6)) if v23 > 0.0 else 0.0
+            else:
+                v33 = 0.0
+            return (2.0 * E_star / (3.141592653589793 * R) * sqrt(v5 * v6) if r < a else 0.0) - v33
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, R, E_star, dgamma):
+    v11 = (2.0) * E_star
+    v13 = (3.141592653589793) * R
+    v14 = v11 / v13
+    v18 = np.sqrt(a)
+    v20 = (6.283185307179586) * dgamma
+    v21 = v20 / E_star
+    v22 = np.sqrt(v21)
+    v23 = v18 * v22
+    v24 = np.greater(v23, (0.0))
+    v25 = E_star * v23
+    return (a, v14, v24, v25)
+
+
+def block_pressure_r(out, r, a, v14, v24, v25, w0, w1, w2, m0, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.multiply(v14, w1, w1)
+    if some17 != size:
+        np.copyto(w1, C25, where=~m0)
+    np.less_equal(r, a, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        if v24:
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C22, w2, w2)
+            np.divide(v25, w2, w2)
+        else:
+            np.copyto(w2, C25)
+    if some33 != size:
+        np.copyto(w2, C25, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_r_a(R, E_star, dgamma):
+    v11 = (2.0) * E_star
+    v13 = (3.141592653589793) * R
+    v14 = v11 / v13
+    v20 = (6.283185307179586) * dgamma
+    v21 = v20 / E_star
+    v22 = np.sqrt(v21)
+    return (E_star, v14, v22)
+
+
+def block_pressure_r_a(out, r, a, E_star, v14, v22, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.multiply(v14, w1, w1)
+    if some17 != size:
+        np.copyto(w1, C25, where=~m0)
+    np.less_equal(r, a, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.sqrt(a, w3)
+        np.multiply(w3, v22, w3)
+        np.greater(w3, C25, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.multiply(E_star, w3, w2)
+            np.maximum(out, f0, out=w4)
+            np.multiply(w4, w0, w4)
+            np.sqrt(w4, w4)
+            np.multiply(C22, w4, w4)
+            np.divide(w2, w4, w2)
+        if some31 != size:
+            np.copyto(w2, C25, where=~m1)
+    if some33 != size:
+        np.copyto(w2, C25, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.multiply(C0, E_star, w2)
+        np.multiply(C22, R, w3)
+        np.divide(w2, w3, w3)
+        np.multiply(w3, w1, w1)
+    if some17 != size:
+        np.copyto(w1, C25, where=~m0)
+    np.less_equal(r, a, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.sqrt(a, w2)
+        np.multiply(C1, dgamma, w4)
+        np.divide(w4, E_star, w4)
+        np.sqrt(w4, w4)
+        np.multiply(w2, w4, w4)
+        np.greater(w4, C25, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.multiply(E_star, w4, w3)
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C22, w2, w2)
+            np.divide(w3, w2, w3)
+        if some31 != size:
+            np.copyto(w3, C25, where=~m1)
+    if some33 != size:
+        np.copyto(w3, C25, where=~m0)
+    np.subtract(w1, w3, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_displacement', 2, 'r', 'a', 'R', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=5, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=7, masks=1, filled=(0.0,)),
+        ('r', 'a', 'R', 'E_star', 'dgamma'): Program(('r', 'a', 'R', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'R', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+    },
+    ('_pressure', 2, 'r', 'a', 'R', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=3, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'R', 'E_star', 'dgamma'): Program(('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=5, masks=2, filled=(0.0,)),
+    },
+}

@@ -1,0 +1,470 @@
+"""Programs of axicontact.adhesive.power_law."""
+
+from __future__ import annotations
+
+from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(0.5)
+C1 = np.array(1.75)
+C2 = np.array(1.5)
+C3 = np.array(1.0)
+C4 = np.array(0.75)
+C5 = np.array(0.01524698625788054)
+C6 = np.array(0.5334320651111477)
+C7 = np.array(2.250488865813539)
+C8 = np.array(2.8612106440066865)
+C9 = np.array(1.3794681629043655)
+C10 = np.array(0.2596058532893223)
+C11 = np.array(0.015624999999999823)
+C12 = np.array(3.278794792785737)
+C13 = np.array(49.328555418276075)
+C14 = np.array(167.28648538571198)
+C15 = np.array(195.37226190335065)
+C16 = np.array(90.69722535867314)
+C17 = np.array(16.763212110504565)
+C18 = np.array(1.7724538509055159)
+C19 = np.array(6.283185307179586)
+C20 = np.array(3.5449077018110318)
+C21 = np.array(2.0)
+RULE_0 = rule(((inf, 64),))
+RULE_1 = rule(((16.0, 64), (inf, 128)))
+
+
+def depth(a, A, n, E_star, dgamma):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v8 = n / 2.0 + 0.5
+            v10 = v8 + 1.75
+            v14 = (v8 + 0.5) * (v8 + 1.5)
+            v28 = 1.0 / (v10 * v10)
+            value = 1.7724538509055159 * A * pow(a, n) * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(A, n, E_star, dgamma):
+    v6 = n / (2.0)
+    v8 = v6 + (0.5)
+    v10 = v8 + (1.75)
+    v11 = v8 + (0.5)
+    v13 = v8 + (1.5)
+    v14 = v11 * v13
+    v16 = np.less(v8, (1.0))
+    v17 = v8 + (1.0)
+    v18 = v8 * v17
+    v19 = v18 / v14
+    v21 = v8 + (0.75)
+    v22 = v21 / v14
+    v23 = (1.0) - v22
+    v24 = v19 if v16 else v23
+    v25 = np.sqrt(v10)
+    v26 = v24 * v25
+    v27 = v10 * v10
+    v28 = (1.0) / v27
+    v30 = (0.01524698625788054) * v28
+    v32 = v30 + (0.5334320651111477)
+    v33 = v32 * v28
+    v35 = v33 + (2.250488865813539)
+    v36 = v35 * v28
+    v38 = v36 + (2.8612106440066865)
+    v39 = v38 * v28
+    v41 = v39 + (1.3794681629043655)
+    v42 = v41 * v28
+    v44 = v42 + (0.2596058532893223)
+    v45 = v44 * v28
+    v47 = v45 + (0.015624999999999823)
+    v49 = (3.278794792785737) * v28
+    v51 = v49 + (49.328555418276075)
+    v52 = v51 * v28
+    v54 = v52 + (167.28648538571198)
+    v55 = v54 * v28
+    v57 = v55 + (195.37226190335065)
+    v58 = v57 * v28
+    v60 = v58 + (90.69722535867314)
+    v61 = v60 * v28
+    v63 = v61 + (16.763212110504565)
+    v64 = v63 * v28
+    v65 = v64 + (1.0)
+    v66 = v47 / v65
+    v67 = v28 * v66
+    v68 = (1.0) + v67
+    v69 = v26 * v68
+    v71 = (1.7724538509055159) * A
+    v77 = (6.283185307179586) * dgamma
+    v78 = v77 / E_star
+    v79 = np.sqrt(v78)
+    return (n, v69, v71, v79)
+
+
+def block_depth_a(out, a, n, v69, v71, v79, w0):
+    np.power(a, n, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v71, out, out)
+    np.multiply(out, v69, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v79, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, A, n, E_star, dgamma, w0, w1, w2, w3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some24 = np.count_nonzero(m0)
+    if some24:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some24 != size:
+        other24 = w3 if some24 else w1
+        np.add(out, C4, other24)
+        np.divide(other24, w2, other24)
+        np.subtract(C3, other24, other24)
+        if some24:
+            np.copyto(w1, other24, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C18, A, w2)
+    np.power(a, n, w0)
+    np.multiply(w2, w0, w0)
+    np.multiply(w0, out, out)
+    np.sqrt(a, w0)
+    np.multiply(C19, dgamma, w2)
+    np.divide(w2, E_star, w2)
+    np.sqrt(w2, w2)
+    np.multiply(w0, w2, w2)
+    np.subtract(out, w2, out)
+
+
+def displacement(r, a, A, n, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v9 = n / 2.0 + 0.5
+            v11 = v9 + 1.75
+            v15 = (v9 + 0.5) * (v9 + 1.5)
+            v29 = 1.0 / (v11 * v11)
+            v70 = (v9 * (v9 + 1.0) / v15 if v9 < 1.0 else 1.0 - (v9 + 0.75) / v15) * sqrt(v11) * (1.0 + v29 * (((((((0.01524698625788054 * v29 + 0.5334320651111477) * v29 + 2.250488865813539) * v29 + 2.8612106440066865) * v29 + 1.3794681629043655) * v29 + 0.2596058532893223) * v29 + 0.015624999999999823) / ((((((3.278794792785737 * v29 + 49.328555418276075) * v29 + 167.28648538571198) * v29 + 195.37226190335065) * v29 + 90.69722535867314) * v29 + 16.763212110504565) * v29 + 1.0)))
+            v74 = pow(a, n)
+            v76 = r - a
+            v128 = r > a
+            if v128:
+                if a > 0.0:
+                    v77 = v76 / a
+                    v84 = sqrt(log1p(v77) if isfinite(v77) else log(r) - log(a))
+                    v87 = 42.0 / (n + 1.0)
+                    v92 = v87 / (sqrt(v84 * v84 + v87) + v84)
+                    v97 = 2.0 * v84
+                    v100 = a / r
+                    v111 = -n
+                    v117 = []
+                    for node, weight in RULE_0(v92 / 1.0):
+                        v95 = node * v92
+                        v96 = v84 + v95
+                        v99 = v95 * (v97 + v95)
+                        v116 = atan2(v100 * exp(-v99), sqrt(-expm1(-2.0 * v96 * v96))) * exp(v111 * v99) * 2.0 * v96
+                        v117.append(weight * v116)
+                    v117 = fsum(v117) * v92
+                    v119 = n * v117
+                else:
+                    v119 = 0.0
+                v129 = 2.0 * A / 1.7724538509055159 * v74 * v119 * v70
+            else:
+                v129 = 1.7724538509055159 * A * v74 * v70 - A * pow(r, n)
+            value = v129 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (r + a))) if v128 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, A, n, E_star, dgamma):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v8 = n / 2.0 + 0.5
+            v10 = v8 + 1.75
+            v14 = (v8 + 0.5) * (v8 + 1.5)
+            v28 = 1.0 / (v10 * v10)
+            value = 3.5449077018110318 * E_star * n * A / (n + 1.0) * a * pow(a, n) * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(A, n, E_star, dgamma):
+    v6 = n / (2.0)
+    v8 = v6 + (0.5)
+    v10 = v8 + (1.75)
+    v11 = v8 + (0.5)
+    v13 = v8 + (1.5)
+    v14 = v11 * v13
+    v16 = np.less(v8, (1.0))
+    v17 = v8 + (1.0)
+    v18 = v8 * v17
+    v19 = v18 / v14
+    v21 = v8 + (0.75)
+    v22 = v21 / v14
+    v23 = (1.0) - v22
+    v24 = v19 if v16 else v23
+    v25 = np.sqrt(v10)
+    v26 = v24 * v25
+    v27 = v10 * v10
+    v28 = (1.0) / v27
+    v30 = (0.01524698625788054) * v28
+    v32 = v30 + (0.5334320651111477)
+    v33 = v32 * v28
+    v35 = v33 + (2.250488865813539)
+    v36 = v35 * v28
+    v38 = v36 + (2.8612106440066865)
+    v39 = v38 * v28
+    v41 = v39 + (1.3794681629043655)
+    v42 = v41 * v28
+    v44 = v42 + (0.2596058532893223)
+    v45 = v44 * v28
+    v47 = v45 + (0.015624999999999823)
+    v49 = (3.278794792785737) * v28
+    v51 = v49 + (49.328555418276075)
+    v52 = v51 * v28
+    v54 = v52 + (167.28648538571198)
+    v55 = v54 * v28
+    v57 = v55 + (195.37226190335065)
+    v58 = v57 * v28
+    v60 = v58 + (90.69722535867314)
+    v61 = v60 * v28
+    v63 = v61 + (16.763212110504565)
+    v64 = v63 * v28
+    v65 = v64 + (1.0)
+    v66 = v47 / v65
+    v67 = v28 * v66
+    v68 = (1.0) + v67
+    v69 = v26 * v68
+    v71 = (3.5449077018110318) * E_star
+    v72 = v71 * n
+    v73 = v72 * A
+    v74 = n + (1.0)
+    v75 = v73 / v74
+    v80 = (2.0) * E_star
+    v84 = (6.283185307179586) * dgamma
+    v85 = v84 / E_star
+    v86 = np.sqrt(v85)
+    return (n, v69, v75, v80, v86)
+
+
+def block_force_a(out, a, n, v69, v75, v80, v86, w0, w1):
+    np.multiply(v75, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.power(a, n, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(w0, v69, w0)
+    np.multiply(v80, a, out)
+    np.sqrt(a, w1)
+    np.multiply(w1, v86, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, A, n, E_star, dgamma, w0, w1, w2, w3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some24 = np.count_nonzero(m0)
+    if some24:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some24 != size:
+        other24 = w3 if some24 else w1
+        np.add(out, C4, other24)
+        np.divide(other24, w2, other24)
+        np.subtract(C3, other24, other24)
+        if some24:
+            np.copyto(w1, other24, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C20, E_star, w2)
+    np.multiply(w2, n, w2)
+    np.multiply(w2, A, w2)
+    np.add(n, C3, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w0, a, w0)
+    np.power(a, n, w2)
+    np.multiply(w0, w2, w2)
+    np.multiply(w2, out, out)
+    np.multiply(C21, E_star, w2)
+    np.multiply(w2, a, w2)
+    np.sqrt(a, w0)
+    np.multiply(C19, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w0, w1, w1)
+    np.multiply(w2, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def pressure(r, a, A, n, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v94 = a - r
+            if r < a:
+                v9 = n / 2.0 + 0.5
+                v11 = v9 + 1.75
+                v15 = (v9 + 0.5) * (v9 + 1.5)
+                v29 = 1.0 / (v11 * v11)
+                v79 = n - 1.0
+                v83 = n > 1.0
+                v84 = abs(v79)
+                if r > 0.0:
+                    v95 = v94 / r
+                    v101 = log1p(v95) if isfinite(v95) else log(a) - log(r)
+                    if v101 > 0.0:
+                        v106 = v101 - 42.0 / (v84 if v84 > 0.001 or v84 != v84 else 0.001)
+                        v107 = v106 if v106 > 0.0 or v106 != v106 else 0.0
+                        v108 = sqrt(v101)
+                        v113 = v108 - sqrt(v107) if v83 else sqrt(v101 - v107)
+                        v116 = 2.0 * v108
+                        v121 = -v84
+                        v136 = []
+                        for node, weight in RULE_1(v113 / 1.0):
+                            v115 = node * v113
+                            if v83:
+                                v124 = v108 - v115
+                                v126 = v124 if v124 > 0.0 or v124 != v124 else 0.0
+                            else:
+                                v126 = v115
+                            v135 = exp(v121 * (v115 * (v116 - v115) if v83 else v115 * v115)) * (2.0 * v126 / sqrt(-expm1(-2.0 * v126 * v126)))
+                            v136.append(weight * v135)
+                        v136 = fsum(v136) * v113
+                        v137 = v136
+                    else:
+                        v137 = 0.0
+                    v139 = (1.0 if v83 else pow(r / a, n) * (a / r)) * v137
+                else:
+                    v139 = 1.0 / v84 if v83 else inf
+                v143 = E_star * n * A / 1.7724538509055159 * (pow(a, n) / a if a > 0.0 else pow(a, v79)) * v139 * ((v9 * (v9 + 1.0) / v15 if v9 < 1.0 else 1.0 - (v9 + 0.75) / v15) * sqrt(v11) * (1.0 + v29 * (((((((0.01524698625788054 * v29 + 0.5334320651111477) * v29 + 2.250488865813539) * v29 + 2.8612106440066865) * v29 + 1.3794681629043655) * v29 + 0.2596058532893223) * v29 + 0.015624999999999823) / ((((((3.278794792785737 * v29 + 49.328555418276075) * v29 + 167.28648538571198) * v29 + 195.37226190335065) * v29 + 90.69722535867314) * v29 + 16.763212110504565) * v29 + 1.0))))
+            else:
+                v143 = 0.0
+            if r <= a:
+                v149 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v161 = E_star * v149 / (3.141592653589793 * sqrt((v94 if v94 > 0.0 or v94 != v94 else 0.0) * (a + r))) if v149 > 0.0 else 0.0
+            else:
+                v161 = 0.0
+            value = v143 - v161
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'A', 'n', 'E_star', 'dgamma'): Program(('a', 'A', 'n', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+    },
+    ('_force', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'A', 'n', 'E_star', 'dgamma'): Program(('a', 'A', 'n', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=4, masks=1),
+    },
+}

@@ -1,0 +1,651 @@
+"""Programs of axicontact.adhesive.quartic."""
+
+from __future__ import annotations
+
+from math import atan2, pow, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(2.0)
+C1 = np.array(8.0)
+C2 = np.array(3.0)
+C3 = np.array(6.283185307179586)
+C4 = np.array(-4.320959889429597)
+C5 = np.array(-106.53004831006083)
+C6 = np.array(-683.6776777243583)
+C7 = np.array(-1307.862063615897)
+C8 = np.array(1123.6903304493044)
+C9 = np.array(6598.931700123421)
+C10 = np.array(7450.127483097781)
+C11 = np.array(2696.481329529376)
+C12 = np.array(0.3809523809520408)
+C13 = np.array(-0.06548708381580395)
+C14 = np.array(10.743349921788495)
+C15 = np.array(655.5477291446655)
+C16 = np.array(5580.132341984832)
+C17 = np.array(18919.75045798054)
+C18 = np.array(30703.596314182465)
+C19 = np.array(23803.775464413437)
+C20 = np.array(7078.863490014608)
+C21 = np.array(1.0)
+C22 = np.array(0.8)
+C23 = np.array(0.6366197723675814)
+C24 = np.array(16.0)
+C25 = np.array(9.42477796076938)
+C26 = np.array(5.0)
+C27 = np.array(64.0)
+C28 = np.array(15.0)
+C29 = np.array(0.0)
+C30 = np.array(3.141592653589793)
+C31 = np.array(32.0)
+C32 = np.array(28.274333882308138)
+
+
+def depth(a, A, E_star, dgamma):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v10 = a * a
+            return 8.0 * A / 3.0 * (v10 * v10) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(A, E_star, dgamma):
+    v5 = (8.0) * A
+    v7 = v5 / (3.0)
+    v14 = (6.283185307179586) * dgamma
+    v15 = v14 / E_star
+    v16 = np.sqrt(v15)
+    return (v7, v16)
+
+
+def block_depth_a(out, a, v7, v16, w0):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(out, out)
+    np.multiply(v7, out, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v16, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, A, E_star, dgamma, w0, w1):
+    np.multiply(C1, A, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, C2, out)
+    np.square(a, w0)
+    np.square(w0, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(a, out)
+    np.multiply(C3, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def displacement(r, a, A, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v11 = a * a
+            v12 = v11 * v11
+            v14 = r - a
+            v15 = r + a
+            v87 = r > a
+            if v87:
+                v19 = a / (r + sqrt(v14 * v15))
+                v21 = v19 * v19
+                v88 = 16.0 * A / 9.42477796076938 * v12 * (a / r * (0.8 + v21 * (((((((((-4.320959889429597 * v21 + -106.53004831006083) * v21 + -683.6776777243583) * v21 + -1307.862063615897) * v21 + 1123.6903304493044) * v21 + 6598.931700123421) * v21 + 7450.127483097781) * v21 + 2696.481329529376) * v21 + 0.3809523809520408) / ((((((((-0.06548708381580395 * v21 + 10.743349921788495) * v21 + 655.5477291446655) * v21 + 5580.132341984832) * v21 + 18919.75045798054) * v21 + 30703.596314182465) * v21 + 23803.775464413437) * v21 + 7078.863490014608) * v21 + 1.0))))
+            else:
+                v83 = r * r
+                v88 = 8.0 * A / 3.0 * v12 - A * (v83 * v83)
+            value = v88 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * v15)) if v87 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, A, E_star, dgamma):
+    v6 = (16.0) * A
+    v8 = v6 / (9.42477796076938)
+    v10 = np.square(a)
+    v11 = np.square(v10)
+    v12 = v8 * v11
+    v78 = (8.0) * A
+    v80 = v78 / (3.0)
+    v81 = v80 * v11
+    v96 = np.sqrt(a)
+    v98 = (6.283185307179586) * dgamma
+    v99 = v98 / E_star
+    v100 = np.sqrt(v99)
+    v101 = v96 * v100
+    return (a, A, v12, v81, v101)
+
+
+def block_displacement_r(out, r, a, A, v12, v81, v101, w0, w1, w2, w3, w4, m0, f0):
+    size = out.size
+    np.subtract(r, a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(r, a, w0)
+    np.greater(r, a, m0)
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(r, w1, w1)
+        np.divide(a, w1, w1)
+        np.divide(a, r, w2)
+        np.multiply(w1, w1, w1)
+        np.multiply(C4, w1, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C9, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C10, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C11, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C12, w3)
+        np.multiply(C13, w1, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C16, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C17, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C18, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C19, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C20, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C21, w4)
+        np.divide(w3, w4, w4)
+        np.multiply(w1, w4, w4)
+        np.add(C22, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.multiply(v12, w4, w1)
+    if some87 != size:
+        other87 = w4 if some87 else w1
+        np.square(r, other87)
+        np.square(other87, other87)
+        np.multiply(A, other87, other87)
+        np.subtract(v81, other87, other87)
+        if some87:
+            np.copyto(w1, other87, where=~m0)
+    some95 = np.count_nonzero(m0)
+    if some95:
+        np.maximum(out, f0, out=w4)
+        np.multiply(w4, w0, w4)
+        np.sqrt(w4, w4)
+        np.arctan2(a, w4, w4)
+        np.multiply(C23, w4, w4)
+    if some95 != size:
+        np.copyto(w4, C21, where=~m0)
+    np.multiply(v101, w4, w4)
+    np.subtract(w1, w4, out)
+
+
+def prepare_displacement_r_a(A, E_star, dgamma):
+    v6 = (16.0) * A
+    v8 = v6 / (9.42477796076938)
+    v78 = (8.0) * A
+    v80 = v78 / (3.0)
+    v98 = (6.283185307179586) * dgamma
+    v99 = v98 / E_star
+    v100 = np.sqrt(v99)
+    return (A, v8, v80, v100)
+
+
+def block_displacement_r_a(out, r, a, A, v8, v80, v100, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.square(a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(out, out)
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.multiply(v8, out, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.divide(a, r, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C4, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C12, w5)
+        np.multiply(C13, w3, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C19, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C20, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C21, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w3, w6, w6)
+        np.add(C22, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w2, w6, w2)
+    if some87 != size:
+        other87 = w6 if some87 else w2
+        np.multiply(v80, out, other87)
+        np.square(r, w4)
+        np.square(w4, w4)
+        np.multiply(A, w4, w4)
+        np.subtract(other87, w4, other87)
+        if some87:
+            np.copyto(w2, other87, where=~m0)
+    some95 = np.count_nonzero(m0)
+    if some95:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C23, out, out)
+    if some95 != size:
+        np.copyto(out, C21, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v100, w1)
+    np.multiply(w1, out, out)
+    np.subtract(w2, out, out)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, A, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.square(a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(out, out)
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.multiply(C24, A, w2)
+        np.divide(w2, C25, w2)
+        np.multiply(w2, out, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.divide(a, r, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C4, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C12, w5)
+        np.multiply(C13, w3, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C19, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C20, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C21, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w3, w6, w6)
+        np.add(C22, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w2, w6, w2)
+    if some87 != size:
+        other87 = w6 if some87 else w2
+        np.multiply(C1, A, other87)
+        np.divide(other87, C2, other87)
+        np.multiply(other87, out, other87)
+        np.square(r, w4)
+        np.square(w4, w4)
+        np.multiply(A, w4, w4)
+        np.subtract(other87, w4, other87)
+        if some87:
+            np.copyto(w2, other87, where=~m0)
+    some95 = np.count_nonzero(m0)
+    if some95:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C23, out, out)
+    if some95 != size:
+        np.copyto(out, C21, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(C3, dgamma, w0)
+    np.divide(w0, E_star, w0)
+    np.sqrt(w0, w0)
+    np.multiply(w1, w0, w0)
+    np.multiply(w0, out, out)
+    np.subtract(w2, out, out)
+
+
+def force(a, A, E_star, dgamma):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 64.0 * E_star * A / 15.0 * pow(a, 5.0) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(A, E_star, dgamma):
+    v5 = (64.0) * E_star
+    v6 = v5 * A
+    v8 = v6 / (15.0)
+    v13 = (2.0) * E_star
+    v17 = (6.283185307179586) * dgamma
+    v18 = v17 / E_star
+    v19 = np.sqrt(v18)
+    return (v8, v13, v19)
+
+
+def block_force_a(out, a, v8, v13, v19, w0, w1):
+    np.power(a, C26, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v8, out, out)
+    np.multiply(v13, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v19, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, A, E_star, dgamma, w0, w1, w2):
+    np.multiply(C27, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, A, out)
+    np.divide(out, C28, out)
+    np.power(a, C26, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(C0, E_star, out)
+    np.multiply(out, a, out)
+    np.sqrt(a, w1)
+    np.multiply(C3, dgamma, w2)
+    np.divide(w2, E_star, w2)
+    np.sqrt(w2, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(out, w2, w2)
+    np.subtract(w0, w2, out)
+
+
+def pressure(r, a, A, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v5 = a - r
+            v6 = a + r
+            if r <= a:
+                v29 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v40 = E_star * v29 / (3.141592653589793 * sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * v6)) if v29 > 0.0 else 0.0
+            else:
+                v40 = 0.0
+            return (32.0 * E_star * A / 28.274333882308138 * (a * a + 2.0 * (r * r)) * sqrt(v5 * v6) if r < a else 0.0) - v40
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, A, E_star, dgamma):
+    v11 = (32.0) * E_star
+    v12 = v11 * A
+    v14 = v12 / (28.274333882308138)
+    v16 = np.square(a)
+    v24 = np.sqrt(a)
+    v26 = (6.283185307179586) * dgamma
+    v27 = v26 / E_star
+    v28 = np.sqrt(v27)
+    v29 = v24 * v28
+    v30 = np.greater(v29, (0.0))
+    v31 = E_star * v29
+    return (a, v14, v16, v30, v31)
+
+
+def block_pressure_r(out, r, a, v14, v16, v30, v31, w0, w1, w2, m0, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.square(r, w2)
+        np.multiply(C0, w2, w2)
+        np.add(v16, w2, w2)
+        np.multiply(v14, w2, w2)
+        np.multiply(w2, w1, w1)
+    if some23 != size:
+        np.copyto(w1, C29, where=~m0)
+    np.less_equal(r, a, m0)
+    some40 = np.count_nonzero(m0)
+    if some40:
+        if v30:
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C30, w2, w2)
+            np.divide(v31, w2, w2)
+        else:
+            np.copyto(w2, C29)
+    if some40 != size:
+        np.copyto(w2, C29, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_r_a(A, E_star, dgamma):
+    v11 = (32.0) * E_star
+    v12 = v11 * A
+    v14 = v12 / (28.274333882308138)
+    v26 = (6.283185307179586) * dgamma
+    v27 = v26 / E_star
+    v28 = np.sqrt(v27)
+    return (E_star, v14, v28)
+
+
+def block_pressure_r_a(out, r, a, E_star, v14, v28, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.square(a, w2)
+        np.square(r, w3)
+        np.multiply(C0, w3, w3)
+        np.add(w2, w3, w3)
+        np.multiply(v14, w3, w3)
+        np.multiply(w3, w1, w1)
+    if some23 != size:
+        np.copyto(w1, C29, where=~m0)
+    np.less_equal(r, a, m0)
+    some40 = np.count_nonzero(m0)
+    if some40:
+        np.sqrt(a, w2)
+        np.multiply(w2, v28, w2)
+        np.greater(w2, C29, m1)
+        some38 = np.count_nonzero(m1)
+        if some38:
+            np.multiply(E_star, w2, w3)
+            np.maximum(out, f0, out=w4)
+            np.multiply(w4, w0, w4)
+            np.sqrt(w4, w4)
+            np.multiply(C30, w4, w4)
+            np.divide(w3, w4, w3)
+        if some38 != size:
+            np.copyto(w3, C29, where=~m1)
+    if some40 != size:
+        np.copyto(w3, C29, where=~m0)
+    np.subtract(w1, w3, out)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, A, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.multiply(C31, E_star, w2)
+        np.multiply(w2, A, w2)
+        np.divide(w2, C32, w2)
+        np.square(a, w3)
+        np.square(r, w4)
+        np.multiply(C0, w4, w4)
+        np.add(w3, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.multiply(w4, w1, w1)
+    if some23 != size:
+        np.copyto(w1, C29, where=~m0)
+    np.less_equal(r, a, m0)
+    some40 = np.count_nonzero(m0)
+    if some40:
+        np.sqrt(a, w2)
+        np.multiply(C3, dgamma, w3)
+        np.divide(w3, E_star, w3)
+        np.sqrt(w3, w3)
+        np.multiply(w2, w3, w3)
+        np.greater(w3, C29, m1)
+        some38 = np.count_nonzero(m1)
+        if some38:
+            np.multiply(E_star, w3, w4)
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C30, w2, w2)
+            np.divide(w4, w2, w4)
+        if some38 != size:
+            np.copyto(w4, C29, where=~m1)
+    if some40 != size:
+        np.copyto(w4, C29, where=~m0)
+    np.subtract(w1, w4, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'A', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_displacement', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=5, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=7, masks=1, filled=(0.0,)),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'A', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+    },
+    ('_pressure', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=3, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=5, masks=2, filled=(0.0,)),
+    },
+}

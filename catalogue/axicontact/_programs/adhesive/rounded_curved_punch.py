@@ -1,0 +1,517 @@
+"""Programs of axicontact.adhesive.rounded_curved_punch."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(2.0)
+C1 = np.array(0.42)
+C2 = np.array(0.0005288491342179178)
+C3 = np.array(0.038096760299703034)
+C4 = np.array(0.4065213849117787)
+C5 = np.array(1.438682033198726)
+C6 = np.array(1.9979042349620892)
+C7 = np.array(0.9428090415820634)
+C8 = np.array(0.006421883194715949)
+C9 = np.array(0.15001504718401248)
+C10 = np.array(0.9450913324352289)
+C11 = np.array(2.37401087025821)
+C12 = np.array(2.569097449054519)
+C13 = np.array(1.0)
+C14 = np.array(6.283185307179586)
+C15 = np.array(4.0)
+C16 = np.array(3.0)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R1, R2, b, E_star, dgamma):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            if a < b:
+                v63 = a * a / R1
+            else:
+                v11 = a - b
+                v12 = v11 / b
+                if v12 < 0.42:
+                    v58 = v12 * sqrt(v12) * ((((((0.0005288491342179178 * v12 + 0.038096760299703034) * v12 + 0.4065213849117787) * v12 + 1.438682033198726) * v12 + 1.9979042349620892) * v12 + 0.9428090415820634) / (((((0.006421883194715949 * v12 + 0.15001504718401248) * v12 + 0.9450913324352289) * v12 + 2.37401087025821) * v12 + 2.569097449054519) * v12 + 1.0))
+                else:
+                    v18 = sqrt(v11 * (a + b)) / b
+                    v58 = v18 - atan(v18)
+                v63 = a * (a / R1 + b / R2 * v58)
+            value = v63 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R1, R2, b, E_star, dgamma):
+    v10 = b / R2
+    v66 = (6.283185307179586) * dgamma
+    v67 = v66 / E_star
+    v68 = np.sqrt(v67)
+    return (R1, b, v10, v68)
+
+
+def block_depth_a(out, a, R1, b, v10, v68, w0, w1, w2, w3, w4, w5, w6, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some63 = np.count_nonzero(m0)
+    if some63:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some63 != size:
+        other63 = w0 if some63 else out
+        np.divide(a, R1, other63)
+        np.subtract(a, b, w1)
+        np.divide(w1, b, w2)
+        np.less(w2, C1, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(w2, f0, out=w3)
+            np.sqrt(w3, w4)
+            np.multiply(w3, w4, w4)
+            np.multiply(C2, w3, w5)
+            np.add(w5, C3, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C4, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C5, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C6, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C7, w5)
+            np.multiply(C8, w3, w6)
+            np.add(w6, C9, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C10, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C11, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C12, w6)
+            np.multiply(w6, w3, w3)
+            np.add(w3, C13, w3)
+            np.divide(w5, w3, w3)
+            np.multiply(w4, w3, w3)
+        if some58 != size:
+            other58 = w4 if some58 else w3
+            np.add(a, b, other58)
+            np.multiply(w1, other58, other58)
+            np.sqrt(other58, other58)
+            np.divide(other58, b, other58)
+            np.arctan(other58, w5)
+            np.subtract(other58, w5, other58)
+            if some58:
+                np.copyto(w3, other58, where=~m1)
+        np.multiply(v10, w3, w3)
+        np.add(other63, w3, w3)
+        np.multiply(a, w3, other63)
+        if some63:
+            np.copyto(out, other63, where=~m0)
+    np.sqrt(a, w0)
+    np.multiply(w0, v68, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R1, R2, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some63 = np.count_nonzero(m0)
+    if some63:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some63 != size:
+        other63 = w0 if some63 else out
+        np.divide(a, R1, other63)
+        np.divide(b, R2, w1)
+        np.subtract(a, b, w2)
+        np.divide(w2, b, w3)
+        np.less(w3, C1, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(w3, f0, out=w4)
+            np.sqrt(w4, w5)
+            np.multiply(w4, w5, w5)
+            np.multiply(C2, w4, w6)
+            np.add(w6, C3, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C4, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C5, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C6, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C7, w6)
+            np.multiply(C8, w4, w7)
+            np.add(w7, C9, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C10, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C11, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C12, w7)
+            np.multiply(w7, w4, w4)
+            np.add(w4, C13, w4)
+            np.divide(w6, w4, w4)
+            np.multiply(w5, w4, w4)
+        if some58 != size:
+            other58 = w5 if some58 else w4
+            np.add(a, b, other58)
+            np.multiply(w2, other58, other58)
+            np.sqrt(other58, other58)
+            np.divide(other58, b, other58)
+            np.arctan(other58, w6)
+            np.subtract(other58, w6, other58)
+            if some58:
+                np.copyto(w4, other58, where=~m1)
+        np.multiply(w1, w4, w4)
+        np.add(other63, w4, w4)
+        np.multiply(a, w4, other63)
+        if some63:
+            np.copyto(out, other63, where=~m0)
+    np.sqrt(a, w0)
+    np.multiply(C14, dgamma, w4)
+    np.divide(w4, E_star, w4)
+    np.sqrt(w4, w4)
+    np.multiply(w0, w4, w4)
+    np.subtract(out, w4, out)
+
+
+def displacement(r, a, R1, R2, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v8 = r - b
+            v15 = a - b
+            v17 = a + b
+            v20 = r - a
+            v24 = sqrt((v20 if v20 > 0.0 or v20 != v20 else 0.0) * (r + a))
+            v69 = b / R2
+            v215 = r > a
+            if v215:
+                v7 = a if a < b or a != a else b
+                if a > b:
+                    v13 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (r + b))
+                    v14 = b / r
+                    v25 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * v17) / v24
+                    v27 = asinh(v25 / v14)
+                    v32 = 0.0 - expm1(-2.0 * v27)
+                    v35 = v32 if v32 > 0.0 else inf
+                    v52 = b * b
+                    v56 = v14 * v14
+                    v78 = []
+                    for node, weight in RULE_0(v27 / 1.0):
+                        v37 = node * v27
+                        v46 = v25 * (exp(-v37) * (0.0 - expm1(-2.0 * (v27 - v37))) / v35)
+                        v47 = v46 * v46
+                        v49 = sqrt(1.0 + v47)
+                        v51 = v13 * v46 / v49
+                        v55 = sqrt(v52 + v51 * v51)
+                        v77 = (2.0 * v55 / R1 + 2.0 * v51 / R2 - v69 * atan2(v51, b)) * v51 / v55 * atan2(v55, v13 / v49) * (sqrt(v56 + v47) / (v49 * v49 * v49))
+                        v78.append(weight * v77)
+                    v78 = fsum(v78) * v27
+                    v80 = v13 * v78
+                else:
+                    v80 = 0.0
+                v91 = v7 / (r + sqrt((r - v7) * (r + v7)))
+                v93 = v91 * v91
+                v216 = 2.0 * (v7 * v7) / (3.141592653589793 * R1) * (v7 / r * (0.6666666666666666 + v93 * (((((((((-0.7327347664453868 * v93 + -32.15553480435792) * v93 + -332.23363563146734) * v93 + -1070.7082873491413) * v93 + -85.27694715374247) * v93 + 5044.821368830373) * v93 + 8082.413158212496) * v93 + 3759.725330928701) * v93 + 0.26666666666720995) / ((((((((0.21387262524856868 * v93 + 32.12935731379798) * v93 + 746.8124983579742) * v93 + 6202.125133759036) * v93 + 23553.080984642995) * v93 + 44404.005348491315) * v93 + 40380.01430284195) * v93 + 14099.684276696918) * v93 + 1.0)))) + 0.6366197723675814 * v80
+            else:
+                if a < b:
+                    v204 = a * a / R1
+                else:
+                    v155 = v15 / b
+                    if v155 < 0.42:
+                        v199 = v155 * sqrt(v155) * ((((((0.0005288491342179178 * v155 + 0.038096760299703034) * v155 + 0.4065213849117787) * v155 + 1.438682033198726) * v155 + 1.9979042349620892) * v155 + 0.9428090415820634) / (((((0.006421883194715949 * v155 + 0.15001504718401248) * v155 + 0.9450913324352289) * v155 + 2.37401087025821) * v155 + 2.569097449054519) * v155 + 1.0))
+                    else:
+                        v160 = sqrt(v15 * v17) / b
+                        v199 = v160 - atan(v160)
+                    v204 = a * (a / R1 + v69 * v199)
+                v208 = r * r / (2.0 * R1)
+                v216 = v204 - (v208 if r < b else v208 + v8 * v8 / (2.0 * R2))
+            value = v216 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v24) if v215 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R1, R2, b, E_star, dgamma):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v9 = 3.0 * R1
+            v12 = a * a
+            v13 = a * v12
+            if a < b:
+                v75 = 4.0 * E_star / v9 * v13
+            else:
+                v15 = a - b
+                v17 = v15 * (a + b)
+                v18 = sqrt(v17)
+                v23 = v15 / b
+                if v23 < 0.42:
+                    v66 = v23 * sqrt(v23) * ((((((0.0005288491342179178 * v23 + 0.038096760299703034) * v23 + 0.4065213849117787) * v23 + 1.438682033198726) * v23 + 1.9979042349620892) * v23 + 0.9428090415820634) / (((((0.006421883194715949 * v23 + 0.15001504718401248) * v23 + 0.9450913324352289) * v23 + 2.37401087025821) * v23 + 2.569097449054519) * v23 + 1.0))
+                else:
+                    v26 = v18 / b
+                    v66 = v26 - atan(v26)
+                v75 = E_star * (4.0 * v13 / v9 + b / R2 * v12 * v66 + v17 * v18 / (3.0 * R2))
+            value = v75 - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R1, R2, b, E_star, dgamma):
+    v7 = (4.0) * E_star
+    v9 = (3.0) * R1
+    v10 = v7 / v9
+    v21 = b / R2
+    v70 = (3.0) * R2
+    v76 = (2.0) * E_star
+    v80 = (6.283185307179586) * dgamma
+    v81 = v80 / E_star
+    v82 = np.sqrt(v81)
+    return (b, E_star, v9, v10, v21, v70, v76, v82)
+
+
+def block_force_a(out, a, b, E_star, v9, v10, v21, v70, v76, v82, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, m0, m1, f0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, w0)
+    np.less(a, b, m0)
+    some75 = np.count_nonzero(m0)
+    if some75:
+        np.multiply(v10, w0, w1)
+    if some75 != size:
+        other75 = w2 if some75 else w1
+        np.subtract(a, b, other75)
+        np.add(a, b, w3)
+        np.multiply(other75, w3, w3)
+        np.sqrt(w3, w4)
+        np.multiply(C15, w0, w5)
+        np.divide(w5, v9, w5)
+        np.multiply(v21, out, w6)
+        np.divide(other75, b, other75)
+        np.less(other75, C1, m1)
+        some66 = np.count_nonzero(m1)
+        if some66:
+            np.minimum(other75, f0, out=w7)
+            np.sqrt(w7, w8)
+            np.multiply(w7, w8, w8)
+            np.multiply(C2, w7, w9)
+            np.add(w9, C3, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C4, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C5, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C6, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C7, w9)
+            np.multiply(C8, w7, w10)
+            np.add(w10, C9, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C10, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C11, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C12, w10)
+            np.multiply(w10, w7, w7)
+            np.add(w7, C13, w7)
+            np.divide(w9, w7, w7)
+            np.multiply(w8, w7, w7)
+        if some66 != size:
+            other66 = w8 if some66 else w7
+            np.divide(w4, b, other66)
+            np.arctan(other66, w9)
+            np.subtract(other66, w9, other66)
+            if some66:
+                np.copyto(w7, other66, where=~m1)
+        np.multiply(w6, w7, w7)
+        np.add(w5, w7, w7)
+        np.multiply(w3, w4, w4)
+        np.divide(w4, v70, w4)
+        np.add(w7, w4, w4)
+        np.multiply(E_star, w4, other75)
+        if some75:
+            np.copyto(w1, other75, where=~m0)
+    np.multiply(v76, a, w0)
+    np.sqrt(a, out)
+    np.multiply(out, v82, out)
+    np.multiply(w0, out, out)
+    np.subtract(w1, out, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R1, R2, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, m0, m1, f0):
+    size = out.size
+    np.multiply(C16, R1, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, w0)
+    np.multiply(a, w0, w1)
+    np.less(a, b, m0)
+    some75 = np.count_nonzero(m0)
+    if some75:
+        np.multiply(C15, E_star, w2)
+        np.divide(w2, out, w2)
+        np.multiply(w2, w1, w2)
+    if some75 != size:
+        other75 = w3 if some75 else w2
+        np.subtract(a, b, other75)
+        np.add(a, b, w4)
+        np.multiply(other75, w4, w4)
+        np.sqrt(w4, w5)
+        np.multiply(C15, w1, w6)
+        np.divide(w6, out, w6)
+        np.divide(b, R2, w7)
+        np.multiply(w7, w0, w7)
+        np.divide(other75, b, other75)
+        np.less(other75, C1, m1)
+        some66 = np.count_nonzero(m1)
+        if some66:
+            np.minimum(other75, f0, out=w8)
+            np.sqrt(w8, w9)
+            np.multiply(w8, w9, w9)
+            np.multiply(C2, w8, w10)
+            np.add(w10, C3, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C4, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C5, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C6, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C7, w10)
+            np.multiply(C8, w8, w11)
+            np.add(w11, C9, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C10, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C11, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C12, w11)
+            np.multiply(w11, w8, w8)
+            np.add(w8, C13, w8)
+            np.divide(w10, w8, w8)
+            np.multiply(w9, w8, w8)
+        if some66 != size:
+            other66 = w9 if some66 else w8
+            np.divide(w5, b, other66)
+            np.arctan(other66, w10)
+            np.subtract(other66, w10, other66)
+            if some66:
+                np.copyto(w8, other66, where=~m1)
+        np.multiply(w7, w8, w8)
+        np.add(w6, w8, w8)
+        np.multiply(w4, w5, w5)
+        np.multiply(C16, R2, w4)
+        np.divide(w5, w4, w4)
+        np.add(w8, w4, w4)
+        np.multiply(E_star, w4, other75)
+        if some75:
+            np.copyto(w2, other75, where=~m0)
+    np.multiply(C0, E_star, w1)
+    np.multiply(w1, a, w1)
+    np.sqrt(a, w0)
+    np.multiply(C14, dgamma, out)
+    np.divide(out, E_star, out)
+    np.sqrt(out, out)
+    np.multiply(w0, out, out)
+    np.multiply(w1, out, out)
+    np.subtract(w2, out, out)
+
+
+def pressure(r, a, R1, R2, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            if r < a:
+                v7 = a if a < b or a != a else b
+                v24 = nextafter(b, inf) if r == b else r
+                if a > (v24 if v24 > b or v24 != v24 else b):
+                    v25 = v24 < b
+                    v28 = a - b
+                    v32 = sqrt((v28 if v28 > 0.0 or v28 != v28 else 0.0) * (a + b))
+                    if v25:
+                        v38 = v32
+                    else:
+                        v33 = a - v24
+                        v38 = sqrt((v33 if v33 > 0.0 or v33 != v33 else 0.0) * (a + v24))
+                    v45 = asinh(v38 / sqrt(abs(v24 - b) * (v24 + b)))
+                    v46 = 2.0 * (0.0 if v25 else 1.0)
+                    v47 = 1.0 - v46
+                    v52 = v46 - v47 * expm1(-2.0 * v45)
+                    v54 = v52 if v52 > 0.0 else inf
+                    v68 = b * b
+                    v78 = b / R2
+                    v83 = []
+                    for node, weight in RULE_0(v45 / 1.0):
+                        v57 = node * v45
+                        v67 = v32 * (exp(-v57) * (v46 - v47 * expm1(-2.0 * (v45 - v57))) / v54)
+                        v71 = sqrt(v68 + v67 * v67)
+                        v82 = (2.0 * v71 / R1 + 2.0 * v67 / R2 - v78 * atan2(v67, b)) * v67 / v71
+                        v83.append(weight * v82)
+                    v83 = fsum(v83) * v45
+                    v84 = v83
+                else:
+                    v84 = 0.0
+                v89 = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v7 - r) * (v7 + r)) if r < v7 else 0.0) + E_star / 3.141592653589793 * v84
+            else:
+                v89 = 0.0
+            if r <= a:
+                v95 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                if v95 > 0.0:
+                    v98 = a - r
+                    v105 = E_star * v95 / (3.141592653589793 * sqrt((v98 if v98 > 0.0 or v98 != v98 else 0.0) * (a + r)))
+                else:
+                    v105 = 0.0
+                v107 = v105
+            else:
+                v107 = 0.0
+            value = v89 - v107
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=7, masks=2, filled=(0.42,)),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.42,)),
+    },
+    ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=2, filled=(0.42,)),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=12, masks=2, filled=(0.42,)),
+    },
+}

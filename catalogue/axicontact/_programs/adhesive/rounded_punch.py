@@ -1,0 +1,449 @@
+"""Programs of axicontact.adhesive.rounded_punch."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(0.42)
+C1 = np.array(0.0005288491342179178)
+C2 = np.array(0.038096760299703034)
+C3 = np.array(0.4065213849117787)
+C4 = np.array(1.438682033198726)
+C5 = np.array(1.9979042349620892)
+C6 = np.array(0.9428090415820634)
+C7 = np.array(0.006421883194715949)
+C8 = np.array(0.15001504718401248)
+C9 = np.array(0.9450913324352289)
+C10 = np.array(2.37401087025821)
+C11 = np.array(2.569097449054519)
+C12 = np.array(1.0)
+C13 = np.array(6.283185307179586)
+C14 = np.array(2.0)
+C15 = np.array(3.0)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R, b, E_star, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v7 = a - b
+            v8 = v7 / b
+            if v8 < 0.42:
+                v54 = v8 * sqrt(v8) * ((((((0.0005288491342179178 * v8 + 0.038096760299703034) * v8 + 0.4065213849117787) * v8 + 1.438682033198726) * v8 + 1.9979042349620892) * v8 + 0.9428090415820634) / (((((0.006421883194715949 * v8 + 0.15001504718401248) * v8 + 0.9450913324352289) * v8 + 2.37401087025821) * v8 + 2.569097449054519) * v8 + 1.0))
+            else:
+                v14 = sqrt(v7 * (a + b)) / b
+                v54 = v14 - atan(v14)
+            value = b / R * a * v54 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, b, E_star, dgamma):
+    v5 = b / R
+    v58 = (6.283185307179586) * dgamma
+    v59 = v58 / E_star
+    v60 = np.sqrt(v59)
+    return (b, v5, v60)
+
+
+def block_depth_a(out, a, b, v5, v60, w0, w1, w2, w3, w4, w5, m0, f0):
+    size = out.size
+    np.multiply(v5, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(a, b, w0)
+    np.divide(w0, b, w1)
+    np.less(w1, C0, m0)
+    some54 = np.count_nonzero(m0)
+    if some54:
+        np.minimum(w1, f0, out=w2)
+        np.sqrt(w2, w3)
+        np.multiply(w2, w3, w3)
+        np.multiply(C1, w2, w4)
+        np.add(w4, C2, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C3, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C4, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C5, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C6, w4)
+        np.multiply(C7, w2, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w2, w2)
+        np.add(w2, C12, w2)
+        np.divide(w4, w2, w2)
+        np.multiply(w3, w2, w2)
+    if some54 != size:
+        other54 = w3 if some54 else w2
+        np.add(a, b, other54)
+        np.multiply(w0, other54, other54)
+        np.sqrt(other54, other54)
+        np.divide(other54, b, other54)
+        np.arctan(other54, w4)
+        np.subtract(other54, w4, other54)
+        if some54:
+            np.copyto(w2, other54, where=~m0)
+    np.multiply(out, w2, w2)
+    np.sqrt(a, out)
+    np.multiply(out, v60, out)
+    np.subtract(w2, out, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, m0, f0):
+    size = out.size
+    np.divide(b, R, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+    np.subtract(a, b, w0)
+    np.divide(w0, b, w1)
+    np.less(w1, C0, m0)
+    some54 = np.count_nonzero(m0)
+    if some54:
+        np.minimum(w1, f0, out=w2)
+        np.sqrt(w2, w3)
+        np.multiply(w2, w3, w3)
+        np.multiply(C1, w2, w4)
+        np.add(w4, C2, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C3, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C4, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C5, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C6, w4)
+        np.multiply(C7, w2, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w2, w2)
+        np.add(w2, C12, w2)
+        np.divide(w4, w2, w2)
+        np.multiply(w3, w2, w2)
+    if some54 != size:
+        other54 = w3 if some54 else w2
+        np.add(a, b, other54)
+        np.multiply(w0, other54, other54)
+        np.sqrt(other54, other54)
+        np.divide(other54, b, other54)
+        np.arctan(other54, w4)
+        np.subtract(other54, w4, other54)
+        if some54:
+            np.copyto(w2, other54, where=~m0)
+    np.multiply(out, w2, w2)
+    np.sqrt(a, out)
+    np.multiply(C13, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w2, w1, out)
+
+
+def displacement(r, a, R, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v18 = r - a
+            v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (r + a))
+            v132 = r > a
+            if a >= b:
+                v6 = r - b
+                v13 = a - b
+                v15 = a + b
+                v64 = b / R
+                if v132:
+                    if a > b:
+                        v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (r + b))
+                        v12 = b / r
+                        v23 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * v15) / v22
+                        v25 = asinh(v23 / v12)
+                        v30 = 0.0 - expm1(-2.0 * v25)
+                        v33 = v30 if v30 > 0.0 else inf
+                        v50 = b * b
+                        v54 = v12 * v12
+                        v73 = []
+                        for node, weight in RULE_0(v25 / 1.0):
+                            v35 = node * v25
+                            v44 = v23 * (exp(-v35) * (0.0 - expm1(-2.0 * (v25 - v35))) / v33)
+                            v45 = v44 * v44
+                            v47 = sqrt(1.0 + v45)
+                            v49 = v11 * v44 / v47
+                            v53 = sqrt(v50 + v49 * v49)
+                            v72 = (2.0 * v49 / R - v64 * atan2(v49, b)) * v49 / v53 * atan2(v53, v11 / v47) * (sqrt(v54 + v45) / (v47 * v47 * v47))
+                            v73.append(weight * v72)
+                        v73 = fsum(v73) * v25
+                        v75 = v11 * v73
+                    else:
+                        v75 = 0.0
+                    v133 = 0.6366197723675814 * v75
+                else:
+                    v79 = v13 / b
+                    if v79 < 0.42:
+                        v123 = v79 * sqrt(v79) * ((((((0.0005288491342179178 * v79 + 0.038096760299703034) * v79 + 0.4065213849117787) * v79 + 1.438682033198726) * v79 + 1.9979042349620892) * v79 + 0.9428090415820634) / (((((0.006421883194715949 * v79 + 0.15001504718401248) * v79 + 0.9450913324352289) * v79 + 2.37401087025821) * v79 + 2.569097449054519) * v79 + 1.0))
+                    else:
+                        v84 = sqrt(v13 * v15) / b
+                        v123 = v84 - atan(v84)
+                    v133 = v64 * a * v123 - (0.0 if r < b else v6 * v6 / (2.0 * R))
+                v135 = v133
+            else:
+                v135 = nan
+            value = v135 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v22) if v132 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, b, E_star, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v5 = a - b
+            v7 = v5 * (a + b)
+            v8 = sqrt(v7)
+            v13 = v5 / b
+            if v13 < 0.42:
+                v56 = v13 * sqrt(v13) * ((((((0.0005288491342179178 * v13 + 0.038096760299703034) * v13 + 0.4065213849117787) * v13 + 1.438682033198726) * v13 + 1.9979042349620892) * v13 + 0.9428090415820634) / (((((0.006421883194715949 * v13 + 0.15001504718401248) * v13 + 0.9450913324352289) * v13 + 2.37401087025821) * v13 + 2.569097449054519) * v13 + 1.0))
+            else:
+                v16 = v8 / b
+                v56 = v16 - atan(v16)
+            value = E_star / R * (b * (a * a) * v56 + v7 * v8 / 3.0) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, b, E_star, dgamma):
+    v9 = E_star / R
+    v63 = (2.0) * E_star
+    v67 = (6.283185307179586) * dgamma
+    v68 = v67 / E_star
+    v69 = np.sqrt(v68)
+    return (b, v9, v63, v69)
+
+
+def block_force_a(out, a, b, v9, v63, v69, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w1)
+    np.square(a, w2)
+    np.multiply(b, w2, w2)
+    np.divide(out, b, out)
+    np.less(out, C0, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(out, f0, out=w3)
+        np.sqrt(w3, w4)
+        np.multiply(w3, w4, w4)
+        np.multiply(C1, w3, w5)
+        np.add(w5, C2, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C3, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C4, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(C7, w3, w6)
+        np.add(w6, C8, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C9, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C10, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C11, w6)
+        np.multiply(w6, w3, w3)
+        np.add(w3, C12, w3)
+        np.divide(w5, w3, w3)
+        np.multiply(w4, w3, w3)
+    if some56 != size:
+        other56 = w4 if some56 else w3
+        np.divide(w1, b, other56)
+        np.arctan(other56, w5)
+        np.subtract(other56, w5, other56)
+        if some56:
+            np.copyto(w3, other56, where=~m0)
+    np.multiply(w2, w3, w3)
+    np.multiply(w0, w1, w1)
+    np.divide(w1, C15, w1)
+    np.add(w3, w1, w1)
+    np.multiply(v9, w1, w1)
+    np.multiply(v63, a, w3)
+    np.sqrt(a, w0)
+    np.multiply(w0, v69, w0)
+    np.multiply(w3, w0, w0)
+    np.subtract(w1, w0, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, w7, m0, f0):
+    size = out.size
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w1)
+    np.divide(E_star, R, w2)
+    np.square(a, w3)
+    np.multiply(b, w3, w3)
+    np.divide(out, b, out)
+    np.less(out, C0, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(out, f0, out=w4)
+        np.sqrt(w4, w5)
+        np.multiply(w4, w5, w5)
+        np.multiply(C1, w4, w6)
+        np.add(w6, C2, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C3, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C4, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C5, w6)
+        np.multiply(w6, w4, w6)
+        np.add(w6, C6, w6)
+        np.multiply(C7, w4, w7)
+        np.add(w7, C8, w7)
+        np.multiply(w7, w4, w7)
+        np.add(w7, C9, w7)
+        np.multiply(w7, w4, w7)
+        np.add(w7, C10, w7)
+        np.multiply(w7, w4, w7)
+        np.add(w7, C11, w7)
+        np.multiply(w7, w4, w4)
+        np.add(w4, C12, w4)
+        np.divide(w6, w4, w4)
+        np.multiply(w5, w4, w4)
+    if some56 != size:
+        other56 = w5 if some56 else w4
+        np.divide(w1, b, other56)
+        np.arctan(other56, w6)
+        np.subtract(other56, w6, other56)
+        if some56:
+            np.copyto(w4, other56, where=~m0)
+    np.multiply(w3, w4, w4)
+    np.multiply(w0, w1, w1)
+    np.divide(w1, C15, w1)
+    np.add(w4, w1, w1)
+    np.multiply(w2, w1, w1)
+    np.multiply(C14, E_star, w2)
+    np.multiply(w2, a, w2)
+    np.sqrt(a, w4)
+    np.multiply(C13, dgamma, w0)
+    np.divide(w0, E_star, w0)
+    np.sqrt(w0, w0)
+    np.multiply(w4, w0, w0)
+    np.multiply(w2, w0, w0)
+    np.subtract(w1, w0, out)
+
+
+def pressure(r, a, R, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                if r < a:
+                    v9 = nextafter(b, inf) if r == b else r
+                    if a > (v9 if v9 > b or v9 != v9 else b):
+                        v10 = v9 < b
+                        v14 = a - b
+                        v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (a + b))
+                        if v10:
+                            v24 = v18
+                        else:
+                            v19 = a - v9
+                            v24 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (a + v9))
+                        v31 = asinh(v24 / sqrt(abs(v9 - b) * (v9 + b)))
+                        v33 = 2.0 * (0.0 if v10 else 1.0)
+                        v34 = 1.0 - v33
+                        v39 = v33 - v34 * expm1(-2.0 * v31)
+                        v41 = v39 if v39 > 0.0 else inf
+                        v55 = b * b
+                        v62 = b / R
+                        v67 = []
+                        for node, weight in RULE_0(v31 / 1.0):
+                            v44 = node * v31
+                            v54 = v18 * (exp(-v44) * (v33 - v34 * expm1(-2.0 * (v31 - v44))) / v41)
+                            v66 = (2.0 * v54 / R - v62 * atan2(v54, b)) * v54 / sqrt(v55 + v54 * v54)
+                            v67.append(weight * v66)
+                        v67 = fsum(v67) * v31
+                        v68 = v67
+                    else:
+                        v68 = 0.0
+                    v73 = E_star / 3.141592653589793 * v68
+                else:
+                    v73 = 0.0
+                v76 = v73
+            else:
+                v76 = nan
+            if r <= a:
+                v82 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                if v82 > 0.0:
+                    v85 = a - r
+                    v92 = E_star * v82 / (3.141592653589793 * sqrt((v85 if v85 > 0.0 or v85 != v85 else 0.0) * (a + r)))
+                else:
+                    v92 = 0.0
+                v94 = v92
+            else:
+                v94 = 0.0
+            value = v76 - v94
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=6, masks=1, filled=(0.42,)),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=6, masks=1, filled=(0.42,)),
+    },
+    ('_force', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=7, masks=1, filled=(0.42,)),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=8, masks=1, filled=(0.42,)),
+    },
+}

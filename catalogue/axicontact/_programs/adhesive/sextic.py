@@ -1,0 +1,667 @@
+"""Programs of axicontact.adhesive.sextic."""
+
+from __future__ import annotations
+
+from math import atan2, pow, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(6.0)
+C1 = np.array(16.0)
+C2 = np.array(5.0)
+C3 = np.array(6.283185307179586)
+C4 = np.array(-1.2774361052403345)
+C5 = np.array(-23.178809850601194)
+C6 = np.array(-181.92316258227586)
+C7 = np.array(-611.3425551498234)
+C8 = np.array(-362.00165963521414)
+C9 = np.array(2098.825846649865)
+C10 = np.array(3992.6681072942106)
+C11 = np.array(2012.329045387071)
+C12 = np.array(0.44444444444468756)
+C13 = np.array(0.008653162919782199)
+C14 = np.array(-0.42336499735873506)
+C15 = np.array(23.453299031698904)
+C16 = np.array(657.0260884407312)
+C17 = np.array(4128.7190564480725)
+C18 = np.array(10373.373159937977)
+C19 = np.array(11371.059137910102)
+C20 = np.array(4528.267624848188)
+C21 = np.array(1.0)
+C22 = np.array(0.8571428571428571)
+C23 = np.array(0.6366197723675814)
+C24 = np.array(32.0)
+C25 = np.array(15.707963267948966)
+C26 = np.array(7.0)
+C27 = np.array(192.0)
+C28 = np.array(35.0)
+C29 = np.array(2.0)
+C30 = np.array(8.0)
+C31 = np.array(0.0)
+C32 = np.array(3.141592653589793)
+C33 = np.array(3.0)
+C34 = np.array(4.0)
+C35 = np.array(78.53981633974483)
+
+
+def depth(a, A, E_star, dgamma):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 16.0 * A / 5.0 * pow(a, 6.0) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(A, E_star, dgamma):
+    v5 = (16.0) * A
+    v7 = v5 / (5.0)
+    v13 = (6.283185307179586) * dgamma
+    v14 = v13 / E_star
+    v15 = np.sqrt(v14)
+    return (v7, v15)
+
+
+def block_depth_a(out, a, v7, v15, w0):
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v7, out, out)
+    np.sqrt(a, w0)
+    np.multiply(w0, v15, w0)
+    np.subtract(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, A, E_star, dgamma, w0, w1):
+    np.multiply(C1, A, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, C2, out)
+    np.power(a, C0, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(a, out)
+    np.multiply(C3, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def displacement(r, a, A, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v10 = pow(a, 6.0)
+            v12 = r - a
+            v13 = r + a
+            v84 = r > a
+            if v84:
+                v17 = a / (r + sqrt(v12 * v13))
+                v19 = v17 * v17
+                v85 = 32.0 * A / 15.707963267948966 * v10 * (a / r * (0.8571428571428571 + v19 * (((((((((-1.2774361052403345 * v19 + -23.178809850601194) * v19 + -181.92316258227586) * v19 + -611.3425551498234) * v19 + -362.00165963521414) * v19 + 2098.825846649865) * v19 + 3992.6681072942106) * v19 + 2012.329045387071) * v19 + 0.44444444444468756) / ((((((((0.008653162919782199 * v19 + -0.42336499735873506) * v19 + 23.453299031698904) * v19 + 657.0260884407312) * v19 + 4128.7190564480725) * v19 + 10373.373159937977) * v19 + 11371.059137910102) * v19 + 4528.267624848188) * v19 + 1.0))))
+            else:
+                v85 = 16.0 * A / 5.0 * v10 - A * pow(r, 6.0)
+            value = v85 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * v13)) if v84 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, A, E_star, dgamma):
+    v6 = (32.0) * A
+    v8 = v6 / (15.707963267948966)
+    v10 = np.power(a, (6.0))
+    v11 = v8 * v10
+    v77 = (16.0) * A
+    v79 = v77 / (5.0)
+    v80 = v79 * v10
+    v94 = np.sqrt(a)
+    v96 = (6.283185307179586) * dgamma
+    v97 = v96 / E_star
+    v98 = np.sqrt(v97)
+    v99 = v94 * v98
+    return (a, A, v11, v80, v99)
+
+
+def block_displacement_r(out, r, a, A, v11, v80, v99, w0, w1, w2, w3, w4, m0, f0):
+    size = out.size
+    np.subtract(r, a, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(r, a, w0)
+    np.greater(r, a, m0)
+    some85 = np.count_nonzero(m0)
+    if some85:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.add(r, w1, w1)
+        np.divide(a, w1, w1)
+        np.divide(a, r, w2)
+        np.multiply(w1, w1, w1)
+        np.multiply(C4, w1, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C9, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C10, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C11, w3)
+        np.multiply(w3, w1, w3)
+        np.add(w3, C12, w3)
+        np.multiply(C13, w1, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C16, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C17, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C18, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C19, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C20, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w4, C21, w4)
+        np.divide(w3, w4, w4)
+        np.multiply(w1, w4, w4)
+        np.add(C22, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.multiply(v11, w4, w1)
+    if some85 != size:
+        other85 = w4 if some85 else w1
+        np.power(r, C0, other85)
+        np.multiply(A, other85, other85)
+        np.subtract(v80, other85, other85)
+        if some85:
+            np.copyto(w1, other85, where=~m0)
+    some93 = np.count_nonzero(m0)
+    if some93:
+        np.maximum(out, f0, out=w4)
+        np.multiply(w4, w0, w4)
+        np.sqrt(w4, w4)
+        np.arctan2(a, w4, w4)
+        np.multiply(C23, w4, w4)
+    if some93 != size:
+        np.copyto(w4, C21, where=~m0)
+    np.multiply(v99, w4, w4)
+    np.subtract(w1, w4, out)
+
+
+def prepare_displacement_r_a(A, E_star, dgamma):
+    v6 = (32.0) * A
+    v8 = v6 / (15.707963267948966)
+    v77 = (16.0) * A
+    v79 = v77 / (5.0)
+    v96 = (6.283185307179586) * dgamma
+    v97 = v96 / E_star
+    v98 = np.sqrt(v97)
+    return (A, v8, v79, v98)
+
+
+def block_displacement_r_a(out, r, a, A, v8, v79, v98, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.power(a, C0, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some85 = np.count_nonzero(m0)
+    if some85:
+        np.multiply(v8, out, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.divide(a, r, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C4, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C12, w5)
+        np.multiply(C13, w3, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C19, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C20, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C21, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w3, w6, w6)
+        np.add(C22, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w2, w6, w2)
+    if some85 != size:
+        other85 = w6 if some85 else w2
+        np.multiply(v79, out, other85)
+        np.power(r, C0, w4)
+        np.multiply(A, w4, w4)
+        np.subtract(other85, w4, other85)
+        if some85:
+            np.copyto(w2, other85, where=~m0)
+    some93 = np.count_nonzero(m0)
+    if some93:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C23, out, out)
+    if some93 != size:
+        np.copyto(out, C21, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v98, w1)
+    np.multiply(w1, out, out)
+    np.subtract(w2, out, out)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, A, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.power(a, C0, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(r, a, w0)
+    np.add(r, a, w1)
+    np.greater(r, a, m0)
+    some85 = np.count_nonzero(m0)
+    if some85:
+        np.multiply(C24, A, w2)
+        np.divide(w2, C25, w2)
+        np.multiply(w2, out, w2)
+        np.multiply(w0, w1, w3)
+        np.sqrt(w3, w3)
+        np.add(r, w3, w3)
+        np.divide(a, w3, w3)
+        np.divide(a, r, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C4, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C12, w5)
+        np.multiply(C13, w3, w6)
+        np.add(w6, C14, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C15, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C16, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C17, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C18, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C19, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C20, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C21, w6)
+        np.divide(w5, w6, w6)
+        np.multiply(w3, w6, w6)
+        np.add(C22, w6, w6)
+        np.multiply(w4, w6, w6)
+        np.multiply(w2, w6, w2)
+    if some85 != size:
+        other85 = w6 if some85 else w2
+        np.multiply(C1, A, other85)
+        np.divide(other85, C2, other85)
+        np.multiply(other85, out, other85)
+        np.power(r, C0, w4)
+        np.multiply(A, w4, w4)
+        np.subtract(other85, w4, other85)
+        if some85:
+            np.copyto(w2, other85, where=~m0)
+    some93 = np.count_nonzero(m0)
+    if some93:
+        np.maximum(w0, f0, out=out)
+        np.multiply(out, w1, out)
+        np.sqrt(out, out)
+        np.arctan2(a, out, out)
+        np.multiply(C23, out, out)
+    if some93 != size:
+        np.copyto(out, C21, where=~m0)
+    np.sqrt(a, w1)
+    np.multiply(C3, dgamma, w0)
+    np.divide(w0, E_star, w0)
+    np.sqrt(w0, w0)
+    np.multiply(w1, w0, w0)
+    np.multiply(w0, out, out)
+    np.subtract(w2, out, out)
+
+
+def force(a, A, E_star, dgamma):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            return 192.0 * E_star * A / 35.0 * pow(a, 7.0) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(A, E_star, dgamma):
+    v5 = (192.0) * E_star
+    v6 = v5 * A
+    v8 = v6 / (35.0)
+    v13 = (2.0) * E_star
+    v17 = (6.283185307179586) * dgamma
+    v18 = v17 / E_star
+    v19 = np.sqrt(v18)
+    return (v8, v13, v19)
+
+
+def block_force_a(out, a, v8, v13, v19, w0, w1):
+    np.power(a, C26, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v8, out, out)
+    np.multiply(v13, a, w0)
+    np.sqrt(a, w1)
+    np.multiply(w1, v19, w1)
+    np.multiply(w0, w1, w1)
+    np.subtract(out, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, A, E_star, dgamma, w0, w1, w2):
+    np.multiply(C27, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, A, out)
+    np.divide(out, C28, out)
+    np.power(a, C26, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(C29, E_star, out)
+    np.multiply(out, a, out)
+    np.sqrt(a, w1)
+    np.multiply(C3, dgamma, w2)
+    np.divide(w2, E_star, w2)
+    np.sqrt(w2, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(out, w2, w2)
+    np.subtract(w0, w2, out)
+
+
+def pressure(r, a, A, E_star, dgamma):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v5 = a - r
+            v6 = a + r
+            if r < a:
+                v17 = a * a
+                v22 = r * r
+                v32 = 32.0 * E_star * A / 78.53981633974483 * (3.0 * (v17 * v17) + 4.0 * v17 * v22 + 8.0 * (v22 * v22)) * sqrt(v5 * v6)
+            else:
+                v32 = 0.0
+            if r <= a:
+                v38 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                v49 = E_star * v38 / (3.141592653589793 * sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * v6)) if v38 > 0.0 else 0.0
+            else:
+                v49 = 0.0
+            return v32 - v49
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, A, E_star, dgamma):
+    v11 = (32.0) * E_star
+    v12 = v11 * A
+    v14 = v12 / (78.53981633974483)
+    v17 = np.square(a)
+    v18 = np.square(v17)
+    v20 = (3.0) * v18
+    v21 = (4.0) * v17
+    v33 = np.sqrt(a)
+    v35 = (6.283185307179586) * dgamma
+    v36 = v35 / E_star
+    v37 = np.sqrt(v36)
+    v38 = v33 * v37
+    v39 = np.greater(v38, (0.0))
+    v40 = E_star * v38
+    return (a, v14, v20, v21, v39, v40)
+
+
+def block_pressure_r(out, r, a, v14, v20, v21, v39, v40, w0, w1, w2, w3, m0, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.square(r, w2)
+        np.multiply(v21, w2, w3)
+        np.add(v20, w3, w3)
+        np.square(w2, w2)
+        np.multiply(C30, w2, w2)
+        np.add(w3, w2, w2)
+        np.multiply(v14, w2, w2)
+        np.multiply(w2, w1, w1)
+    if some32 != size:
+        np.copyto(w1, C31, where=~m0)
+    np.less_equal(r, a, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        if v39:
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C32, w2, w2)
+            np.divide(v40, w2, w2)
+        else:
+            np.copyto(w2, C31)
+    if some49 != size:
+        np.copyto(w2, C31, where=~m0)
+    np.subtract(w1, w2, out)
+
+
+def prepare_pressure_r_a(A, E_star, dgamma):
+    v11 = (32.0) * E_star
+    v12 = v11 * A
+    v14 = v12 / (78.53981633974483)
+    v35 = (6.283185307179586) * dgamma
+    v36 = v35 / E_star
+    v37 = np.sqrt(v36)
+    return (E_star, v14, v37)
+
+
+def block_pressure_r_a(out, r, a, E_star, v14, v37, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.square(a, w2)
+        np.square(w2, w3)
+        np.multiply(C33, w3, w3)
+        np.multiply(C34, w2, w2)
+        np.square(r, w4)
+        np.multiply(w2, w4, w2)
+        np.add(w3, w2, w2)
+        np.square(w4, w4)
+        np.multiply(C30, w4, w4)
+        np.add(w2, w4, w4)
+        np.multiply(v14, w4, w4)
+        np.multiply(w4, w1, w1)
+    if some32 != size:
+        np.copyto(w1, C31, where=~m0)
+    np.less_equal(r, a, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        np.sqrt(a, w2)
+        np.multiply(w2, v37, w2)
+        np.greater(w2, C31, m1)
+        some47 = np.count_nonzero(m1)
+        if some47:
+            np.multiply(E_star, w2, w4)
+            np.maximum(out, f0, out=w3)
+            np.multiply(w3, w0, w3)
+            np.sqrt(w3, w3)
+            np.multiply(C32, w3, w3)
+            np.divide(w4, w3, w4)
+        if some47 != size:
+            np.copyto(w4, C31, where=~m1)
+    if some49 != size:
+        np.copyto(w4, C31, where=~m0)
+    np.subtract(w1, w4, out)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, A, E_star, dgamma, w0, w1, w2, w3, w4, w5, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, a, m0)
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.multiply(out, w0, w1)
+        np.sqrt(w1, w1)
+        np.multiply(C24, E_star, w2)
+        np.multiply(w2, A, w2)
+        np.divide(w2, C35, w2)
+        np.square(a, w3)
+        np.square(w3, w4)
+        np.multiply(C33, w4, w4)
+        np.multiply(C34, w3, w3)
+        np.square(r, w5)
+        np.multiply(w3, w5, w3)
+        np.add(w4, w3, w3)
+        np.square(w5, w5)
+        np.multiply(C30, w5, w5)
+        np.add(w3, w5, w5)
+        np.multiply(w2, w5, w5)
+        np.multiply(w5, w1, w1)
+    if some32 != size:
+        np.copyto(w1, C31, where=~m0)
+    np.less_equal(r, a, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        np.sqrt(a, w2)
+        np.multiply(C3, dgamma, w3)
+        np.divide(w3, E_star, w3)
+        np.sqrt(w3, w3)
+        np.multiply(w2, w3, w3)
+        np.greater(w3, C31, m1)
+        some47 = np.count_nonzero(m1)
+        if some47:
+            np.multiply(E_star, w3, w5)
+            np.maximum(out, f0, out=w2)
+            np.multiply(w2, w0, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C32, w2, w2)
+            np.divide(w5, w2, w5)
+        if some47 != size:
+            np.copyto(w5, C31, where=~m1)
+    if some49 != size:
+        np.copyto(w5, C31, where=~m0)
+    np.subtract(w1, w5, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'A', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_displacement', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=5, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=7, masks=1, filled=(0.0,)),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'A', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+    },
+    ('_pressure', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=4, masks=1, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=6, masks=2, filled=(0.0,)),
+    },
+}

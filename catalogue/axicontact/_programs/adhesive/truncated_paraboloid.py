@@ -1,0 +1,265 @@
+"""Programs of axicontact.adhesive.truncated_paraboloid."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(6.283185307179586)
+C1 = np.array(2.0)
+C2 = np.array(3.0)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R, b, E_star, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            return a * sqrt((a - b) * (a + b)) / R - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, b, E_star, dgamma):
+    v13 = (6.283185307179586) * dgamma
+    v14 = v13 / E_star
+    v15 = np.sqrt(v14)
+    return (R, b, v15)
+
+
+def block_depth_a(out, a, R, b, v15, w0):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.multiply(a, w0, w0)
+    np.divide(w0, R, w0)
+    np.sqrt(a, out)
+    np.multiply(out, v15, out)
+    np.subtract(w0, out, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, b, E_star, dgamma, w0, w1):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.multiply(a, w0, w0)
+    np.divide(w0, R, w0)
+    np.sqrt(a, out)
+    np.multiply(C0, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def displacement(r, a, R, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v18 = r - a
+            v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (r + a))
+            v89 = r > a
+            if a >= b:
+                v6 = r - b
+                v9 = r + b
+                v13 = a - b
+                v15 = a + b
+                if v89:
+                    if a > b:
+                        v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v9)
+                        v12 = b / r
+                        v23 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * v15) / v22
+                        v25 = asinh(v23 / v12)
+                        v30 = 0.0 - expm1(-2.0 * v25)
+                        v33 = v30 if v30 > 0.0 else inf
+                        v50 = b * b
+                        v54 = v12 * v12
+                        v63 = b * b
+                        v73 = []
+                        for node, weight in RULE_0(v25 / 1.0):
+                            v35 = node * v25
+                            v44 = v23 * (exp(-v35) * (0.0 - expm1(-2.0 * (v25 - v35))) / v33)
+                            v45 = v44 * v44
+                            v47 = sqrt(1.0 + v45)
+                            v49 = v11 * v44 / v47
+                            v53 = sqrt(v50 + v49 * v49)
+                            v72 = (2.0 * v49 / R + v63 / (R * v49)) * v49 / v53 * atan2(v53, v11 / v47) * (sqrt(v54 + v45) / (v47 * v47 * v47))
+                            v73.append(weight * v72)
+                        v73 = fsum(v73) * v25
+                        v75 = v11 * v73
+                    else:
+                        v75 = 0.0
+                    v90 = 0.6366197723675814 * v75
+                else:
+                    v90 = a * sqrt(v13 * v15) / R - (0.0 if r < b else v6 * v9 / (2.0 * R))
+                v92 = v90
+            else:
+                v92 = nan
+            value = v92 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v22) if v89 else 1.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, b, E_star, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v10 = 2.0 * E_star
+            return v10 / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b)) - v10 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, b, E_star, dgamma):
+    v10 = (2.0) * E_star
+    v12 = (3.0) * R
+    v13 = v10 / v12
+    v16 = np.square(b)
+    v23 = (6.283185307179586) * dgamma
+    v24 = v23 / E_star
+    v25 = np.sqrt(v24)
+    return (b, v10, v13, v16, v25)
+
+
+def block_force_a(out, a, b, v10, v13, v16, v25, w0, w1):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.square(a, out)
+    np.multiply(C1, out, out)
+    np.add(out, v16, out)
+    np.multiply(v13, out, out)
+    np.multiply(out, w0, w0)
+    np.multiply(v10, a, out)
+    np.sqrt(a, w1)
+    np.multiply(w1, v25, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, b, E_star, dgamma, w0, w1, w2, w3):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.multiply(C1, E_star, out)
+    np.multiply(C2, R, w1)
+    np.divide(out, w1, w1)
+    np.square(a, w2)
+    np.multiply(C1, w2, w2)
+    np.square(b, w3)
+    np.add(w2, w3, w3)
+    np.multiply(w1, w3, w3)
+    np.multiply(w3, w0, w0)
+    np.multiply(out, a, out)
+    np.sqrt(a, w3)
+    np.multiply(C0, dgamma, w1)
+    np.divide(w1, E_star, w1)
+    np.sqrt(w1, w1)
+    np.multiply(w3, w1, w1)
+    np.multiply(out, w1, w1)
+    np.subtract(w0, w1, out)
+
+
+def pressure(r, a, R, b, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                if r < a:
+                    v6 = r == b
+                    if v6 and a > b:
+                        v74 = inf
+                    else:
+                        v9 = nextafter(b, inf) if v6 else r
+                        if a > (v9 if v9 > b or v9 != v9 else b):
+                            v10 = v9 < b
+                            v14 = a - b
+                            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (a + b))
+                            if v10:
+                                v24 = v18
+                            else:
+                                v19 = a - v9
+                                v24 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (a + v9))
+                            v31 = asinh(v24 / sqrt(abs(v9 - b) * (v9 + b)))
+                            v33 = 2.0 * (0.0 if v10 else 1.0)
+                            v34 = 1.0 - v33
+                            v39 = v33 - v34 * expm1(-2.0 * v31)
+                            v41 = v39 if v39 > 0.0 else inf
+                            v55 = b * b
+                            v61 = b * b
+                            v67 = []
+                            for node, weight in RULE_0(v31 / 1.0):
+                                v44 = node * v31
+                                v54 = v18 * (exp(-v44) * (v33 - v34 * expm1(-2.0 * (v31 - v44))) / v41)
+                                v66 = (2.0 * v54 / R + v61 / (R * v54)) * v54 / sqrt(v55 + v54 * v54)
+                                v67.append(weight * v66)
+                            v67 = fsum(v67) * v31
+                            v68 = v67
+                        else:
+                            v68 = 0.0
+                        v74 = E_star / 3.141592653589793 * v68
+                    v76 = v74
+                else:
+                    v76 = 0.0
+                v79 = v76
+            else:
+                v79 = nan
+            if r <= a:
+                v85 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+                if v85 > 0.0:
+                    v88 = a - r
+                    v95 = E_star * v85 / (3.141592653589793 * sqrt((v88 if v88 > 0.0 or v88 != v88 else 0.0) * (a + r)))
+                else:
+                    v95 = 0.0
+                v97 = v95
+            else:
+                v97 = 0.0
+            value = v79 - v97
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+    },
+    ('_force', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=4),
+    },
+}

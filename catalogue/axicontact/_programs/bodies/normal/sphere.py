@@ -1,0 +1,78 @@
+"""Bodies of axicontact.normal.sphere over plain numbers: the same text with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies._runtime.inverse import between, inverse
+from ...._programs.bodies._runtime.special import tanh_gap
+from ....normal.sphere import Array
+from ...._runtime.plain import MATH as np
+
+
+def _slope(t: Array, root: Array, R: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    angle = np.arcsinh(t / root)
+    return angle + R * t / root**2
+
+
+def _depth_at(a: Array, root: Array, R: Array) -> Array:
+    angle = np.arcsinh(a / root)
+    return a * angle
+
+
+def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
+    angle = np.arcsinh(a / root)
+    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
+
+
+def _force(a: Array, R: Array, E_star: Array) -> Array:
+    angle = np.log1p(2 * a / (R - a)) / 2
+    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, a / R))
+
+
+def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(R**2 - a**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = R * np.tanh(t), R / np.cosh(t)
+        value = _depth_at(a, root, R)
+        return value, t * root * root / R * _slope(a, root, R) / value
+
+    rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
+    start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75, rest)
+    t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
+    return R * np.tanh(t), R / np.cosh(t)
+
+
+def _radius_from_depth(d: Array, R: Array) -> Array:
+    return _contact_from_depth(d, R)[0]
+
+
+def _contact_from_force(F: Array, R: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(R**2 - a**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = R * np.tanh(t), R / np.cosh(t)
+        value = _force_at(a, root, R, E_star)
+        return value, 2 * E_star * a * t * root * root / R * _slope(a, root, R) / value
+
+    rest = (0.998775, 0.1558039, -2.915358, 22.20415, -66.84601, 91.96521, -58.34092, 13.75711)
+    start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75, rest)
+    t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
+    return R * np.tanh(t), R / np.cosh(t)
+
+
+def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
+    return _contact_from_force(F, R, E_star)[0]
+
+
+def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
+    a, root = _contact_from_depth(d, R)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R)), 0.0)
+    return _force_at(a, root, R, E_star) + change
+
+
+def _depth_from_force(F: Array, R: Array, E_star: Array) -> Array:
+    a, root = _contact_from_force(F, R, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, E_star)) / (2 * E_star * a), 0.0)
+    return _depth_at(a, root, R) + change

@@ -1,0 +1,77 @@
+"""Bodies of axicontact.normal.truncated_cone over plain numbers: the same text with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies._runtime.inverse import between, inverse
+from ....normal.truncated_cone import Array
+from ...._runtime.plain import MATH as np
+
+
+def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t) for t > b."""
+    angle = np.arctan(root / b)
+    return np.tan(theta) * angle + b * np.tan(theta) / root
+
+
+def _depth_at(a: Array, root: Array, theta: Array, b: Array) -> Array:
+    angle = np.arctan(root / b)
+    return np.tan(theta) * a * angle
+
+
+def _force_at(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    angle = np.arctan(root / b)
+    return E_star * np.tan(theta) * (a**2 * angle + b * root)
+
+
+def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _force_at(a, root, theta, b, E_star)
+
+
+def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _depth_at(a, root, theta, b)
+        return value, root * root / a * _slope_beyond(a, root, theta, b) / value
+
+    rest = (1.587574, -0.008072401, -0.4352508, -3.570796, 8.66489, -8.150206, 3.403791, -0.4812051)
+    start = between(np.log(d / curve(1.0)[0]), (0.9003, 1.0), (1.414, 1.0), -6.0, rest)
+    t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
+    return _contact_from_depth(d, theta, b)[0]
+
+
+def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+    """Contact radius a and its root sqrt(a**2 - b**2)."""
+
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = b * np.sqrt(1.0 + t * t), b * t
+        value = _force_at(a, root, theta, b, E_star)
+        return value, 2 * E_star * root * root * _slope_beyond(a, root, theta, b) / value
+
+    rest = (0.9995205, 0.100541, -0.3986471, 4.536442, -19.76727, 34.2219, -25.89697, 7.204481)
+    start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75, rest)
+    t = inverse(curve, F, start, (1.0, 2.0), smooth=True)
+    return b * np.sqrt(1.0 + t * t), b * t
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _contact_from_force(F, theta, b, E_star)[0]
+
+
+def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_depth(d, theta, b)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, theta, b)), 0.0)
+    return _force_at(a, root, theta, b, E_star) + change
+
+
+def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    a, root = _contact_from_force(F, theta, b, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, theta, b, E_star)) / (2 * E_star * a), 0.0)
+    return _depth_at(a, root, theta, b) + change

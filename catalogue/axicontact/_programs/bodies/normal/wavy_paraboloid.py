@@ -1,0 +1,45 @@
+"""Bodies of axicontact.normal.wavy_paraboloid over plain numbers: the same text with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies._runtime.shapes.waves import inverse_over_waves
+from ...._programs.bodies._runtime.special import struve_h0, struve_h1
+from ....normal.wavy_paraboloid import Array
+from ...._runtime.plain import MATH as np
+
+
+def _depth(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    z = 2 * np.pi / wavelength * a
+    return a * (np.pi**2 * h / wavelength * struve_h0(z) + a / R)
+
+
+def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    z = 2 * np.pi / wavelength * a
+    plus = 2 * np.pi**2 * h / wavelength * a * struve_h0(z) + 4 * a**2 / (3 * R)
+    minus = np.pi * h * struve_h1(z)
+    return E_star * a * (plus - minus)
+
+
+def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    unit = wavelength / (2 * np.pi)
+    waves = 2 * np.pi**3 * h * R / wavelength**2
+    return unit * inverse_over_waves(d / unit * (R / unit), waves, 1)
+
+
+def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    unit = wavelength / (2 * np.pi)
+    waves = 2 * np.pi**3 * h * R / wavelength**2
+    return unit * inverse_over_waves(F / unit * (R / unit) / (2 * E_star * unit), waves, 2)
+
+
+def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    a = _radius_from_depth(d, R, h, wavelength)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, h, wavelength)), 0.0)
+    return _force(a, R, h, wavelength, E_star) + change
+
+
+def _depth_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    a = _radius_from_force(F, R, h, wavelength, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, h, wavelength, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R, h, wavelength) + change

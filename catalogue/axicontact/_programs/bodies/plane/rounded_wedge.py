@@ -1,0 +1,37 @@
+"""Bodies of axicontact.plane.rounded_wedge over plain numbers: the same text with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies._runtime.inverse import inverse
+from ....plane.rounded_wedge import Array
+from ...._runtime.plain import MATH as np
+
+
+def _growth(t: Array, theta: Array, b: Array) -> Array:
+    """Growth P'(t)/E_star of the line load."""
+    return np.pi * np.tan(theta) / (2 * b) * t
+
+
+def _growth_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+    """Growth P'(t)/E_star of the line load for t > b."""
+    angle = np.arctan(b / root)
+    return np.tan(theta) / b * t * angle
+
+
+def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    below = np.pi * E_star * np.tan(theta) / (4 * b) * a**2
+    root = np.sqrt((a - b) * (a + b))
+    angle = np.arctan(b / root)
+    above = E_star * np.tan(theta) * (root + a**2 * angle / b) / 2
+    return np.where(a < b, below, above)
+
+
+def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        root = np.sqrt((a - b) * (a + b))
+        growth = np.where(a < b, _growth(a, theta, b), _growth_beyond(a, root, theta, b))
+        value = _load(a, theta, b, E_star)
+        return value, E_star * a * growth / value
+
+    return inverse(curve, P, np.full_like(P, b), (1.0, 2.0))

@@ -1,0 +1,76 @@
+"""Formulas of axicontact.adhesive.rounded_cone over an array library `xp`."""
+
+
+def depth(xp, a, theta, b, E_star, dgamma):
+    v0 = a < b
+    v1 = xp.where(v0, a, 0.5 * b)
+    v2 = xp.tan(theta)
+    v3 = v2 / b
+    v4 = v1 ** 2.0
+    v5 = v3 * v4
+    v6 = xp.where(v0, 2.0 * b, a)
+    v7 = xp.tan(theta)
+    v8 = v7 * v6
+    v9 = v6 - b
+    v10 = v6 + b
+    v11 = v9 * v10
+    v12 = xp.sqrt(v11)
+    v13 = v12 / b
+    v14 = xp.arctan(v13)
+    v15 = v12 + v6
+    v16 = b / v15
+    v17 = v14 + v16
+    v18 = v8 * v17
+    v19 = xp.where(v0, v5, v18)
+    v20 = xp.sqrt(a)
+    v21 = 6.283185307179586 * dgamma
+    v22 = v21 / E_star
+    v23 = xp.sqrt(v22)
+    v24 = v20 * v23
+    v25 = v19 - v24
+    return v25
+
+
+def force(xp, a, theta, b, E_star, dgamma):
+    v0 = a < b
+    v1 = xp.where(v0, a, 0.5 * b)
+    v2 = 4.0 * E_star
+    v3 = xp.tan(theta)
+    v4 = v2 * v3
+    v5 = 3.0 * b
+    v6 = v4 / v5
+    v7 = v1 ** 2.0
+    v8 = v1 * v7
+    v9 = v6 * v8
+    v10 = xp.where(v0, 2.0 * b, a)
+    v11 = xp.tan(theta)
+    v12 = E_star * v11
+    v13 = v10 ** 2.0
+    v14 = v10 - b
+    v15 = v10 + b
+    v16 = v14 * v15
+    v17 = xp.sqrt(v16)
+    v18 = v17 / b
+    v19 = xp.arctan(v18)
+    v20 = v13 * v19
+    v21 = 4.0 * b
+    v22 = v21 * v13
+    v23 = v17 + v10
+    v24 = 3.0 * v23
+    v25 = v22 / v24
+    v26 = v20 + v25
+    v27 = b / 3.0
+    v28 = v27 * v17
+    v29 = v26 + v28
+    v30 = v12 * v29
+    v31 = xp.where(v0, v9, v30)
+    v32 = 2.0 * E_star
+    v33 = v32 * a
+    v34 = xp.sqrt(a)
+    v35 = 6.283185307179586 * dgamma
+    v36 = v35 / E_star
+    v37 = xp.sqrt(v36)
+    v38 = v34 * v37
+    v39 = v33 * v38
+    v40 = v31 - v39
+    return v40

@@ -1,0 +1,126 @@
+"""Formulas of axicontact.normal.hyperboloid over an array library `xp`."""
+
+
+def depth(xp, a, theta, b):
+    v0 = xp.tan(theta)
+    v1 = v0 * a
+    v2 = a / b
+    v3 = xp.arctan(v2)
+    v4 = v1 * v3
+    return v4
+
+
+def force(xp, a, theta, b, E_star):
+    v0 = xp.tan(theta)
+    v1 = E_star * v0
+    v2 = a ** 2.0
+    v3 = xp.arctan2(a, b)
+    v4 = v2 * v3
+    v5 = b ** 2.0
+    v6 = a / b
+    v7 = v6 < 1.0
+    v8 = xp.minimum(v6, 1.0)
+    v9 = v8 * v8
+    v10 = v8 * v9
+    v11 = 2.229767813968649e-06 * v9
+    v12 = v11 + 0.0021043873129700233
+    v13 = v12 * v9
+    v14 = v13 + 0.04325113828415611
+    v15 = v14 * v9
+    v16 = v15 + 0.2725778671008127
+    v17 = v16 * v9
+    v18 = v17 + 0.7123414383945195
+    v19 = v18 * v9
+    v20 = v19 + 0.8116412201960678
+    v21 = v20 * v9
+    v22 = v21 + 0.3333333333333333
+    v23 = 0.002445452808893491 * v9
+    v24 = v23 + 0.06453295925870227
+    v25 = v24 * v9
+    v26 = v25 + 0.5368820963772863
+    v27 = v26 * v9
+    v28 = v27 + 1.9680296155712274
+    v29 = v28 * v9
+    v30 = v29 + 3.5294070829658954
+    v31 = v30 * v9
+    v32 = v31 + 3.034923660588189
+    v33 = v32 * v9
+    v34 = v33 + 1.0
+    v35 = v22 / v34
+    v36 = v10 * v35
+    v37 = xp.arctan(v6)
+    v38 = v6 - v37
+    v39 = xp.where(v7, v36, v38)
+    v40 = v5 * v39
+    v41 = v4 + v40
+    v42 = v1 * v41
+    return v42
+
+
+def mean_pressure(xp, a, theta, b, E_star):
+    v0 = a > 0.0
+    v1 = xp.tan(theta)
+    v2 = E_star * v1
+    v3 = a ** 2.0
+    v4 = xp.arctan2(a, b)
+    v5 = v3 * v4
+    v6 = b ** 2.0
+    v7 = a / b
+    v8 = v7 < 1.0
+    v9 = xp.minimum(v7, 1.0)
+    v10 = v9 * v9
+    v11 = v9 * v10
+    v12 = 2.229767813968649e-06 * v10
+    v13 = v12 + 0.0021043873129700233
+    v14 = v13 * v10
+    v15 = v14 + 0.04325113828415611
+    v16 = v15 * v10
+    v17 = v16 + 0.2725778671008127
+    v18 = v17 * v10
+    v19 = v18 + 0.7123414383945195
+    v20 = v19 * v10
+    v21 = v20 + 0.8116412201960678
+    v22 = v21 * v10
+    v23 = v22 + 0.3333333333333333
+    v24 = 0.002445452808893491 * v10
+    v25 = v24 + 0.06453295925870227
+    v26 = v25 * v10
+    v27 = v26 + 0.5368820963772863
+    v28 = v27 * v10
+    v29 = v28 + 1.9680296155712274
+    v30 = v29 * v10
+    v31 = v30 + 3.5294070829658954
+    v32 = v31 * v10
+    v33 = v32 + 3.034923660588189
+    v34 = v33 * v10
+    v35 = v34 + 1.0
+    v36 = v23 / v35
+    v37 = v11 * v36
+    v38 = xp.arctan(v7)
+    v39 = v7 - v38
+    v40 = xp.where(v8, v37, v39)
+    v41 = v6 * v40
+    v42 = v5 + v41
+    v43 = v2 * v42
+    v44 = 3.141592653589793 * v3
+    v45 = v43 / v44
+    v46 = xp.where(v0, v45, 0.0)
+    return v46
+
+
+def profile(xp, r, theta, b):
+    v0 = xp.tan(theta)
+    v1 = r ** 2.0
+    v2 = v0 * v1
+    v3 = b ** 2.0
+    v4 = v1 + v3
+    v5 = xp.sqrt(v4)
+    v6 = v5 + b
+    v7 = v2 / v6
+    return v7
+
+
+def stiffness(xp, a, E_star):
+    v0 = 2.0 * E_star
+    v1 = v0 * a
+    return v1

@@ -1,0 +1,106 @@
+"""Programs of axicontact.graded.adhesive.flat_punch."""
+
+from __future__ import annotations
+
+from math import pow, sqrt
+
+import numpy as np
+
+from ...._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(6.283185307179586)
+C2 = np.array(2.0)
+C3 = np.array(1.0)
+
+
+def pull_off_depth(a, H, k, dgamma):
+    if a.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = -(sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if a > 0.0 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pull_off_depth_all_signed():
+    return ()
+
+
+def block_pull_off_depth_all_signed(out, a, H, k, dgamma, w0, m0):
+    size = out.size
+    np.greater(a, C0, m0)
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.multiply(C1, dgamma, out)
+        np.divide(out, H, out)
+        np.sqrt(out, out)
+        np.sqrt(a, w0)
+        np.multiply(out, w0, w0)
+        np.negative(k, out)
+        np.power(a, out, out)
+        np.sqrt(out, out)
+        np.multiply(w0, out, out)
+    if some16 != size:
+        np.copyto(out, C0, where=~m0)
+    np.negative(out, out)
+
+
+def pull_off_force(a, H, k, dgamma):
+    if a.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            v10 = a > 0.0
+            value = -(2.0 * H / (1.0 + k) * (a * pow(a, k) if v10 else 0.0)) * (sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if v10 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pull_off_force_all_signed():
+    return ()
+
+
+def block_pull_off_force_all_signed(out, a, H, k, dgamma, w0, w1, m0):
+    size = out.size
+    np.multiply(C2, H, out)
+    np.add(C3, k, w0)
+    np.divide(out, w0, w0)
+    np.greater(a, C0, m0)
+    some13 = np.count_nonzero(m0)
+    if some13:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some13 != size:
+        np.copyto(out, C0, where=~m0)
+    np.multiply(w0, out, out)
+    np.negative(out, out)
+    some26 = np.count_nonzero(m0)
+    if some26:
+        np.multiply(C1, dgamma, w0)
+        np.divide(w0, H, w0)
+        np.sqrt(w0, w0)
+        np.sqrt(a, w1)
+        np.multiply(w0, w1, w1)
+        np.negative(k, w0)
+        np.power(a, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(w1, w0, w0)
+    if some26 != size:
+        np.copyto(w0, C0, where=~m0)
+    np.multiply(out, w0, out)
+
+
+BLOCKS = {
+    ('_pull_off_depth', 0, 'a', 'H', 'k', 'dgamma'): {
+        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=1, masks=1),
+    },
+    ('_pull_off_force', 0, 'a', 'H', 'k', 'dgamma'): {
+        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=2, masks=1),
+    },
+}

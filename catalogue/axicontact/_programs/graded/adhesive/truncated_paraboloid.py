@@ -1,0 +1,311 @@
+"""Programs of axicontact.graded.adhesive.truncated_paraboloid."""
+
+from __future__ import annotations
+
+from math import nan, pow, sqrt
+
+import numpy as np
+
+from ...._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(np.nan)
+C2 = np.array(1.0)
+C3 = np.array(6.283185307179586)
+C4 = np.array(2.0)
+C5 = np.array(3.0)
+
+
+def depth(a, R, b, H, k, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v7 = a - b
+                v13 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (a + b)) / a
+                v27 = (a * a * (v13 * pow(v13, k) if v13 > 0.0 else 0.0) / (1.0 + k) + 0.0 * b) / R
+            else:
+                v27 = nan
+            value = v27 - (sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if a > 0.0 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, b, H, k, dgamma):
+    v21 = (1.0) + k
+    v23 = (0.0) * b
+    v30 = (6.283185307179586) * dgamma
+    v31 = v30 / H
+    v32 = np.sqrt(v31)
+    v35 = np.negative(k)
+    return (R, b, k, v21, v23, v32, v35)
+
+
+def block_depth_a(out, a, R, b, k, v21, v23, v32, v35, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(w0, a, w0)
+        np.multiply(a, a, out)
+        np.greater(w0, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(w0, k, w1)
+            np.multiply(w0, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, v21, w1)
+        np.add(w1, v23, w1)
+        np.divide(w1, R, out)
+    if some27 != size:
+        np.copyto(out, C1, where=~m0)
+    np.greater(a, C0, m0)
+    some39 = np.count_nonzero(m0)
+    if some39:
+        np.sqrt(a, w1)
+        np.multiply(v32, w1, w1)
+        np.power(a, v35, w0)
+        np.sqrt(w0, w0)
+        np.multiply(w1, w0, w1)
+    if some39 != size:
+        np.copyto(w1, C0, where=~m0)
+    np.subtract(out, w1, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, b, H, k, dgamma, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(w0, a, w0)
+        np.multiply(a, a, out)
+        np.greater(w0, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(w0, k, w1)
+            np.multiply(w0, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(out, w1, w1)
+        np.add(C2, k, out)
+        np.divide(w1, out, out)
+        np.multiply(C0, b, w1)
+        np.add(out, w1, w1)
+        np.divide(w1, R, out)
+    if some27 != size:
+        np.copyto(out, C1, where=~m0)
+    np.greater(a, C0, m0)
+    some39 = np.count_nonzero(m0)
+    if some39:
+        np.multiply(C3, dgamma, w1)
+        np.divide(w1, H, w1)
+        np.sqrt(w1, w1)
+        np.sqrt(a, w0)
+        np.multiply(w1, w0, w0)
+        np.negative(k, w1)
+        np.power(a, w1, w1)
+        np.sqrt(w1, w1)
+        np.multiply(w0, w1, w1)
+    if some39 != size:
+        np.copyto(w1, C0, where=~m0)
+    np.subtract(out, w1, out)
+
+
+def force(a, R, b, H, k, dgamma):
+    if a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            v16 = a > 0.0
+            v19 = a * pow(a, k) if v16 else 0.0
+            v29 = 1.0 + k
+            v41 = 2.0 * H / v29
+            if a >= b:
+                v7 = a - b
+                v14 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (a + b)) / (a if a > b or a != a else b)
+                v27 = 3.0 + k
+                v44 = v41 * ((a * a * v19 * (v14 * pow(v14, k) if v14 > 0.0 else 0.0) * (v27 - v29 * (v14 * v14)) / (v29 * v27) + 0.0 * b) / R)
+            else:
+                v44 = nan
+            value = v44 - v41 * v19 * (sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if v16 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, b, H, k, dgamma):
+    v27 = (3.0) + k
+    v29 = (1.0) + k
+    v35 = v29 * v27
+    v37 = (0.0) * b
+    v40 = (2.0) * H
+    v41 = v40 / v29
+    v47 = (6.283185307179586) * dgamma
+    v48 = v47 / H
+    v49 = np.sqrt(v48)
+    v52 = np.negative(k)
+    return (R, b, k, v27, v29, v35, v37, v41, v49, v52)
+
+
+def block_force_a(out, a, R, b, k, v27, v29, v35, v37, v41, v49, v52, w0, w1, w2, m0, m1, m2, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater(a, C0, m1)
+    some19 = np.count_nonzero(m1)
+    if some19:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some19 != size:
+        np.copyto(out, C0, where=~m1)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.subtract(a, b, w0)
+        np.maximum(w0, f0, out=w0)
+        np.add(a, b, w1)
+        np.multiply(w0, w1, w1)
+        np.sqrt(w1, w1)
+        np.maximum(a, b, out=w0)
+        np.divide(w1, w0, w0)
+        np.multiply(a, a, w1)
+        np.multiply(w1, out, w1)
+        np.greater(w0, C0, m2)
+        some24 = np.count_nonzero(m2)
+        if some24:
+            np.power(w0, k, w2)
+            np.multiply(w0, w2, w2)
+        if some24 != size:
+            np.copyto(w2, C0, where=~m2)
+        np.multiply(w1, w2, w2)
+        np.square(w0, w0)
+        np.multiply(v29, w0, w0)
+        np.subtract(v27, w0, w0)
+        np.multiply(w2, w0, w0)
+        np.divide(w0, v35, w0)
+        np.add(w0, v37, w0)
+        np.divide(w0, R, w0)
+        np.multiply(v41, w0, w0)
+    if some44 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(v41, out, out)
+    some56 = np.count_nonzero(m1)
+    if some56:
+        np.sqrt(a, w2)
+        np.multiply(v49, w2, w2)
+        np.power(a, v52, w1)
+        np.sqrt(w1, w1)
+        np.multiply(w2, w1, w2)
+    if some56 != size:
+        np.copyto(w2, C0, where=~m1)
+    np.multiply(out, w2, w2)
+    np.subtract(w0, w2, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, b, H, k, dgamma, w0, w1, w2, w3, w4, m0, m1, m2, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater(a, C0, m1)
+    some19 = np.count_nonzero(m1)
+    if some19:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some19 != size:
+        np.copyto(out, C0, where=~m1)
+    np.add(C2, k, w0)
+    np.multiply(C4, H, w1)
+    np.divide(w1, w0, w1)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.subtract(a, b, w2)
+        np.maximum(w2, f0, out=w2)
+        np.add(a, b, w3)
+        np.multiply(w2, w3, w3)
+        np.sqrt(w3, w3)
+        np.maximum(a, b, out=w2)
+        np.divide(w3, w2, w2)
+        np.multiply(a, a, w3)
+        np.multiply(w3, out, w3)
+        np.greater(w2, C0, m2)
+        some24 = np.count_nonzero(m2)
+        if some24:
+            np.power(w2, k, w4)
+            np.multiply(w2, w4, w4)
+        if some24 != size:
+            np.copyto(w4, C0, where=~m2)
+        np.multiply(w3, w4, w4)
+        np.add(C5, k, w3)
+        np.square(w2, w2)
+        np.multiply(w0, w2, w2)
+        np.subtract(w3, w2, w2)
+        np.multiply(w4, w2, w2)
+        np.multiply(w0, w3, w3)
+        np.divide(w2, w3, w3)
+        np.multiply(C0, b, w2)
+        np.add(w3, w2, w2)
+        np.divide(w2, R, w2)
+        np.multiply(w1, w2, w2)
+    if some44 != size:
+        np.copyto(w2, C1, where=~m0)
+    np.multiply(w1, out, out)
+    some56 = np.count_nonzero(m1)
+    if some56:
+        np.multiply(C3, dgamma, w1)
+        np.divide(w1, H, w1)
+        np.sqrt(w1, w1)
+        np.sqrt(a, w0)
+        np.multiply(w1, w0, w0)
+        np.negative(k, w1)
+        np.power(a, w1, w1)
+        np.sqrt(w1, w1)
+        np.multiply(w0, w1, w1)
+    if some56 != size:
+        np.copyto(w1, C0, where=~m1)
+    np.multiply(out, w1, w1)
+    np.subtract(w2, w1, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'b', 'H', 'k', 'dgamma'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=2, filled=(0.0,)),
+        ('a', 'R', 'b', 'H', 'k', 'dgamma'): Program(('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2, masks=2, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'R', 'b', 'H', 'k', 'dgamma'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=3, masks=3, filled=(0.0,)),
+        ('a', 'R', 'b', 'H', 'k', 'dgamma'): Program(('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_force_all, block_force_all, scratch=5, masks=3, filled=(0.0,)),
+    },
+}

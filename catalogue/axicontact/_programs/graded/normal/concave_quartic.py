@@ -1,0 +1,348 @@
+"""Programs of axicontact.graded.normal.concave_quartic."""
+
+from __future__ import annotations
+
+from math import inf, nan, pow, sqrt
+
+import numpy as np
+
+from ...._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(-4.0)
+C1 = np.array(1.0)
+C2 = np.array(2.0)
+C3 = np.array(3.0)
+C4 = np.array(0.0)
+C5 = np.array(4.0)
+C6 = np.array(np.inf)
+C7 = np.array(np.nan)
+C8 = np.array(0.999999999999999)
+C9 = np.array(3.141592653589793)
+C10 = np.array(0.5)
+
+
+def minimum_depth(a, h, k):
+    if a.__class__ is h.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            v8 = k + 1.0
+            return -4.0 * h * (k - 1.0) / (v8 * v8 * (k + 3.0)) + 0.0 * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_minimum_depth_all_signed():
+    return ()
+
+
+def block_minimum_depth_all_signed(out, a, h, k, w0, w1):
+    np.multiply(C0, h, out)
+    np.subtract(k, C1, w0)
+    np.multiply(out, w0, w0)
+    np.add(k, C1, out)
+    np.square(out, out)
+    np.add(k, C3, w1)
+    np.multiply(out, w1, w1)
+    np.divide(w0, w1, w1)
+    np.multiply(C4, a, w0)
+    np.add(w1, w0, out)
+
+
+def pressure(r, d, a, h, H, k):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            v11 = k + 1.0
+            v13 = v11 * v11
+            v15 = k + 3.0
+            v20 = -4.0 * h * (k - 1.0) / (v13 * v15) + 0.0 * a
+            if v20 * 0.999999999999999 <= d:
+                v23 = a * a
+                v28 = k * v23 + 4.0 * (r * r) - v23
+                if r < a:
+                    v38 = a - r
+                    v42 = sqrt((v38 if v38 > 0.0 or v38 != v38 else 0.0) * (a + r))
+                    v52 = H / 3.141592653589793 * pow(v42, k) / v42
+                else:
+                    v52 = 0.0 if r > a else inf
+                value = (d - v20 + 4.0 * h * (v28 * v28) / (v23 * v23 * v13 * (v15 * v15))) * v52
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(d, a, h, H, k):
+    v7 = (-4.0) * h
+    v9 = k - (1.0)
+    v10 = v7 * v9
+    v11 = k + (1.0)
+    v13 = np.square(v11)
+    v15 = k + (3.0)
+    v16 = v13 * v15
+    v17 = v10 / v16
+    v19 = (0.0) * a
+    v20 = v17 + v19
+    v22 = (4.0) * h
+    v23 = np.square(a)
+    v24 = k * v23
+    v31 = np.square(v23)
+    v32 = v31 * v13
+    v33 = np.square(v15)
+    v34 = v32 * v33
+    v36 = d - v20
+    v45 = H / (3.141592653589793)
+    v55 = v20 * (0.999999999999999)
+    v56 = np.less_equal(v55, d)
+    return (a, k, v22, v23, v24, v34, v36, v45, v56)
+
+
+def block_pressure_r(out, r, a, k, v22, v23, v24, v34, v36, v45, v56, w0, w1, m0, m1, f0):
+    size = out.size
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    if v56:
+        np.square(r, out)
+        np.multiply(C5, out, out)
+        np.add(v24, out, out)
+        np.subtract(out, v23, out)
+        np.square(out, out)
+        np.multiply(v22, out, out)
+        np.divide(out, v34, out)
+        np.add(v36, out, out)
+        np.less(r, a, m0)
+        some52 = np.count_nonzero(m0)
+        if some52:
+            np.subtract(a, r, w0)
+            np.maximum(w0, f0, out=w0)
+            np.add(a, r, w1)
+            np.multiply(w0, w1, w1)
+            np.sqrt(w1, w1)
+            np.power(w1, k, w0)
+            np.multiply(v45, w0, w0)
+            np.divide(w0, w1, w0)
+        if some52 != size:
+            other52 = w1 if some52 else w0
+            np.greater(r, a, m1)
+            some51 = np.count_nonzero(m1)
+            if some51:
+                np.copyto(other52, C4)
+            if some51 != size:
+                np.copyto(other52, C6, where=~m1)
+            if some52:
+                np.copyto(w0, other52, where=~m0)
+        np.multiply(out, w0, out)
+    else:
+        np.copyto(out, C7)
+
+
+def prepare_pressure_r_d(a, h, H, k):
+    v7 = (-4.0) * h
+    v9 = k - (1.0)
+    v10 = v7 * v9
+    v11 = k + (1.0)
+    v13 = np.square(v11)
+    v15 = k + (3.0)
+    v16 = v13 * v15
+    v17 = v10 / v16
+    v19 = (0.0) * a
+    v20 = v17 + v19
+    v22 = (4.0) * h
+    v23 = np.square(a)
+    v24 = k * v23
+    v31 = np.square(v23)
+    v32 = v31 * v13
+    v33 = np.square(v15)
+    v34 = v32 * v33
+    v45 = H / (3.141592653589793)
+    v55 = v20 * (0.999999999999999)
+    return (a, k, v20, v22, v23, v24, v34, v45, v55)
+
+
+def block_pressure_r_d(out, r, d, a, k, v20, v22, v23, v24, v34, v45, v55, w0, w1, m0, m1, m2, f0):
+    size = out.size
+    np.less_equal(v55, d, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    some58 = np.count_nonzero(m0)
+    if some58:
+        np.square(r, out)
+        np.multiply(C5, out, out)
+        np.add(v24, out, out)
+        np.subtract(out, v23, out)
+        np.square(out, out)
+        np.multiply(v22, out, out)
+        np.divide(out, v34, out)
+        np.subtract(d, v20, w0)
+        np.add(w0, out, out)
+        np.less(r, a, m1)
+        some52 = np.count_nonzero(m1)
+        if some52:
+            np.subtract(a, r, w0)
+            np.maximum(w0, f0, out=w0)
+            np.add(a, r, w1)
+            np.multiply(w0, w1, w1)
+            np.sqrt(w1, w1)
+            np.power(w1, k, w0)
+            np.multiply(v45, w0, w0)
+            np.divide(w0, w1, w0)
+        if some52 != size:
+            other52 = w1 if some52 else w0
+            np.greater(r, a, m2)
+            some51 = np.count_nonzero(m2)
+            if some51:
+                np.copyto(other52, C4)
+            if some51 != size:
+                np.copyto(other52, C6, where=~m2)
+            if some52:
+                np.copyto(w0, other52, where=~m1)
+        np.multiply(out, w0, out)
+    if some58 != size:
+        np.copyto(out, C7, where=~m0)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, d, a, h, H, k, w0, w1, w2, w3, w4, w5, m0, m1, m2, f0):
+    size = out.size
+    np.multiply(C0, h, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.subtract(k, C1, w1)
+    np.multiply(w0, w1, w1)
+    np.add(k, C1, w0)
+    np.square(w0, w0)
+    np.add(k, C3, w2)
+    np.multiply(w0, w2, w3)
+    np.divide(w1, w3, w3)
+    np.multiply(C4, a, w1)
+    np.add(w3, w1, w1)
+    np.multiply(w1, C8, w3)
+    np.less_equal(w3, d, m0)
+    some58 = np.count_nonzero(m0)
+    if some58:
+        np.multiply(C5, h, out)
+        np.square(a, w3)
+        np.multiply(k, w3, w4)
+        np.square(r, w5)
+        np.multiply(C5, w5, w5)
+        np.add(w4, w5, w5)
+        np.subtract(w5, w3, w5)
+        np.square(w5, w5)
+        np.multiply(out, w5, w5)
+        np.square(w3, w3)
+        np.multiply(w3, w0, w3)
+        np.square(w2, out)
+        np.multiply(w3, out, out)
+        np.divide(w5, out, out)
+        np.subtract(d, w1, w5)
+        np.add(w5, out, out)
+        np.less(r, a, m1)
+        some52 = np.count_nonzero(m1)
+        if some52:
+            np.subtract(a, r, w5)
+            np.maximum(w5, f0, out=w5)
+            np.add(a, r, w3)
+            np.multiply(w5, w3, w3)
+            np.sqrt(w3, w3)
+            np.divide(H, C9, w5)
+            np.power(w3, k, w4)
+            np.multiply(w5, w4, w4)
+            np.divide(w4, w3, w5)
+        if some52 != size:
+            other52 = w3 if some52 else w5
+            np.greater(r, a, m2)
+            some51 = np.count_nonzero(m2)
+            if some51:
+                np.copyto(other52, C4)
+            if some51 != size:
+                np.copyto(other52, C6, where=~m2)
+            if some52:
+                np.copyto(w5, other52, where=~m1)
+        np.multiply(out, w5, out)
+    if some58 != size:
+        np.copyto(out, C7, where=~m0)
+
+
+def stiffness(a, H, k, h=1.0):
+    if a.__class__ is H.__class__ is k.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (h > 1e-30) and (h < 1e+30):
+        try:
+            value = 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_all_signed():
+    return ()
+
+
+def block_stiffness_all_signed(out, a, H, k, w0, m0):
+    size = out.size
+    np.multiply(C2, H, out)
+    np.add(C1, k, w0)
+    np.divide(out, w0, w0)
+    np.greater(a, C4, m0)
+    some12 = np.count_nonzero(m0)
+    if some12:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some12 != size:
+        np.copyto(out, C4, where=~m0)
+    np.multiply(w0, out, out)
+
+
+def zero_radius(a, h, k):
+    if a.__class__ is h.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            return a * sqrt(1.0 - k) / 2.0 + 0.0 * h
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_zero_radius_all_signed():
+    return ()
+
+
+def block_zero_radius_all_signed(out, a, h, k, w0):
+    np.subtract(C1, k, out)
+    np.sqrt(out, out)
+    np.multiply(a, out, out)
+    np.multiply(out, C10, out)
+    np.multiply(C4, h, w0)
+    np.add(out, w0, out)
+
+
+BLOCKS = {
+    ('_minimum_depth', 0, 'a', 'h', 'k'): {
+        ('a', 'h', 'k'): Program(('a', 'h', 'k'), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, scratch=2),
+    },
+    ('_pressure', 2, 'r', 'd', 'a', 'h', 'H', 'k'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=2, masks=2, filled=(0.0,)),
+        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=2, masks=3, filled=(0.0,)),
+        ('r', 'd', 'a', 'h', 'H', 'k'): Program(('r', 'd', 'a', 'h', 'H', 'k'), prepare_pressure_all, block_pressure_all, scratch=6, masks=3, filled=(0.0,)),
+    },
+    ('_stiffness', 0, 'a', 'H', 'k'): {
+        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, scratch=1, masks=1),
+    },
+    ('_zero_radius', 0, 'a', 'h', 'k'): {
+        ('a', 'h', 'k'): Program(('a', 'h', 'k'), prepare_zero_radius_all_signed, block_zero_radius_all_signed, scratch=1),
+    },
+}

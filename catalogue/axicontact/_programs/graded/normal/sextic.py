@@ -1,0 +1,77 @@
+"""Programs of axicontact.graded.normal.sextic."""
+
+from __future__ import annotations
+
+from math import pow
+
+import numpy as np
+
+from ...._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(2.0)
+C2 = np.array(1.0)
+
+
+def stiffness(a, H, k, A=1.0):
+    if a.__class__ is H.__class__ is k.__class__ is A.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (A > 1e-30) and (A < 1e+30):
+        try:
+            value = 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(H, k):
+    v4 = (2.0) * H
+    v6 = (1.0) + k
+    v7 = v4 / v6
+    return (k, v7)
+
+
+def block_stiffness_a(out, a, k, v7, m0):
+    size = out.size
+    np.greater(a, C0, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some12 = np.count_nonzero(m0)
+    if some12:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some12 != size:
+        np.copyto(out, C0, where=~m0)
+    np.multiply(v7, out, out)
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, H, k, w0, m0):
+    size = out.size
+    np.multiply(C1, H, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(C2, k, w0)
+    np.divide(out, w0, w0)
+    np.greater(a, C0, m0)
+    some12 = np.count_nonzero(m0)
+    if some12:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some12 != size:
+        np.copyto(out, C0, where=~m0)
+    np.multiply(w0, out, out)
+
+
+BLOCKS = {
+    ('_stiffness', 1, 'a', 'H', 'k'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
+        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+    },
+}

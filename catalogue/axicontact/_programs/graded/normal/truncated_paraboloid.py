@@ -1,0 +1,440 @@
+"""Programs of axicontact.graded.normal.truncated_paraboloid."""
+
+from __future__ import annotations
+
+from math import nan, pow, sqrt
+
+import numpy as np
+
+from ...._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(np.nan)
+C2 = np.array(1.0)
+C3 = np.array(2.0)
+C4 = np.array(3.0)
+C5 = np.array(3.141592653589793)
+
+
+def depth(a, R, b, k):
+    if a.__class__ is R.__class__ is b.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (k > 1e-30) and (k < 1.0) and (b <= a):
+        try:
+            if a >= b:
+                v5 = a - b
+                v11 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + b)) / a
+                value = (a * a * (v11 * pow(v11, k) if v11 > 0.0 else 0.0) / (1.0 + k) + 0.0 * b) / R
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, b, k):
+    v19 = (1.0) + k
+    v21 = (0.0) * b
+    return (R, b, k, v19, v21)
+
+
+def block_depth_a(out, a, R, b, k, v19, v21, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some25 = np.count_nonzero(m0)
+    if some25:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(w0, a, w0)
+        np.multiply(a, a, out)
+        np.greater(w0, C0, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.power(w0, k, w1)
+            np.multiply(w0, w1, w1)
+        if some16 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, v19, w1)
+        np.add(w1, v21, w1)
+        np.divide(w1, R, out)
+    if some25 != size:
+        np.copyto(out, C1, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, b, k, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some25 = np.count_nonzero(m0)
+    if some25:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(w0, a, w0)
+        np.multiply(a, a, out)
+        np.greater(w0, C0, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.power(w0, k, w1)
+            np.multiply(w0, w1, w1)
+        if some16 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(out, w1, w1)
+        np.add(C2, k, out)
+        np.divide(w1, out, out)
+        np.multiply(C0, b, w1)
+        np.add(out, w1, w1)
+        np.divide(w1, R, out)
+    if some25 != size:
+        np.copyto(out, C1, where=~m0)
+
+
+def force(a, R, b, H, k):
+    if a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (b <= a):
+        try:
+            if a >= b:
+                v6 = a - b
+                v13 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (a + b)) / (a if a > b or a != a else b)
+                v26 = 3.0 + k
+                v28 = 1.0 + k
+                value = 2.0 * H / v28 * ((a * a * (a * pow(a, k) if a > 0.0 else 0.0) * (v13 * pow(v13, k) if v13 > 0.0 else 0.0) * (v26 - v28 * (v13 * v13)) / (v28 * v26) + 0.0 * b) / R)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, b, H, k):
+    v26 = (3.0) + k
+    v28 = (1.0) + k
+    v34 = v28 * v26
+    v36 = (0.0) * b
+    v39 = (2.0) * H
+    v40 = v39 / v28
+    return (R, b, k, v26, v28, v34, v36, v40)
+
+
+def block_force_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some43 = np.count_nonzero(m0)
+    if some43:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.maximum(a, b, out=out)
+        np.divide(w0, out, out)
+        np.multiply(a, a, w0)
+        np.greater(a, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(a, k, w1)
+            np.multiply(a, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(w0, w1, w1)
+        np.greater(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.power(out, k, w0)
+            np.multiply(out, w0, w0)
+        if some23 != size:
+            np.copyto(w0, C0, where=~m1)
+        np.multiply(w1, w0, w0)
+        np.square(out, out)
+        np.multiply(v28, out, out)
+        np.subtract(v26, out, out)
+        np.multiply(w0, out, out)
+        np.divide(out, v34, out)
+        np.add(out, v36, out)
+        np.divide(out, R, out)
+        np.multiply(v40, out, out)
+    if some43 != size:
+        np.copyto(out, C1, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some43 = np.count_nonzero(m0)
+    if some43:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.maximum(a, b, out=out)
+        np.divide(w0, out, out)
+        np.multiply(a, a, w0)
+        np.greater(a, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(a, k, w1)
+            np.multiply(a, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(w0, w1, w1)
+        np.greater(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.power(out, k, w0)
+            np.multiply(out, w0, w0)
+        if some23 != size:
+            np.copyto(w0, C0, where=~m1)
+        np.multiply(w1, w0, w0)
+        np.add(C4, k, w1)
+        np.add(C2, k, w2)
+        np.square(out, out)
+        np.multiply(w2, out, out)
+        np.subtract(w1, out, out)
+        np.multiply(w0, out, out)
+        np.multiply(w2, w1, w1)
+        np.divide(out, w1, w1)
+        np.multiply(C0, b, out)
+        np.add(w1, out, out)
+        np.divide(out, R, out)
+        np.multiply(C3, H, w1)
+        np.divide(w1, w2, w2)
+        np.multiply(w2, out, out)
+    if some43 != size:
+        np.copyto(out, C1, where=~m0)
+
+
+def mean_pressure(a, R, b, H, k):
+    if a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (b <= a):
+        try:
+            if a >= b:
+                v6 = a - b
+                v13 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (a + b)) / (a if a > b or a != a else b)
+                v26 = 3.0 + k
+                v28 = 1.0 + k
+                v43 = 2.0 * H / v28 * ((a * a * (a * pow(a, k) if a > 0.0 else 0.0) * (v13 * pow(v13, k) if v13 > 0.0 else 0.0) * (v26 - v28 * (v13 * v13)) / (v28 * v26) + 0.0 * b) / R)
+            else:
+                v43 = nan
+            value = v43 / (3.141592653589793 * a * a)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(R, b, H, k):
+    v26 = (3.0) + k
+    v28 = (1.0) + k
+    v34 = v28 * v26
+    v36 = (0.0) * b
+    v39 = (2.0) * H
+    v40 = v39 / v28
+    return (R, b, k, v26, v28, v34, v36, v40)
+
+
+def block_mean_pressure_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some43 = np.count_nonzero(m0)
+    if some43:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.maximum(a, b, out=out)
+        np.divide(w0, out, out)
+        np.multiply(a, a, w0)
+        np.greater(a, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(a, k, w1)
+            np.multiply(a, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(w0, w1, w1)
+        np.greater(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.power(out, k, w0)
+            np.multiply(out, w0, w0)
+        if some23 != size:
+            np.copyto(w0, C0, where=~m1)
+        np.multiply(w1, w0, w0)
+        np.square(out, out)
+        np.multiply(v28, out, out)
+        np.subtract(v26, out, out)
+        np.multiply(w0, out, out)
+        np.divide(out, v34, out)
+        np.add(out, v36, out)
+        np.divide(out, R, out)
+        np.multiply(v40, out, out)
+    if some43 != size:
+        np.copyto(out, C1, where=~m0)
+    np.multiply(C5, a, w0)
+    np.multiply(w0, a, w0)
+    np.divide(out, w0, out)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
+    size = out.size
+    np.greater_equal(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some43 = np.count_nonzero(m0)
+    if some43:
+        np.subtract(a, b, out)
+        np.maximum(out, f0, out=out)
+        np.add(a, b, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.maximum(a, b, out=out)
+        np.divide(w0, out, out)
+        np.multiply(a, a, w0)
+        np.greater(a, C0, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.power(a, k, w1)
+            np.multiply(a, w1, w1)
+        if some18 != size:
+            np.copyto(w1, C0, where=~m1)
+        np.multiply(w0, w1, w1)
+        np.greater(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.power(out, k, w0)
+            np.multiply(out, w0, w0)
+        if some23 != size:
+            np.copyto(w0, C0, where=~m1)
+        np.multiply(w1, w0, w0)
+        np.add(C4, k, w1)
+        np.add(C2, k, w2)
+        np.square(out, out)
+        np.multiply(w2, out, out)
+        np.subtract(w1, out, out)
+        np.multiply(w0, out, out)
+        np.multiply(w2, w1, w1)
+        np.divide(out, w1, w1)
+        np.multiply(C0, b, out)
+        np.add(w1, out, out)
+        np.divide(out, R, out)
+        np.multiply(C3, H, w1)
+        np.divide(w1, w2, w2)
+        np.multiply(w2, out, out)
+    if some43 != size:
+        np.copyto(out, C1, where=~m0)
+    np.multiply(C5, a, w2)
+    np.multiply(w2, a, w2)
+    np.divide(out, w2, out)
+
+
+def stiffness(a, H, k, R=1.0, b=1.0):
+    if a.__class__ is H.__class__ is k.__class__ is R.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (b <= a):
+        try:
+            value = 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(H, k):
+    v4 = (2.0) * H
+    v6 = (1.0) + k
+    v7 = v4 / v6
+    return (k, v7)
+
+
+def block_stiffness_a(out, a, k, v7, m0):
+    size = out.size
+    np.greater(a, C0, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some12 = np.count_nonzero(m0)
+    if some12:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some12 != size:
+        np.copyto(out, C0, where=~m0)
+    np.multiply(v7, out, out)
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, H, k, w0, m0):
+    size = out.size
+    np.multiply(C3, H, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(C2, k, w0)
+    np.divide(out, w0, w0)
+    np.greater(a, C0, m0)
+    some12 = np.count_nonzero(m0)
+    if some12:
+        np.power(a, k, out)
+        np.multiply(a, out, out)
+    if some12 != size:
+        np.copyto(out, C0, where=~m0)
+    np.multiply(w0, out, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'b', 'k'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=2, filled=(0.0,)),
+        ('a', 'R', 'b', 'k'): Program(('a', 'R', 'b', 'k'), prepare_depth_all, block_depth_all, scratch=2, masks=2, filled=(0.0,)),
+    },
+    ('_force', 1, 'a', 'R', 'b', 'H', 'k'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2, masks=2, filled=(0.0,)),
+        ('a', 'R', 'b', 'H', 'k'): Program(('a', 'R', 'b', 'H', 'k'), prepare_force_all, block_force_all, scratch=3, masks=2, filled=(0.0,)),
+    },
+    ('_mean_pressure', 1, 'a', 'R', 'b', 'H', 'k'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=2, masks=2, filled=(0.0,)),
+        ('a', 'R', 'b', 'H', 'k'): Program(('a', 'R', 'b', 'H', 'k'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=3, masks=2, filled=(0.0,)),
+    },
+    ('_stiffness', 1, 'a', 'H', 'k'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
+        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+    },
+}

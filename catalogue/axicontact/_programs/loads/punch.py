@@ -1,0 +1,91 @@
+"""Programs of axicontact.loads.punch."""
+
+from __future__ import annotations
+
+from math import atan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(2.0)
+C1 = np.array(3.141592653589793)
+
+
+def displacement(r, a, p_0, E_star):
+    if r.__class__ is a.__class__ is p_0.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (p_0 > 1e-30) and (p_0 < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r > a:
+                return 2.0 * p_0 / E_star * a * atan(a / sqrt((r - a) * (a + r)))
+            return 3.141592653589793 * p_0 / E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, p_0, E_star):
+    v11 = (2.0) * p_0
+    v12 = v11 / E_star
+    v13 = v12 * a
+    v16 = (3.141592653589793) * p_0
+    v17 = v16 / E_star
+    v18 = v17 * a
+    return (a, v13, v18)
+
+
+def block_displacement_r(out, r, a, v13, v18, w0, m0):
+    size = out.size
+    np.greater(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(r, a, out)
+        np.add(a, r, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(a, w0, w0)
+        np.arctan(w0, w0)
+        np.multiply(v13, w0, out)
+    if some20 != size:
+        np.copyto(out, v18, where=~m0)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, p_0, E_star, w0, m0):
+    size = out.size
+    np.greater(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(r, a, out)
+        np.add(a, r, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.divide(a, w0, w0)
+        np.arctan(w0, w0)
+        np.multiply(C0, p_0, out)
+        np.divide(out, E_star, out)
+        np.multiply(out, a, out)
+        np.multiply(out, w0, out)
+    if some20 != size:
+        other20 = w0 if some20 else out
+        np.multiply(C1, p_0, other20)
+        np.divide(other20, E_star, other20)
+        np.multiply(other20, a, other20)
+        if some20:
+            np.copyto(out, other20, where=~m0)
+
+
+BLOCKS = {
+    ('_displacement', 1, 'r', 'a', 'p_0', 'E_star'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=1, masks=1),
+        ('r', 'a', 'p_0', 'E_star'): Program(('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, scratch=1, masks=1),
+    },
+}

@@ -1,0 +1,72 @@
+"""Programs of axicontact.materials."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(1.0)
+C1 = np.array(2.0)
+
+
+def effective_modulus(E_1, nu_1, E_2, nu_2):
+    if E_1.__class__ is nu_1.__class__ is E_2.__class__ is nu_2.__class__ is float and E_1 > 1e-30 and (E_1 < 1e+30) and (nu_1 > 1e-30) and (nu_1 < 0.5) and (E_2 > 1e-30) and (E_2 < 1e+30) and (nu_2 > 1e-30) and (nu_2 < 0.5):
+        try:
+            return 1.0 / ((1.0 - nu_1) * (1.0 + nu_1) / E_1 + (1.0 - nu_2) * (1.0 + nu_2) / E_2)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_effective_modulus_all_signed():
+    return ()
+
+
+def block_effective_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, w0, w1):
+    np.subtract(C0, nu_1, out)
+    np.add(C0, nu_1, w0)
+    np.multiply(out, w0, w0)
+    np.divide(w0, E_1, w0)
+    np.subtract(C0, nu_2, out)
+    np.add(C0, nu_2, w1)
+    np.multiply(out, w1, w1)
+    np.divide(w1, E_2, w1)
+    np.add(w0, w1, w1)
+    np.divide(C0, w1, out)
+
+
+def effective_shear_modulus(E_1, nu_1, E_2, nu_2):
+    if E_1.__class__ is nu_1.__class__ is E_2.__class__ is nu_2.__class__ is float and E_1 > 1e-30 and (E_1 < 1e+30) and (nu_1 > 1e-30) and (nu_1 < 0.5) and (E_2 > 1e-30) and (E_2 < 1e+30) and (nu_2 > 1e-30) and (nu_2 < 0.5):
+        try:
+            return 2.0 / ((2.0 - nu_1) * (1.0 + nu_1) / E_1 + (2.0 - nu_2) * (1.0 + nu_2) / E_2)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_effective_shear_modulus_all_signed():
+    return ()
+
+
+def block_effective_shear_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, w0, w1):
+    np.subtract(C1, nu_1, out)
+    np.add(C0, nu_1, w0)
+    np.multiply(out, w0, w0)
+    np.divide(w0, E_1, w0)
+    np.subtract(C1, nu_2, out)
+    np.add(C0, nu_2, w1)
+    np.multiply(out, w1, w1)
+    np.divide(w1, E_2, w1)
+    np.add(w0, w1, w1)
+    np.divide(C1, w1, out)
+
+
+BLOCKS = {
+    ('_effective_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
+        ('E_1', 'nu_1', 'E_2', 'nu_2'): Program(('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_modulus_all_signed, block_effective_modulus_all_signed, scratch=2),
+    },
+    ('_effective_shear_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
+        ('E_1', 'nu_1', 'E_2', 'nu_2'): Program(('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_shear_modulus_all_signed, block_effective_shear_modulus_all_signed, scratch=2),
+    },
+}

@@ -1,0 +1,549 @@
+"""Programs of axicontact.normal.capped_paraboloid."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, exp, expm1, fsum, inf, nextafter, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import capped_paraboloid as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(3.0)
+C2 = np.array(4.0)
+C3 = np.array(9.42477796076938)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R1, R2, b):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            if a < b:
+                return a * a / R1
+            return a * (a + (R1 - R2) / R2 * sqrt((a - b) * (a + b))) / R1
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R1, R2, b):
+    v11 = R1 - R2
+    v12 = v11 / R2
+    return (R1, b, v12)
+
+
+def block_depth_a(out, a, R1, b, v12, w0, w1, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some18 != size:
+        other18 = w0 if some18 else out
+        np.subtract(a, b, other18)
+        np.add(a, b, w1)
+        np.multiply(other18, w1, w1)
+        np.sqrt(w1, w1)
+        np.multiply(v12, w1, w1)
+        np.add(a, w1, w1)
+        np.multiply(a, w1, w1)
+        np.divide(w1, R1, other18)
+        if some18:
+            np.copyto(out, other18, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R1, R2, b, w0, w1, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some18 != size:
+        other18 = w0 if some18 else out
+        np.subtract(a, b, other18)
+        np.add(a, b, w1)
+        np.multiply(other18, w1, w1)
+        np.sqrt(w1, w1)
+        np.subtract(R1, R2, other18)
+        np.divide(other18, R2, other18)
+        np.multiply(other18, w1, w1)
+        np.add(a, w1, w1)
+        np.multiply(a, w1, w1)
+        np.divide(w1, R1, other18)
+        if some18:
+            np.copyto(out, other18, where=~m0)
+
+
+def depth_from_force(F, R1, R2, b, E_star):
+    if F.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R1, R2, b):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v6 = r - b
+            v9 = r + b
+            v13 = a - b
+            v15 = a + b
+            v63 = R1 - R2
+            v69 = b * b
+            if r > a:
+                v5 = a if a < b or a != a else b
+                if a > b:
+                    v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v9)
+                    v12 = b / r
+                    v18 = r - a
+                    v23 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * v15) / sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (r + a))
+                    v25 = asinh(v23 / v12)
+                    v30 = 0.0 - expm1(-2.0 * v25)
+                    v33 = v30 if v30 > 0.0 else inf
+                    v50 = b * b
+                    v54 = v12 * v12
+                    v65 = R1 * R2
+                    v66 = 2.0 * v63 / v65
+                    v70 = v69 * v63
+                    v80 = []
+                    for node, weight in RULE_0(v25 / 1.0):
+                        v35 = node * v25
+                        v44 = v23 * (exp(-v35) * (0.0 - expm1(-2.0 * (v25 - v35))) / v33)
+                        v45 = v44 * v44
+                        v47 = sqrt(1.0 + v45)
+                        v49 = v11 * v44 / v47
+                        v53 = sqrt(v50 + v49 * v49)
+                        v79 = (2.0 * v53 / R1 + v66 * v49 + v70 / (v65 * v49)) * v49 / v53 * atan2(v53, v11 / v47) * (sqrt(v54 + v45) / (v47 * v47 * v47))
+                        v80.append(weight * v79)
+                    v80 = fsum(v80) * v25
+                    v82 = v11 * v80
+                else:
+                    v82 = 0.0
+                v93 = v5 / (r + sqrt((r - v5) * (r + v5)))
+                v95 = v93 * v93
+                value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v95 * (((((((((-0.7327347664453868 * v95 + -32.15553480435792) * v95 + -332.23363563146734) * v95 + -1070.7082873491413) * v95 + -85.27694715374247) * v95 + 5044.821368830373) * v95 + 8082.413158212496) * v95 + 3759.725330928701) * v95 + 0.26666666666720995) / ((((((((0.21387262524856868 * v95 + 32.12935731379798) * v95 + 746.8124983579742) * v95 + 6202.125133759036) * v95 + 23553.080984642995) * v95 + 44404.005348491315) * v95 + 40380.01430284195) * v95 + 14099.684276696918) * v95 + 1.0)))) + 0.6366197723675814 * v82
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v167 = 2.0 * R1
+            return (a * a / R1 if a < b else a * (a + v63 / R2 * sqrt(v13 * v15)) / R1) - (r * r / v167 if r < b else v69 / v167 + v6 * v9 / (2.0 * R2))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = 3.0 * R1
+            v11 = a * a
+            v12 = a * v11
+            if a < b:
+                return 4.0 * E_star / v8 * v12
+            return 2.0 * E_star / v8 * (2.0 * v12 + (R1 - R2) / R2 * (2.0 * v11 + b * b) * sqrt((a - b) * (a + b)))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R1, R2, b, E_star):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R1
+    v9 = v6 / v8
+    v18 = (2.0) * E_star
+    v19 = v18 / v8
+    v21 = R1 - R2
+    v22 = v21 / R2
+    v24 = np.square(b)
+    return (b, v9, v19, v22, v24)
+
+
+def block_force_a(out, a, b, v9, v19, v22, v24, w0, w1, w2, w3, w4, m0):
+    size = out.size
+    np.square(a, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, w0, w1)
+    np.less(a, b, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.multiply(v9, w1, out)
+    if some31 != size:
+        other31 = w2 if some31 else out
+        np.subtract(a, b, other31)
+        np.add(a, b, w3)
+        np.multiply(other31, w3, w3)
+        np.sqrt(w3, w3)
+        np.multiply(C0, w1, other31)
+        np.multiply(C0, w0, w4)
+        np.add(w4, v24, w4)
+        np.multiply(v22, w4, w4)
+        np.multiply(w4, w3, w3)
+        np.add(other31, w3, w3)
+        np.multiply(v19, w3, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0):
+    size = out.size
+    np.multiply(C1, R1, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, w1)
+    np.multiply(a, w1, w2)
+    np.less(a, b, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.multiply(C2, E_star, out)
+        np.divide(out, w0, out)
+        np.multiply(out, w2, out)
+    if some31 != size:
+        other31 = w3 if some31 else out
+        np.subtract(a, b, other31)
+        np.add(a, b, w4)
+        np.multiply(other31, w4, w4)
+        np.sqrt(w4, w4)
+        np.multiply(C0, E_star, other31)
+        np.divide(other31, w0, other31)
+        np.multiply(C0, w2, w5)
+        np.subtract(R1, R2, w6)
+        np.divide(w6, R2, w6)
+        np.multiply(C0, w1, w7)
+        np.square(b, w8)
+        np.add(w7, w8, w8)
+        np.multiply(w6, w8, w8)
+        np.multiply(w8, w4, w4)
+        np.add(w5, w4, w4)
+        np.multiply(other31, w4, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
+
+
+def force_from_depth(d, R1, R2, b, E_star):
+    if d.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = 9.42477796076938 * R1
+            if a < b:
+                return 4.0 * E_star / v8 * a
+            v20 = a * a
+            value = 2.0 * E_star / v8 * (2.0 * a + (R1 - R2) * (2.0 * v20 + b * b) * sqrt((a - b) * (a + b)) / (v20 * R2))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(R1, R2, b, E_star):
+    v6 = (4.0) * E_star
+    v8 = (9.42477796076938) * R1
+    v9 = v6 / v8
+    v16 = (2.0) * E_star
+    v17 = v16 / v8
+    v19 = R1 - R2
+    v22 = np.square(b)
+    return (R2, b, v9, v17, v19, v22)
+
+
+def block_mean_pressure_a(out, a, R2, b, v9, v17, v19, v22, w0, w1, w2, w3, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.multiply(v9, a, out)
+    if some31 != size:
+        other31 = w0 if some31 else out
+        np.subtract(a, b, other31)
+        np.add(a, b, w1)
+        np.multiply(other31, w1, w1)
+        np.sqrt(w1, w1)
+        np.multiply(C0, a, other31)
+        np.square(a, w2)
+        np.multiply(C0, w2, w3)
+        np.add(w3, v22, w3)
+        np.multiply(v19, w3, w3)
+        np.multiply(w3, w1, w1)
+        np.multiply(w2, R2, w2)
+        np.divide(w1, w2, w2)
+        np.add(other31, w2, w2)
+        np.multiply(v17, w2, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, m0):
+    size = out.size
+    np.multiply(C3, R1, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.multiply(C2, E_star, out)
+        np.divide(out, w0, out)
+        np.multiply(out, a, out)
+    if some31 != size:
+        other31 = w1 if some31 else out
+        np.subtract(a, b, other31)
+        np.add(a, b, w2)
+        np.multiply(other31, w2, w2)
+        np.sqrt(w2, w2)
+        np.multiply(C0, E_star, other31)
+        np.divide(other31, w0, other31)
+        np.multiply(C0, a, w3)
+        np.subtract(R1, R2, w4)
+        np.square(a, w5)
+        np.multiply(C0, w5, w6)
+        np.square(b, w7)
+        np.add(w6, w7, w7)
+        np.multiply(w4, w7, w7)
+        np.multiply(w7, w2, w2)
+        np.multiply(w5, R2, w5)
+        np.divide(w2, w5, w5)
+        np.add(w3, w5, w5)
+        np.multiply(other31, w5, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
+
+
+def pressure(r, a, R1, R2, b, E_star):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                v20 = r == b
+                if (v20 and a > b) and R1 > R2:
+                    return inf
+                v6 = a if a < b or a != a else b
+                v23 = nextafter(b, inf) if v20 else r
+                if a > (v23 if v23 > b or v23 != v23 else b):
+                    v24 = v23 < b
+                    v27 = a - b
+                    v31 = sqrt((v27 if v27 > 0.0 or v27 != v27 else 0.0) * (a + b))
+                    if v24:
+                        v37 = v31
+                    else:
+                        v32 = a - v23
+                        v37 = sqrt((v32 if v32 > 0.0 or v32 != v32 else 0.0) * (a + v23))
+                    v44 = asinh(v37 / sqrt(abs(v23 - b) * (v23 + b)))
+                    v45 = 2.0 * (0.0 if v24 else 1.0)
+                    v46 = 1.0 - v45
+                    v51 = v45 - v46 * expm1(-2.0 * v44)
+                    v53 = v51 if v51 > 0.0 else inf
+                    v67 = b * b
+                    v73 = R1 - R2
+                    v75 = R1 * R2
+                    v76 = 2.0 * v73 / v75
+                    v80 = b * b * v73
+                    v86 = []
+                    for node, weight in RULE_0(v44 / 1.0):
+                        v56 = node * v44
+                        v66 = v31 * (exp(-v56) * (v45 - v46 * expm1(-2.0 * (v44 - v56))) / v53)
+                        v70 = sqrt(v67 + v66 * v66)
+                        v85 = (2.0 * v70 / R1 + v76 * v66 + v80 / (v75 * v66)) * v66 / v70
+                        v86.append(weight * v85)
+                    v86 = fsum(v86) * v44
+                    v87 = v86
+                else:
+                    v87 = 0.0
+                value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v87
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, R1, R2, b):
+    if r.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v7 = 2.0 * R1
+            if r < b:
+                return r * r / v7
+            return b * b / v7 + (r - b) * (r + b) / (2.0 * R2)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(R1, R2, b):
+    v7 = (2.0) * R1
+    v9 = np.square(b)
+    v10 = v9 / v7
+    v14 = (2.0) * R2
+    return (b, v7, v10, v14)
+
+
+def block_profile_r(out, r, b, v7, v10, v14, w0, w1, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.square(r, out)
+        np.divide(out, v7, out)
+    if some17 != size:
+        other17 = w0 if some17 else out
+        np.subtract(r, b, other17)
+        np.add(r, b, w1)
+        np.multiply(other17, w1, w1)
+        np.divide(w1, v14, w1)
+        np.add(v10, w1, other17)
+        if some17:
+            np.copyto(out, other17, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, R1, R2, b, w0, w1, w2, w3, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.multiply(C0, R1, w0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.square(r, out)
+        np.divide(out, w0, out)
+    if some17 != size:
+        other17 = w1 if some17 else out
+        np.square(b, other17)
+        np.divide(other17, w0, other17)
+        np.subtract(r, b, w2)
+        np.add(r, b, w3)
+        np.multiply(w2, w3, w3)
+        np.multiply(C0, R2, w2)
+        np.divide(w3, w2, w2)
+        np.add(other17, w2, other17)
+        if some17:
+            np.copyto(out, other17, where=~m0)
+
+
+def radius_from_depth(d, R1, R2, b):
+    if d.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and d > 1e-30 and (d < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R1, R2, b)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R1, R2, b, E_star):
+    if F.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, R1=1.0, R2=1.0, b=1.0):
+    if a.__class__ is E_star.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R1', 'R2', 'b'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
+        ('a', 'R1', 'R2', 'b'): Program(('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, scratch=2, masks=1),
+    },
+    ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
+        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=9, masks=1),
+    },
+    ('_mean_pressure', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=4, masks=1),
+        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=8, masks=1),
+    },
+    ('_profile', 1, 'r', 'R1', 'R2', 'b'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=2, masks=1),
+        ('r', 'R1', 'R2', 'b'): Program(('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, scratch=4, masks=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

@@ -1,0 +1,458 @@
+"""Programs of axicontact.normal.concave_paraboloid."""
+
+from __future__ import annotations
+
+from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(np.nan)
+C1 = np.array(16.0)
+C2 = np.array(3.0)
+C3 = np.array(0.999999999999999)
+C4 = np.array(2.0)
+C5 = np.array(0.0)
+C6 = np.array(4.0)
+C7 = np.array(3.141592653589793)
+RULE_0 = rule(((inf, 64),))
+
+
+def depth_from_force(F, a, h, E_star):
+    if F.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 16.0 * E_star * h / 3.0 * a * 0.999999999999999 <= F:
+                return F / (2.0 * E_star * a) - 2.0 * h / 3.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_from_force_F(a, h, E_star):
+    v5 = (16.0) * E_star
+    v6 = v5 * h
+    v8 = v6 / (3.0)
+    v9 = v8 * a
+    v11 = v9 * (0.999999999999999)
+    v14 = (2.0) * E_star
+    v15 = v14 * a
+    v17 = (2.0) * h
+    v18 = v17 / (3.0)
+    return (v11, v15, v18)
+
+
+def block_depth_from_force_F(out, F, v11, v15, v18, m0):
+    size = out.size
+    np.less_equal(v11, F, m0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.divide(F, v15, out)
+        np.subtract(out, v18, out)
+    if some21 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_depth_from_force_all():
+    return ()
+
+
+def block_depth_from_force_all(out, F, a, h, E_star, w0, m0):
+    size = out.size
+    np.multiply(C1, E_star, w0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, h, w0)
+    np.divide(w0, C2, w0)
+    np.multiply(w0, a, w0)
+    np.multiply(w0, C3, w0)
+    np.less_equal(w0, F, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.multiply(C4, E_star, out)
+        np.multiply(out, a, out)
+        np.divide(F, out, out)
+        np.multiply(C4, h, w0)
+        np.divide(w0, C2, w0)
+        np.subtract(out, w0, out)
+    if some21 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def displacement(r, d, a, h):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            v11 = 2.0 * h
+            if v11 * 0.999999999999999 <= d:
+                if r > a:
+                    v4 = r - a
+                    v12 = v4 / a
+                    v19 = sqrt(log1p(v12) if isfinite(v12) else log(r) - log(a))
+                    v25 = 14.0 / (sqrt(v19 * v19 + 14.0) + v19)
+                    v32 = 2.0 * v19
+                    v45 = []
+                    for node, weight in RULE_0(v25 / 1.0):
+                        v28 = node * v25
+                        v29 = v19 + v28
+                        v44 = exp(-3.0 * v28 * (v32 + v28)) * (2.0 * v29 / sqrt(-expm1(-2.0 * v29 * v29)))
+                        v45.append(weight * v44)
+                    v45 = fsum(v45) * v25
+                    value = 0.6366197723675814 * (d * atan2(a, sqrt(v4 * (r + a))) + v11 * (a / r * v45))
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                value = d - (-h * (r * r) / (a * a) if r <= a else nan)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(d, a, h, E_star):
+    if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = 2.0 * h
+            if v5 * 0.999999999999999 <= d:
+                return 2.0 * E_star * a * (d + v5 / 3.0)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_d(a, h, E_star):
+    v5 = (2.0) * h
+    v7 = v5 * (0.999999999999999)
+    v9 = (2.0) * E_star
+    v10 = v9 * a
+    v12 = v5 / (3.0)
+    return (v7, v10, v12)
+
+
+def block_force_d(out, d, v7, v10, v12, m0):
+    size = out.size
+    np.less_equal(v7, d, m0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.add(d, v12, out)
+        np.multiply(v10, out, out)
+    if some16 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, d, a, h, E_star, w0, w1, m0):
+    size = out.size
+    np.multiply(C4, h, w0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, C3, w1)
+    np.less_equal(w1, d, m0)
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.multiply(C4, E_star, out)
+        np.multiply(out, a, out)
+        np.divide(w0, C2, w1)
+        np.add(d, w1, w1)
+        np.multiply(out, w1, out)
+    if some16 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def minimum_depth(h, a=1.0):
+    if h.__class__ is a.__class__ is float and h > 1e-30 and (h < 1e+30) and (a > 1e-30) and (a < 1e+30):
+        try:
+            return 2.0 * h
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_minimum_depth_all_signed():
+    return ()
+
+
+def block_minimum_depth_all_signed(out, h):
+    np.multiply(C4, h, out)
+
+
+def minimum_force(a, h, E_star):
+    if a.__class__ is h.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 16.0 * E_star * h / 3.0 * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_minimum_force_all_signed():
+    return ()
+
+
+def block_minimum_force_all_signed(out, a, h, E_star):
+    np.multiply(C1, E_star, out)
+    np.multiply(out, h, out)
+    np.divide(out, C2, out)
+    np.multiply(out, a, out)
+
+
+def pressure(r, d, a, h, E_star):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v16 = 2.0 * h
+            if v16 * 0.999999999999999 <= d:
+                if r <= a and d > 0.0:
+                    return E_star / 3.141592653589793 * (d - v16 + 4.0 * h * (r * r) / (a * a)) / sqrt((a - r) * (a + r))
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(d, a, h, E_star):
+    v10 = (4.0) * h
+    v14 = np.square(a)
+    v16 = (2.0) * h
+    v18 = v16 * (0.999999999999999)
+    v19 = np.less_equal(v18, d)
+    v22 = np.greater(d, (0.0))
+    v25 = E_star / (3.141592653589793)
+    v26 = d - v16
+    return (a, v10, v14, v19, v22, v25, v26)
+
+
+def block_pressure_r(out, r, a, v10, v14, v19, v22, v25, v26, w0, m0):
+    size = out.size
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    if v19:
+        np.less_equal(r, a, m0)
+        np.bitwise_and(m0, v22, m0)
+        some30 = np.count_nonzero(m0)
+        if some30:
+            np.subtract(a, r, out)
+            np.add(a, r, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.square(r, out)
+            np.multiply(v10, out, out)
+            np.divide(out, v14, out)
+            np.add(v26, out, out)
+            np.multiply(v25, out, out)
+            np.divide(out, w0, out)
+        if some30 != size:
+            np.copyto(out, C5, where=~m0)
+    else:
+        np.copyto(out, C0)
+
+
+def prepare_pressure_r_d(a, h, E_star):
+    v10 = (4.0) * h
+    v14 = np.square(a)
+    v16 = (2.0) * h
+    v18 = v16 * (0.999999999999999)
+    v25 = E_star / (3.141592653589793)
+    return (a, v10, v14, v16, v18, v25)
+
+
+def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, w0, w1, m0, m1, m2):
+    size = out.size
+    np.less_equal(v18, d, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.less_equal(r, a, m1)
+        np.greater(d, C5, m2)
+        np.bitwise_and(m1, m2, m2)
+        some30 = np.count_nonzero(m2)
+        if some30:
+            np.subtract(a, r, out)
+            np.add(a, r, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.square(r, out)
+            np.multiply(v10, out, out)
+            np.divide(out, v14, out)
+            np.subtract(d, v16, w1)
+            np.add(w1, out, out)
+            np.multiply(v25, out, out)
+            np.divide(out, w0, out)
+        if some30 != size:
+            np.copyto(out, C5, where=~m2)
+    if some32 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
+    size = out.size
+    np.multiply(C4, h, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, C3, w1)
+    np.less_equal(w1, d, m0)
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.less_equal(r, a, m1)
+        np.greater(d, C5, m2)
+        np.bitwise_and(m1, m2, m2)
+        some30 = np.count_nonzero(m2)
+        if some30:
+            np.subtract(a, r, out)
+            np.add(a, r, w1)
+            np.multiply(out, w1, w1)
+            np.sqrt(w1, w1)
+            np.multiply(C6, h, out)
+            np.square(r, w2)
+            np.multiply(out, w2, w2)
+            np.square(a, out)
+            np.divide(w2, out, out)
+            np.divide(E_star, C7, w2)
+            np.subtract(d, w0, w3)
+            np.add(w3, out, out)
+            np.multiply(w2, out, out)
+            np.divide(out, w1, out)
+        if some30 != size:
+            np.copyto(out, C5, where=~m2)
+    if some32 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def profile(r, a, h):
+    if r.__class__ is a.__class__ is h.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            if r <= a:
+                return -h * (r * r) / (a * a)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(a, h):
+    v4 = np.negative(h)
+    v8 = np.square(a)
+    return (a, v4, v8)
+
+
+def block_profile_r(out, r, a, v4, v8, m0):
+    size = out.size
+    np.less_equal(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some11 = np.count_nonzero(m0)
+    if some11:
+        np.square(r, out)
+        np.multiply(v4, out, out)
+        np.divide(out, v8, out)
+    if some11 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, a, h, w0, m0):
+    size = out.size
+    np.less_equal(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some11 = np.count_nonzero(m0)
+    if some11:
+        np.negative(h, out)
+        np.square(r, w0)
+        np.multiply(out, w0, w0)
+        np.square(a, out)
+        np.divide(w0, out, out)
+    if some11 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def stiffness(a, E_star, h=1.0):
+    if a.__class__ is E_star.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_all_signed():
+    return ()
+
+
+def block_stiffness_all_signed(out, a, E_star):
+    np.multiply(C4, E_star, out)
+    np.multiply(out, a, out)
+
+
+def zero_radius(a=1.0, h=1.0):
+    if a.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+BLOCKS = {
+    ('_depth_from_force', 1, 'F', 'a', 'h', 'E_star'): {
+        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, masks=1),
+        ('F', 'a', 'h', 'E_star'): Program(('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1, masks=1),
+    },
+    ('_force', 1, 'd', 'a', 'h', 'E_star'): {
+        ('d',): Program(('d',), prepare_force_d, block_force_d, masks=1),
+        ('d', 'a', 'h', 'E_star'): Program(('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, scratch=2, masks=1),
+    },
+    ('_minimum_depth', 0, 'h'): {
+        ('h',): Program(('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed),
+    },
+    ('_minimum_force', 0, 'a', 'h', 'E_star'): {
+        ('a', 'h', 'E_star'): Program(('a', 'h', 'E_star'), prepare_minimum_force_all_signed, block_minimum_force_all_signed),
+    },
+    ('_pressure', 2, 'r', 'd', 'a', 'h', 'E_star'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, masks=1),
+        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=2, masks=3),
+        ('r', 'd', 'a', 'h', 'E_star'): Program(('r', 'd', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=4, masks=3),
+    },
+    ('_profile', 1, 'r', 'a', 'h'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, masks=1),
+        ('r', 'a', 'h'): Program(('r', 'a', 'h'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+    },
+    ('_stiffness', 0, 'a', 'E_star'): {
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed),
+    },
+}

@@ -1,0 +1,517 @@
+"""Programs of axicontact.normal.concave_quartic."""
+
+from __future__ import annotations
+
+from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(np.nan)
+C1 = np.array(56.0)
+C2 = np.array(15.0)
+C3 = np.array(0.999999999999999)
+C4 = np.array(2.0)
+C5 = np.array(8.0)
+C6 = np.array(4.0)
+C7 = np.array(3.0)
+C8 = np.array(0.0)
+C9 = np.array(9.0)
+C10 = np.array(3.141592653589793)
+C11 = np.array(0.5)
+RULE_0 = rule(((inf, 64),))
+
+
+def depth_from_force(F, a, h, E_star):
+    if F.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 56.0 * E_star * h / 15.0 * a * 0.999999999999999 <= F:
+                return F / (2.0 * E_star * a) - 8.0 * h / 15.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_from_force_F(a, h, E_star):
+    v5 = (56.0) * E_star
+    v6 = v5 * h
+    v8 = v6 / (15.0)
+    v9 = v8 * a
+    v11 = v9 * (0.999999999999999)
+    v14 = (2.0) * E_star
+    v15 = v14 * a
+    v18 = (8.0) * h
+    v19 = v18 / (15.0)
+    return (v11, v15, v19)
+
+
+def block_depth_from_force_F(out, F, v11, v15, v19, m0):
+    size = out.size
+    np.less_equal(v11, F, m0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.divide(F, v15, out)
+        np.subtract(out, v19, out)
+    if some22 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_depth_from_force_all():
+    return ()
+
+
+def block_depth_from_force_all(out, F, a, h, E_star, w0, m0):
+    size = out.size
+    np.multiply(C1, E_star, w0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, h, w0)
+    np.divide(w0, C2, w0)
+    np.multiply(w0, a, w0)
+    np.multiply(w0, C3, w0)
+    np.less_equal(w0, F, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.multiply(C4, E_star, out)
+        np.multiply(out, a, out)
+        np.divide(F, out, out)
+        np.multiply(C5, h, w0)
+        np.divide(w0, C2, w0)
+        np.subtract(out, w0, out)
+    if some22 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def displacement(r, d, a, h):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            if 4.0 * h / 3.0 * 0.999999999999999 <= d:
+                if r > a:
+                    v4 = r - a
+                    v14 = v4 / a
+                    v21 = sqrt(log1p(v14) if isfinite(v14) else log(r) - log(a))
+                    v27 = 8.4 / (sqrt(v21 * v21 + 8.4) + v21)
+                    v35 = 2.0 * v21
+                    v48 = []
+                    for node, weight in RULE_0(v27 / 1.0):
+                        v30 = node * v27
+                        v31 = v21 + v30
+                        v47 = exp(-5.0 * v30 * (v35 + v30)) * (2.0 * v31 / sqrt(-expm1(-2.0 * v31 * v31)))
+                        v48.append(weight * v47)
+                    v48 = fsum(v48) * v27
+                    value = 0.6366197723675814 * (d * atan2(a, sqrt(v4 * (r + a))) + 8.0 * h / 3.0 * (a / r * v48))
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                if r <= a:
+                    v57 = r * r
+                    v60 = a * a
+                    v64 = -h * (v57 * v57) / (v60 * v60)
+                else:
+                    v64 = nan
+                value = d - v64
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(d, a, h, E_star):
+    if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 4.0 * h / 3.0 * 0.999999999999999 <= d:
+                return 2.0 * E_star * a * (d + 8.0 * h / 15.0)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_d(a, h, E_star):
+    v5 = (4.0) * h
+    v7 = v5 / (3.0)
+    v9 = v7 * (0.999999999999999)
+    v12 = (2.0) * E_star
+    v13 = v12 * a
+    v15 = (8.0) * h
+    v17 = v15 / (15.0)
+    return (v9, v13, v17)
+
+
+def block_force_d(out, d, v9, v13, v17, m0):
+    size = out.size
+    np.less_equal(v9, d, m0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.add(d, v17, out)
+        np.multiply(v13, out, out)
+    if some21 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, d, a, h, E_star, w0, m0):
+    size = out.size
+    np.multiply(C6, h, w0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.divide(w0, C7, w0)
+    np.multiply(w0, C3, w0)
+    np.less_equal(w0, d, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.multiply(C4, E_star, out)
+        np.multiply(out, a, out)
+        np.multiply(C5, h, w0)
+        np.divide(w0, C2, w0)
+        np.add(d, w0, w0)
+        np.multiply(out, w0, out)
+    if some21 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def minimum_depth(h, a=1.0):
+    if h.__class__ is a.__class__ is float and h > 1e-30 and (h < 1e+30) and (a > 1e-30) and (a < 1e+30):
+        try:
+            return 4.0 * h / 3.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_minimum_depth_all_signed():
+    return ()
+
+
+def block_minimum_depth_all_signed(out, h):
+    np.multiply(C6, h, out)
+    np.divide(out, C7, out)
+
+
+def minimum_force(a, h, E_star):
+    if a.__class__ is h.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 56.0 * E_star * h / 15.0 * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_minimum_force_all_signed():
+    return ()
+
+
+def block_minimum_force_all_signed(out, a, h, E_star):
+    np.multiply(C1, E_star, out)
+    np.multiply(out, h, out)
+    np.divide(out, C2, out)
+    np.multiply(out, a, out)
+
+
+def pressure(r, d, a, h, E_star):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v10 = 4.0 * h
+            v25 = v10 / 3.0
+            if v25 * 0.999999999999999 <= d:
+                if r <= a and d > 0.0:
+                    v12 = 2.0 * r
+                    v13 = v12 - a
+                    v16 = a + v12
+                    v19 = a * a
+                    value = E_star / 3.141592653589793 * (d - v25 + v10 * (v13 * v13) * (v16 * v16) / (9.0 * (v19 * v19))) / sqrt((a - r) * (a + r))
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(d, a, h, E_star):
+    v10 = (4.0) * h
+    v19 = np.square(a)
+    v20 = np.square(v19)
+    v22 = (9.0) * v20
+    v25 = v10 / (3.0)
+    v27 = v25 * (0.999999999999999)
+    v28 = np.less_equal(v27, d)
+    v31 = np.greater(d, (0.0))
+    v34 = E_star / (3.141592653589793)
+    v35 = d - v25
+    return (a, v10, v22, v28, v31, v34, v35)
+
+
+def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, w0, w1, m0):
+    size = out.size
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    if v28:
+        np.less_equal(r, a, m0)
+        np.bitwise_and(m0, v31, m0)
+        some39 = np.count_nonzero(m0)
+        if some39:
+            np.subtract(a, r, out)
+            np.add(a, r, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.multiply(C4, r, out)
+            np.subtract(out, a, w1)
+            np.square(w1, w1)
+            np.multiply(v10, w1, w1)
+            np.add(a, out, out)
+            np.square(out, out)
+            np.multiply(w1, out, out)
+            np.divide(out, v22, out)
+            np.add(v35, out, out)
+            np.multiply(v34, out, out)
+            np.divide(out, w0, out)
+        if some39 != size:
+            np.copyto(out, C8, where=~m0)
+    else:
+        np.copyto(out, C0)
+
+
+def prepare_pressure_r_d(a, h, E_star):
+    v10 = (4.0) * h
+    v19 = np.square(a)
+    v20 = np.square(v19)
+    v22 = (9.0) * v20
+    v25 = v10 / (3.0)
+    v27 = v25 * (0.999999999999999)
+    v34 = E_star / (3.141592653589793)
+    return (a, v10, v22, v25, v27, v34)
+
+
+def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, w0, w1, m0, m1, m2):
+    size = out.size
+    np.less_equal(v27, d, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    some41 = np.count_nonzero(m0)
+    if some41:
+        np.less_equal(r, a, m1)
+        np.greater(d, C8, m2)
+        np.bitwise_and(m1, m2, m2)
+        some39 = np.count_nonzero(m2)
+        if some39:
+            np.subtract(a, r, out)
+            np.add(a, r, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.multiply(C4, r, out)
+            np.subtract(out, a, w1)
+            np.square(w1, w1)
+            np.multiply(v10, w1, w1)
+            np.add(a, out, out)
+            np.square(out, out)
+            np.multiply(w1, out, out)
+            np.divide(out, v22, out)
+            np.subtract(d, v25, w1)
+            np.add(w1, out, out)
+            np.multiply(v34, out, out)
+            np.divide(out, w0, out)
+        if some39 != size:
+            np.copyto(out, C8, where=~m2)
+    if some41 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, w4, m0, m1, m2):
+    size = out.size
+    np.multiply(C6, h, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.divide(w0, C7, w1)
+    np.multiply(w1, C3, w2)
+    np.less_equal(w2, d, m0)
+    some41 = np.count_nonzero(m0)
+    if some41:
+        np.less_equal(r, a, m1)
+        np.greater(d, C8, m2)
+        np.bitwise_and(m1, m2, m2)
+        some39 = np.count_nonzero(m2)
+        if some39:
+            np.subtract(a, r, out)
+            np.add(a, r, w2)
+            np.multiply(out, w2, w2)
+            np.sqrt(w2, w2)
+            np.multiply(C4, r, out)
+            np.subtract(out, a, w3)
+            np.square(w3, w3)
+            np.multiply(w0, w3, w3)
+            np.add(a, out, out)
+            np.square(out, out)
+            np.multiply(w3, out, out)
+            np.square(a, w3)
+            np.square(w3, w3)
+            np.multiply(C9, w3, w3)
+            np.divide(out, w3, w3)
+            np.divide(E_star, C10, out)
+            np.subtract(d, w1, w4)
+            np.add(w4, w3, w3)
+            np.multiply(out, w3, w3)
+            np.divide(w3, w2, out)
+        if some39 != size:
+            np.copyto(out, C8, where=~m2)
+    if some41 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def profile(r, a, h):
+    if r.__class__ is a.__class__ is h.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            if r <= a:
+                v7 = r * r
+                v10 = a * a
+                return -h * (v7 * v7) / (v10 * v10)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(a, h):
+    v4 = np.negative(h)
+    v9 = np.square(a)
+    v10 = np.square(v9)
+    return (a, v4, v10)
+
+
+def block_profile_r(out, r, a, v4, v10, m0):
+    size = out.size
+    np.less_equal(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some13 = np.count_nonzero(m0)
+    if some13:
+        np.square(r, out)
+        np.square(out, out)
+        np.multiply(v4, out, out)
+        np.divide(out, v10, out)
+    if some13 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, a, h, w0, m0):
+    size = out.size
+    np.less_equal(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some13 = np.count_nonzero(m0)
+    if some13:
+        np.negative(h, out)
+        np.square(r, w0)
+        np.square(w0, w0)
+        np.multiply(out, w0, w0)
+        np.square(a, out)
+        np.square(out, out)
+        np.divide(w0, out, out)
+    if some13 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def stiffness(a, E_star, h=1.0):
+    if a.__class__ is E_star.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_all_signed():
+    return ()
+
+
+def block_stiffness_all_signed(out, a, E_star):
+    np.multiply(C4, E_star, out)
+    np.multiply(out, a, out)
+
+
+def zero_radius(a, h=1.0):
+    if a.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            return a / 2.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_zero_radius_all_signed():
+    return ()
+
+
+def block_zero_radius_all_signed(out, a):
+    np.multiply(a, C11, out)
+
+
+BLOCKS = {
+    ('_depth_from_force', 1, 'F', 'a', 'h', 'E_star'): {
+        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, masks=1),
+        ('F', 'a', 'h', 'E_star'): Program(('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1, masks=1),
+    },
+    ('_force', 1, 'd', 'a', 'h', 'E_star'): {
+        ('d',): Program(('d',), prepare_force_d, block_force_d, masks=1),
+        ('d', 'a', 'h', 'E_star'): Program(('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, scratch=1, masks=1),
+    },
+    ('_minimum_depth', 0, 'h'): {
+        ('h',): Program(('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed),
+    },
+    ('_minimum_force', 0, 'a', 'h', 'E_star'): {
+        ('a', 'h', 'E_star'): Program(('a', 'h', 'E_star'), prepare_minimum_force_all_signed, block_minimum_force_all_signed),
+    },
+    ('_pressure', 2, 'r', 'd', 'a', 'h', 'E_star'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=2, masks=1),
+        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=2, masks=3),
+        ('r', 'd', 'a', 'h', 'E_star'): Program(('r', 'd', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=5, masks=3),
+    },
+    ('_profile', 1, 'r', 'a', 'h'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, masks=1),
+        ('r', 'a', 'h'): Program(('r', 'a', 'h'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+    },
+    ('_stiffness', 0, 'a', 'E_star'): {
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed),
+    },
+    ('_zero_radius', 0, 'a'): {
+        ('a',): Program(('a',), prepare_zero_radius_all_signed, block_zero_radius_all_signed),
+    },
+}

@@ -1,0 +1,1050 @@
+"""Programs of axicontact.normal.ellipsoid."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, exp, expm1, fsum, inf, log1p, nan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import ellipsoid as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(0.5)
+C2 = np.array(1.0)
+C3 = np.array(1.0716932453474512e-06)
+C4 = np.array(0.00019982814521087247)
+C5 = np.array(0.007076196047699156)
+C6 = np.array(0.08608622548411103)
+C7 = np.array(0.3073858328214721)
+C8 = np.array(0.3333333333333333)
+C9 = np.array(2.565078604208634e-08)
+C10 = np.array(2.0203143566039827e-05)
+C11 = np.array(0.001617010334189783)
+C12 = np.array(0.03639274880225476)
+C13 = np.array(0.32215749846441627)
+C14 = np.array(0.0)
+C15 = np.array(3.141592653589793)
+C16 = np.array(0.7)
+C17 = np.array(0.13579013365982337)
+C18 = np.array(-0.4846453962188766)
+C19 = np.array(0.8293825948837366)
+C20 = np.array(-0.8745573865774817)
+C21 = np.array(0.6371928816963097)
+C22 = np.array(-0.3332798652335896)
+C23 = np.array(0.13289328569967984)
+C24 = np.array(-0.03710676078458442)
+C25 = np.array(0.011089560042611895)
+C26 = np.array(0.0012521687336059639)
+C27 = np.array(0.0036572276005780893)
+C28 = np.array(0.004425450516633092)
+C29 = np.array(0.005918487051520244)
+C30 = np.array(0.008264397984935742)
+C31 = np.array(0.012345681107818056)
+C32 = np.array(0.020408163224119494)
+C33 = np.array(0.04000000000042643)
+C34 = np.array(0.11111111111110937)
+C35 = np.array(np.nan)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, h, b):
+    if a.__class__ is h.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            return h / b * a * (log1p(2.0 * a / (b - a)) / 2.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(h, b):
+    v10 = h / b
+    return (b, v10)
+
+
+def block_depth_a(out, a, b, v10, w0):
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(b, a, w0)
+    np.divide(out, w0, w0)
+    np.log1p(w0, w0)
+    np.multiply(w0, C1, w0)
+    np.multiply(v10, a, out)
+    np.multiply(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, h, b, w0):
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(b, a, w0)
+    np.divide(out, w0, w0)
+    np.log1p(w0, w0)
+    np.multiply(w0, C1, w0)
+    np.divide(h, b, out)
+    np.multiply(out, a, out)
+    np.multiply(out, w0, out)
+
+
+def depth_from_force(F, h, b, E_star):
+    if F.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, h, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, h, b):
+    if r.__class__ is a.__class__ is h.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            if a <= b:
+                v58 = h / b
+                if r > a:
+                    v4 = r if r < b or r != r else b
+                    if a < v4:
+                        v5 = v4 - a
+                        v11 = a / sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (v4 + a))
+                        v12 = asinh(v11)
+                        v17 = 0.0 - expm1(-2.0 * v12)
+                        v20 = v17 if v17 > 0.0 else inf
+                        v38 = r - b
+                        v42 = sqrt((v38 if v38 > 0.0 or v38 != v38 else 0.0) * (r + b))
+                        v44 = v42 * v42
+                        v48 = b - r
+                        v52 = sqrt((v48 if v48 > 0.0 or v48 != v48 else 0.0) * (b + r))
+                        v53 = v52 * v52
+                        v68 = []
+                        for node, weight in RULE_0(v12 / 1.0):
+                            v22 = node * v12
+                            v31 = v11 * (exp(-v22) * (0.0 - expm1(-2.0 * (v12 - v22))) / v20)
+                            v34 = sqrt(1.0 + v31 * v31)
+                            v36 = v4 * (v31 / v34)
+                            v37 = v4 / v34
+                            v45 = v37 * v37
+                            v55 = sqrt(v53 + v45)
+                            v67 = (v58 * asinh(v36 / v55) + h * v36 / (v55 * v55)) * atan2(v36, sqrt(v44 + v45)) * (v37 / v34)
+                            v68.append(weight * v67)
+                        v68 = fsum(v68) * v12
+                        v69 = v68
+                    else:
+                        v69 = inf
+                    value = 0.6366197723675814 * v69
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                v79 = r / b
+                return v58 * a * (log1p(2.0 * a / (b - a)) / 2.0) - h * (r * r) / (b * b * (sqrt((1.0 - v79) * (v79 + 1.0)) + 1.0))
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, h, b, E_star):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v9 = log1p(2.0 * a / (b - a)) / 2.0
+            v14 = a / b
+            if v9 < 1.0:
+                v20 = v9 * v9
+                v55 = v14 * (v14 * v14) * ((((((1.0716932453474512e-06 * v20 + 0.00019982814521087247) * v20 + 0.007076196047699156) * v20 + 0.08608622548411103) * v20 + 0.3073858328214721) * v20 + 0.3333333333333333) / (((((2.565078604208634e-08 * v20 + 2.0203143566039827e-05) * v20 + 0.001617010334189783) * v20 + 0.03639274880225476) * v20 + 0.32215749846441627) * v20 + 1.0))
+            else:
+                v55 = v9 - v14
+            value = E_star * h * (a * a * v9 / b + b * v55)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(h, b, E_star):
+    v11 = E_star * h
+    return (b, v11)
+
+
+def block_force_a(out, a, b, v11, w0, w1, w2, w3, w4, w5, m0, f0):
+    size = out.size
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(b, a, w0)
+    np.divide(out, w0, w0)
+    np.log1p(w0, w0)
+    np.multiply(w0, C1, w0)
+    np.square(a, out)
+    np.multiply(out, w0, out)
+    np.divide(out, b, out)
+    np.divide(a, b, w1)
+    np.less(w0, C2, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(w0, f0, out=w2)
+        np.multiply(w1, w1, w3)
+        np.multiply(w1, w3, w3)
+        np.multiply(w2, w2, w2)
+        np.multiply(C3, w2, w4)
+        np.add(w4, C4, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C5, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C6, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C7, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C8, w4)
+        np.multiply(C9, w2, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C12, w5)
+        np.multiply(w5, w2, w5)
+        np.add(w5, C13, w5)
+        np.multiply(w5, w2, w2)
+        np.add(w2, C2, w2)
+        np.divide(w4, w2, w2)
+        np.multiply(w3, w2, w2)
+    if some56 != size:
+        other56 = w3 if some56 else w2
+        np.subtract(w0, w1, other56)
+        if some56:
+            np.copyto(w2, other56, where=~m0)
+    np.multiply(b, w2, w2)
+    np.add(out, w2, w2)
+    np.multiply(v11, w2, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, h, b, E_star, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+    size = out.size
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(b, a, w0)
+    np.divide(out, w0, w0)
+    np.log1p(w0, w0)
+    np.multiply(w0, C1, w0)
+    np.multiply(E_star, h, out)
+    np.square(a, w1)
+    np.multiply(w1, w0, w1)
+    np.divide(w1, b, w1)
+    np.divide(a, b, w2)
+    np.less(w0, C2, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(w0, f0, out=w3)
+        np.multiply(w2, w2, w4)
+        np.multiply(w2, w4, w4)
+        np.multiply(w3, w3, w3)
+        np.multiply(C3, w3, w5)
+        np.add(w5, C4, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C5, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C6, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C7, w5)
+        np.multiply(w5, w3, w5)
+        np.add(w5, C8, w5)
+        np.multiply(C9, w3, w6)
+        np.add(w6, C10, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C11, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C12, w6)
+        np.multiply(w6, w3, w6)
+        np.add(w6, C13, w6)
+        np.multiply(w6, w3, w3)
+        np.add(w3, C2, w3)
+        np.divide(w5, w3, w3)
+        np.multiply(w4, w3, w3)
+    if some56 != size:
+        other56 = w4 if some56 else w3
+        np.subtract(w0, w2, other56)
+        if some56:
+            np.copyto(w3, other56, where=~m0)
+    np.multiply(b, w3, w3)
+    np.add(w1, w3, w3)
+    np.multiply(out, w3, out)
+
+
+def force_from_depth(d, h, b, E_star):
+    if d.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, h, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, h, b, E_star):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a > 0.0:
+                v11 = log1p(2.0 * a / (b - a)) / 2.0
+                v13 = a * a
+                v16 = a / b
+                if v11 < 1.0:
+                    v22 = v11 * v11
+                    v57 = v16 * (v16 * v16) * ((((((1.0716932453474512e-06 * v22 + 0.00019982814521087247) * v22 + 0.007076196047699156) * v22 + 0.08608622548411103) * v22 + 0.3073858328214721) * v22 + 0.3333333333333333) / (((((2.565078604208634e-08 * v22 + 2.0203143566039827e-05) * v22 + 0.001617010334189783) * v22 + 0.03639274880225476) * v22 + 0.32215749846441627) * v22 + 1.0))
+                else:
+                    v57 = v11 - v16
+                value = E_star * h * (v13 * v11 / b + b * v57) / (3.141592653589793 * v13)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(h, b, E_star):
+    v13 = E_star * h
+    return (b, v13)
+
+
+def block_mean_pressure_a(out, a, b, v13, w0, w1, w2, w3, w4, w5, w6, m0, m1, f0):
+    size = out.size
+    np.greater(a, C14, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some65 = np.count_nonzero(m0)
+    if some65:
+        np.multiply(C0, a, out)
+        np.subtract(b, a, w0)
+        np.divide(out, w0, w0)
+        np.log1p(w0, w0)
+        np.multiply(w0, C1, w0)
+        np.square(a, out)
+        np.multiply(out, w0, w1)
+        np.divide(w1, b, w1)
+        np.divide(a, b, w2)
+        np.less(w0, C2, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(w0, f0, out=w3)
+            np.multiply(w2, w2, w4)
+            np.multiply(w2, w4, w4)
+            np.multiply(w3, w3, w3)
+            np.multiply(C3, w3, w5)
+            np.add(w5, C4, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C5, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C6, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C7, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C8, w5)
+            np.multiply(C9, w3, w6)
+            np.add(w6, C10, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C11, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C12, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C13, w6)
+            np.multiply(w6, w3, w3)
+            np.add(w3, C2, w3)
+            np.divide(w5, w3, w3)
+            np.multiply(w4, w3, w3)
+        if some58 != size:
+            other58 = w4 if some58 else w3
+            np.subtract(w0, w2, other58)
+            if some58:
+                np.copyto(w3, other58, where=~m1)
+        np.multiply(b, w3, w3)
+        np.add(w1, w3, w3)
+        np.multiply(v13, w3, w3)
+        np.multiply(C15, out, out)
+        np.divide(w3, out, out)
+    if some65 != size:
+        np.copyto(out, C14, where=~m0)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, h, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.greater(a, C14, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some65 = np.count_nonzero(m0)
+    if some65:
+        np.multiply(C0, a, out)
+        np.subtract(b, a, w0)
+        np.divide(out, w0, w0)
+        np.log1p(w0, w0)
+        np.multiply(w0, C1, w0)
+        np.multiply(E_star, h, out)
+        np.square(a, w1)
+        np.multiply(w1, w0, w2)
+        np.divide(w2, b, w2)
+        np.divide(a, b, w3)
+        np.less(w0, C2, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(w0, f0, out=w4)
+            np.multiply(w3, w3, w5)
+            np.multiply(w3, w5, w5)
+            np.multiply(w4, w4, w4)
+            np.multiply(C3, w4, w6)
+            np.add(w6, C4, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C5, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C6, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C7, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C8, w6)
+            np.multiply(C9, w4, w7)
+            np.add(w7, C10, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C11, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C12, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C13, w7)
+            np.multiply(w7, w4, w4)
+            np.add(w4, C2, w4)
+            np.divide(w6, w4, w4)
+            np.multiply(w5, w4, w4)
+        if some58 != size:
+            other58 = w5 if some58 else w4
+            np.subtract(w0, w3, other58)
+            if some58:
+                np.copyto(w4, other58, where=~m1)
+        np.multiply(b, w4, w4)
+        np.add(w2, w4, w4)
+        np.multiply(out, w4, w4)
+        np.multiply(C15, w1, w1)
+        np.divide(w4, w1, out)
+    if some65 != size:
+        np.copyto(out, C14, where=~m0)
+
+
+def pressure(r, a, h, b, E_star):
+    if r.__class__ is a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = b - r
+            v9 = a - r
+            v10 = a + r
+            v26 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * v10)
+            v31 = b + sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (b + r))
+            v32 = a + v26
+            v33 = v32 / v31
+            if v33 > 0.7:
+                return None
+            if a <= b:
+                if r < a:
+                    v36 = r * (r / v32) / v31
+                    v37 = v33 * v33
+                    v38 = v36 * v36
+                    v44 = 0.13579013365982337 * v37 + -0.4846453962188766
+                    v49 = v44 * v37 + 0.8293825948837366
+                    v54 = v49 * v37 + -0.8745573865774817
+                    v59 = v54 * v37 + 0.6371928816963097
+                    v64 = v59 * v37 + -0.3332798652335896
+                    v69 = v64 * v37 + 0.13289328569967984
+                    v74 = v69 * v37 + -0.03710676078458442
+                    v79 = v74 * v37 + 0.011089560042611895
+                    v84 = v79 * v37 + 0.0012521687336059639
+                    v89 = v84 * v37 + 0.0036572276005780893
+                    v94 = v89 * v37 + 0.004425450516633092
+                    v99 = v94 * v37 + 0.005918487051520244
+                    v100 = ((((((((((((0.0 * v38 + 0.13579013365982337) * v38 + v44) * v38 + v49) * v38 + v54) * v38 + v59) * v38 + v64) * v38 + v69) * v38 + v74) * v38 + v79) * v38 + v84) * v38 + v89) * v38 + v94) * v38
+                    v104 = v99 * v37 + 0.008264397984935742
+                    v109 = v104 * v37 + 0.012345681107818056
+                    v114 = v109 * v37 + 0.020408163224119494
+                    v119 = v114 * v37 + 0.04000000000042643
+                    v124 = v119 * v37 + 0.11111111111110937
+                    value = E_star * h / 3.141592653589793 * (asinh(sqrt(v9 * v10) / sqrt((b - a) * (a + b))) / sqrt(v5 * (r + b)) + 2.0 * v26 / v31 * (v124 * v37 + 1.0 + v36 * (v36 + v33) * ((((((v100 + v99) * v38 + v104) * v38 + v109) * v38 + v114) * v38 + v119) * v38 + v124)) / b)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, h, b, E_star):
+    v13 = b - a
+    v14 = a + b
+    v15 = v13 * v14
+    v16 = np.sqrt(v15)
+    v17 = E_star * h
+    v19 = v17 / (3.141592653589793)
+    v145 = np.less_equal(a, b)
+    return (a, b, v16, v19, v145)
+
+
+def block_pressure_r(out, r, a, b, v16, v19, v145, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, m0, m1, f0):
+    size = out.size
+    np.subtract(b, r, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.subtract(a, r, w1)
+    np.add(a, r, w2)
+    np.maximum(w1, f0, out=w3)
+    np.multiply(w3, w2, w3)
+    np.sqrt(w3, w3)
+    np.maximum(w0, f0, out=w4)
+    np.add(b, r, w5)
+    np.multiply(w4, w5, w5)
+    np.sqrt(w5, w5)
+    np.add(b, w5, w5)
+    np.add(a, w3, w4)
+    np.divide(w4, w5, w6)
+    np.greater(w6, C16, m0)
+    if np.count_nonzero(m0):
+        raise FloatingPointError
+    if v145:
+        np.less(r, a, m1)
+        some144 = np.count_nonzero(m1)
+        if some144:
+            np.add(r, b, out)
+            np.multiply(w0, out, out)
+            np.sqrt(out, out)
+            np.multiply(w1, w2, w7)
+            np.sqrt(w7, w7)
+            np.divide(w7, v16, w7)
+            np.arcsinh(w7, w7)
+            np.divide(w7, out, out)
+            np.divide(r, w4, w7)
+            np.multiply(r, w7, w7)
+            np.divide(w7, w5, w7)
+            np.multiply(w6, w6, w8)
+            np.multiply(w7, w7, w9)
+            np.multiply(C14, w9, w10)
+            np.add(w10, C17, w10)
+            np.multiply(C17, w8, w11)
+            np.add(w11, C18, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C19, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C20, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C21, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C22, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C23, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C24, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C25, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C26, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C27, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C28, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C29, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C30, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C31, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C32, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C33, w11)
+            np.multiply(w10, w9, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C34, w11)
+            np.multiply(w10, w9, w9)
+            np.add(w9, w11, w9)
+            np.multiply(w11, w8, w8)
+            np.add(w8, C2, w8)
+            np.multiply(C0, w3, w11)
+            np.divide(w11, w5, w11)
+            np.add(w7, w6, w10)
+            np.multiply(w7, w10, w10)
+            np.multiply(w10, w9, w9)
+            np.add(w8, w9, w9)
+            np.multiply(w11, w9, w9)
+            np.divide(w9, b, w9)
+            np.add(out, w9, w9)
+            np.multiply(v19, w9, out)
+        if some144 != size:
+            np.copyto(out, C14, where=~m1)
+    else:
+        np.copyto(out, C35)
+
+
+def prepare_pressure_r_a(h, b, E_star):
+    v17 = E_star * h
+    v19 = v17 / (3.141592653589793)
+    return (b, v19)
+
+
+def block_pressure_r_a(out, r, a, b, v19, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, m0, m1, m2, f0):
+    size = out.size
+    np.subtract(b, r, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(a, r, w1)
+    np.add(a, r, w2)
+    np.maximum(w1, f0, out=w3)
+    np.multiply(w3, w2, w3)
+    np.sqrt(w3, w3)
+    np.maximum(w0, f0, out=w4)
+    np.add(b, r, w5)
+    np.multiply(w4, w5, w5)
+    np.sqrt(w5, w5)
+    np.add(b, w5, w5)
+    np.add(a, w3, w4)
+    np.divide(w4, w5, w6)
+    np.greater(w6, C16, m0)
+    if np.count_nonzero(m0):
+        raise FloatingPointError
+    np.less_equal(a, b, m1)
+    some147 = np.count_nonzero(m1)
+    if some147:
+        np.less(r, a, m2)
+        some144 = np.count_nonzero(m2)
+        if some144:
+            np.add(r, b, out)
+            np.multiply(w0, out, out)
+            np.sqrt(out, out)
+            np.multiply(w1, w2, w7)
+            np.sqrt(w7, w7)
+            np.subtract(b, a, w8)
+            np.add(a, b, w9)
+            np.multiply(w8, w9, w9)
+            np.sqrt(w9, w9)
+            np.divide(w7, w9, w9)
+            np.arcsinh(w9, w9)
+            np.divide(w9, out, out)
+            np.divide(r, w4, w9)
+            np.multiply(r, w9, w9)
+            np.divide(w9, w5, w9)
+            np.multiply(w6, w6, w7)
+            np.multiply(w9, w9, w8)
+            np.multiply(C14, w8, w10)
+            np.add(w10, C17, w10)
+            np.multiply(C17, w7, w11)
+            np.add(w11, C18, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C19, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C20, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C21, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C22, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C23, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C24, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C25, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C26, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C27, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C28, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C29, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C30, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C31, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C32, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C33, w11)
+            np.multiply(w10, w8, w10)
+            np.add(w10, w11, w10)
+            np.multiply(w11, w7, w11)
+            np.add(w11, C34, w11)
+            np.multiply(w10, w8, w8)
+            np.add(w8, w11, w8)
+            np.multiply(w11, w7, w7)
+            np.add(w7, C2, w7)
+            np.multiply(C0, w3, w11)
+            np.divide(w11, w5, w11)
+            np.add(w9, w6, w10)
+            np.multiply(w9, w10, w10)
+            np.multiply(w10, w8, w8)
+            np.add(w7, w8, w8)
+            np.multiply(w11, w8, w8)
+            np.divide(w8, b, w8)
+            np.add(out, w8, w8)
+            np.multiply(v19, w8, out)
+        if some144 != size:
+            np.copyto(out, C14, where=~m2)
+    if some147 != size:
+        np.copyto(out, C35, where=~m1)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, h, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, m0, m1, m2, f0):
+    size = out.size
+    np.subtract(b, r, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(a, r, w1)
+    np.add(a, r, w2)
+    np.maximum(w1, f0, out=w3)
+    np.multiply(w3, w2, w3)
+    np.sqrt(w3, w3)
+    np.maximum(w0, f0, out=w4)
+    np.add(b, r, w5)
+    np.multiply(w4, w5, w5)
+    np.sqrt(w5, w5)
+    np.add(b, w5, w5)
+    np.add(a, w3, w4)
+    np.divide(w4, w5, w6)
+    np.greater(w6, C16, m0)
+    if np.count_nonzero(m0):
+        raise FloatingPointError
+    np.less_equal(a, b, m1)
+    some147 = np.count_nonzero(m1)
+    if some147:
+        np.less(r, a, m2)
+        some144 = np.count_nonzero(m2)
+        if some144:
+            np.add(r, b, out)
+            np.multiply(w0, out, out)
+            np.sqrt(out, out)
+            np.multiply(w1, w2, w7)
+            np.sqrt(w7, w7)
+            np.subtract(b, a, w8)
+            np.add(a, b, w9)
+            np.multiply(w8, w9, w9)
+            np.sqrt(w9, w9)
+            np.multiply(E_star, h, w8)
+            np.divide(w8, C15, w8)
+            np.divide(w7, w9, w9)
+            np.arcsinh(w9, w9)
+            np.divide(w9, out, out)
+            np.divide(r, w4, w9)
+            np.multiply(r, w9, w9)
+            np.divide(w9, w5, w9)
+            np.multiply(w6, w6, w7)
+            np.multiply(w9, w9, w10)
+            np.multiply(C14, w10, w11)
+            np.add(w11, C17, w11)
+            np.multiply(C17, w7, w12)
+            np.add(w12, C18, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C19, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C20, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C21, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C22, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C23, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C24, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C25, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C26, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C27, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C28, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C29, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C30, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C31, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C32, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C33, w12)
+            np.multiply(w11, w10, w11)
+            np.add(w11, w12, w11)
+            np.multiply(w12, w7, w12)
+            np.add(w12, C34, w12)
+            np.multiply(w11, w10, w10)
+            np.add(w10, w12, w10)
+            np.multiply(w12, w7, w7)
+            np.add(w7, C2, w7)
+            np.multiply(C0, w3, w12)
+            np.divide(w12, w5, w12)
+            np.add(w9, w6, w11)
+            np.multiply(w9, w11, w11)
+            np.multiply(w11, w10, w10)
+            np.add(w7, w10, w10)
+            np.multiply(w12, w10, w10)
+            np.divide(w10, b, w10)
+            np.add(out, w10, w10)
+            np.multiply(w8, w10, out)
+        if some144 != size:
+            np.copyto(out, C14, where=~m2)
+    if some147 != size:
+        np.copyto(out, C35, where=~m1)
+
+
+def profile(r, h, b):
+    if r.__class__ is h.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v3 = r / b
+            return h * (r * r) / (b * b * (sqrt((1.0 - v3) * (v3 + 1.0)) + 1.0))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(h, b):
+    v12 = np.square(b)
+    return (h, b, v12)
+
+
+def block_profile_r(out, r, h, b, v12, w0):
+    np.divide(r, b, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.subtract(C2, out, w0)
+    np.add(out, C2, out)
+    np.multiply(w0, out, out)
+    np.sqrt(out, out)
+    np.square(r, w0)
+    np.multiply(h, w0, w0)
+    np.add(out, C2, out)
+    np.multiply(v12, out, out)
+    np.divide(w0, out, out)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, h, b, w0, w1):
+    np.divide(r, b, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.subtract(C2, out, w0)
+    np.add(out, C2, out)
+    np.multiply(w0, out, out)
+    np.sqrt(out, out)
+    np.square(r, w0)
+    np.multiply(h, w0, w0)
+    np.square(b, w1)
+    np.add(out, C2, out)
+    np.multiply(w1, out, out)
+    np.divide(w0, out, out)
+
+
+def radius_from_depth(d, h, b):
+    if d.__class__ is h.__class__ is b.__class__ is float and d > 1e-30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, h, b)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, h, b, E_star):
+    if F.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, h, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, h=1.0, b=1.0):
+    if a.__class__ is E_star.__class__ is h.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'h', 'b'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'h', 'b'): Program(('a', 'h', 'b'), prepare_depth_all, block_depth_all, scratch=1),
+    },
+    ('_force', 1, 'a', 'h', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=6, masks=1, filled=(1.0,)),
+        ('a', 'h', 'b', 'E_star'): Program(('a', 'h', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=7, masks=1, filled=(1.0,)),
+    },
+    ('_mean_pressure', 1, 'a', 'h', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=7, masks=2, filled=(1.0,)),
+        ('a', 'h', 'b', 'E_star'): Program(('a', 'h', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=8, masks=2, filled=(1.0,)),
+    },
+    ('_pressure', 2, 'r', 'a', 'h', 'b', 'E_star'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=12, masks=2, filled=(0.0,)),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=12, masks=3, filled=(0.0,)),
+        ('r', 'a', 'h', 'b', 'E_star'): Program(('r', 'a', 'h', 'b', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=13, masks=3, filled=(0.0,)),
+    },
+    ('_profile', 1, 'r', 'h', 'b'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1),
+        ('r', 'h', 'b'): Program(('r', 'h', 'b'), prepare_profile_all, block_profile_all, scratch=2),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

@@ -1,0 +1,418 @@
+"""Programs of axicontact.normal.gaussian."""
+
+from __future__ import annotations
+
+from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import gaussian as bodies
+
+C0 = np.array(1.567077144036674e-13)
+C1 = np.array(-3.840375691006307e-12)
+C2 = np.array(3.8015754128174666e-11)
+C3 = np.array(-1.8423006918213799e-10)
+C4 = np.array(4.472469827763728e-10)
+C5 = np.array(-1.1927516362741588e-09)
+C6 = np.array(6.225892246861416e-09)
+C7 = np.array(3.4413148480148793e-09)
+C8 = np.array(-9.933344851449817e-08)
+C9 = np.array(-5.127541706569233e-07)
+C10 = np.array(1.8119768160503268e-06)
+C11 = np.array(2.151585040783394e-05)
+C12 = np.array(4.61098799999374e-06)
+C13 = np.array(-0.000684089638073553)
+C14 = np.array(-0.002257495580553435)
+C15 = np.array(0.016931216930225715)
+C16 = np.array(0.17777777777782838)
+C17 = np.array(0.6666666666666656)
+C18 = np.array(1.0)
+C19 = np.array(np.nan)
+C20 = np.array(1.5019752682686114)
+C21 = np.array(2.0)
+RULE_0 = rule(((inf, 32),))
+
+
+def depth(a, h, s):
+    if a.__class__ is h.__class__ is s.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                v3 = a / s
+                v9 = v3 * v3
+                v47 = ((((((((((((1.567077144036674e-13 * v9 + -3.840375691006307e-12) * v9 + 3.8015754128174666e-11) * v9 + -1.8423006918213799e-10) * v9 + 4.472469827763728e-10) * v9 + -1.1927516362741588e-09) * v9 + 6.225892246861416e-09) * v9 + 3.4413148480148793e-09) * v9 + -9.933344851449817e-08) * v9 + -5.127541706569233e-07) * v9 + 1.8119768160503268e-06) * v9 + 2.151585040783394e-05) * v9 + 4.61098799999374e-06) * v9
+                value = 2.0 * h * (v3 / ((((((v47 + -0.000684089638073553) * v9 + -0.002257495580553435) * v9 + 0.016931216930225715) * v9 + 0.17777777777782838) * v9 + 0.6666666666666656) * v9 + 1.0)) * v3
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(h, s):
+    v5 = (1.5019752682686114) * s
+    v8 = (2.0) * h
+    return (s, v5, v8)
+
+
+def block_depth_a(out, a, s, v5, v8, w0, w1, m0):
+    size = out.size
+    np.less_equal(a, v5, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some69 = np.count_nonzero(m0)
+    if some69:
+        np.divide(a, s, out)
+        np.multiply(out, out, w0)
+        np.multiply(C0, w0, w1)
+        np.add(w1, C1, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C2, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C3, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C4, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C5, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C6, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C7, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C8, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C9, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C10, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C11, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C12, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C13, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C14, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C15, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C16, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C17, w1)
+        np.multiply(w1, w0, w0)
+        np.add(w0, C18, w0)
+        np.divide(out, w0, w0)
+        np.multiply(v8, w0, w0)
+        np.multiply(w0, out, out)
+    if some69 != size:
+        np.copyto(out, C19, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, h, s, w0, w1, w2, m0):
+    size = out.size
+    np.multiply(C20, s, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less_equal(a, w0, m0)
+    some69 = np.count_nonzero(m0)
+    if some69:
+        np.divide(a, s, out)
+        np.multiply(C21, h, w0)
+        np.multiply(out, out, w1)
+        np.multiply(C0, w1, w2)
+        np.add(w2, C1, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C2, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C3, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C4, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C5, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C6, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C7, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C8, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C9, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C10, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C11, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C12, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C13, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C14, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C15, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C16, w2)
+        np.multiply(w2, w1, w2)
+        np.add(w2, C17, w2)
+        np.multiply(w2, w1, w1)
+        np.add(w1, C18, w1)
+        np.divide(out, w1, w1)
+        np.multiply(w0, w1, w1)
+        np.multiply(w1, out, out)
+    if some69 != size:
+        np.copyto(out, C19, where=~m0)
+
+
+def displacement(r, a, h, s):
+    if r.__class__ is a.__class__ is h.__class__ is s.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
+        try:
+            v91 = a <= 1.5019752682686114 * s
+            if v91:
+                v17 = 2.0 * h
+                if r > a:
+                    v4 = r - a
+                    v10 = atan2(a, sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (r + a)))
+                    v18 = v17 / s
+                    v84 = []
+                    for node, weight in RULE_0(v10 / 1.0):
+                        v12 = node * v10
+                        v15 = r * sin(v12) / s
+                        v19 = v15 * v15
+                        v57 = ((((((((((((1.567077144036674e-13 * v19 + -3.840375691006307e-12) * v19 + 3.8015754128174666e-11) * v19 + -1.8423006918213799e-10) * v19 + 4.472469827763728e-10) * v19 + -1.1927516362741588e-09) * v19 + 6.225892246861416e-09) * v19 + 3.4413148480148793e-09) * v19 + -9.933344851449817e-08) * v19 + -5.127541706569233e-07) * v19 + 1.8119768160503268e-06) * v19 + 2.151585040783394e-05) * v19 + 4.61098799999374e-06) * v19
+                        v74 = v15 / ((((((v57 + -0.000684089638073553) * v19 + -0.002257495580553435) * v19 + 0.016931216930225715) * v19 + 0.17777777777782838) * v19 + 0.6666666666666656) * v19 + 1.0)
+                        v83 = v18 * (v74 + (1.0 - 2.0 * v74 * v15) * v15) * v12 * cos(v12)
+                        v84.append(weight * v83)
+                    v84 = fsum(v84) * v10
+                    value = 0.6366197723675814 * (r * v84)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                if v91:
+                    v88 = a / s
+                    v92 = v88 * v88
+                    v117 = ((((((((((((1.567077144036674e-13 * v92 + -3.840375691006307e-12) * v92 + 3.8015754128174666e-11) * v92 + -1.8423006918213799e-10) * v92 + 4.472469827763728e-10) * v92 + -1.1927516362741588e-09) * v92 + 6.225892246861416e-09) * v92 + 3.4413148480148793e-09) * v92 + -9.933344851449817e-08) * v92 + -5.127541706569233e-07) * v92 + 1.8119768160503268e-06) * v92 + 2.151585040783394e-05) * v92 + 4.61098799999374e-06) * v92
+                    v133 = v17 * (v88 / ((((((v117 + -0.000684089638073553) * v92 + -0.002257495580553435) * v92 + 0.016931216930225715) * v92 + 0.17777777777782838) * v92 + 0.6666666666666656) * v92 + 1.0)) * v88
+                else:
+                    v133 = nan
+                value = v133 - -h * expm1(-(r * r) / (s * s))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, h, s, E_star):
+    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                v10 = 2.0 * h / s
+                v74 = []
+                for node, weight in RULE_0(a / 1.0):
+                    v7 = node * a
+                    v8 = v7 / s
+                    v11 = v8 * v8
+                    v49 = ((((((((((((1.567077144036674e-13 * v11 + -3.840375691006307e-12) * v11 + 3.8015754128174666e-11) * v11 + -1.8423006918213799e-10) * v11 + 4.472469827763728e-10) * v11 + -1.1927516362741588e-09) * v11 + 6.225892246861416e-09) * v11 + 3.4413148480148793e-09) * v11 + -9.933344851449817e-08) * v11 + -5.127541706569233e-07) * v11 + 1.8119768160503268e-06) * v11 + 2.151585040783394e-05) * v11 + 4.61098799999374e-06) * v11
+                    v66 = v8 / ((((((v49 + -0.000684089638073553) * v11 + -0.002257495580553435) * v11 + 0.016931216930225715) * v11 + 0.17777777777782838) * v11 + 0.6666666666666656) * v11 + 1.0)
+                    v73 = v7 * (v10 * (v66 + (1.0 - 2.0 * v66 * v8) * v8))
+                    v74.append(weight * v73)
+                v74 = fsum(v74) * a
+                value = 2.0 * E_star * v74
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, h, s, E_star):
+    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a > 0.0:
+                if a <= 1.5019752682686114 * s:
+                    v12 = 2.0 * h / s
+                    v76 = []
+                    for node, weight in RULE_0(a / 1.0):
+                        v9 = node * a
+                        v10 = v9 / s
+                        v13 = v10 * v10
+                        v51 = ((((((((((((1.567077144036674e-13 * v13 + -3.840375691006307e-12) * v13 + 3.8015754128174666e-11) * v13 + -1.8423006918213799e-10) * v13 + 4.472469827763728e-10) * v13 + -1.1927516362741588e-09) * v13 + 6.225892246861416e-09) * v13 + 3.4413148480148793e-09) * v13 + -9.933344851449817e-08) * v13 + -5.127541706569233e-07) * v13 + 1.8119768160503268e-06) * v13 + 2.151585040783394e-05) * v13 + 4.61098799999374e-06) * v13
+                        v68 = v10 / ((((((v51 + -0.000684089638073553) * v13 + -0.002257495580553435) * v13 + 0.016931216930225715) * v13 + 0.17777777777782838) * v13 + 0.6666666666666656) * v13 + 1.0)
+                        v75 = v9 * (v12 * (v68 + (1.0 - 2.0 * v68 * v10) * v10))
+                        v76.append(weight * v75)
+                    v76 = fsum(v76) * a
+                    v82 = 2.0 * E_star * v76
+                else:
+                    v82 = nan
+                value = v82 / (3.141592653589793 * (a * a))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, h, s, E_star):
+    if r.__class__ is a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                if r < a:
+                    v5 = a - r
+                    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + r))
+                    v13 = r * r
+                    v20 = 2.0 * h / s
+                    v84 = []
+                    for node, weight in RULE_0(v10 / 1.0):
+                        v12 = node * v10
+                        v16 = sqrt(v13 + v12 * v12)
+                        v17 = v16 / s
+                        v21 = v17 * v17
+                        v59 = ((((((((((((1.567077144036674e-13 * v21 + -3.840375691006307e-12) * v21 + 3.8015754128174666e-11) * v21 + -1.8423006918213799e-10) * v21 + 4.472469827763728e-10) * v21 + -1.1927516362741588e-09) * v21 + 6.225892246861416e-09) * v21 + 3.4413148480148793e-09) * v21 + -9.933344851449817e-08) * v21 + -5.127541706569233e-07) * v21 + 1.8119768160503268e-06) * v21 + 2.151585040783394e-05) * v21 + 4.61098799999374e-06) * v21
+                        v76 = v17 / ((((((v59 + -0.000684089638073553) * v21 + -0.002257495580553435) * v21 + 0.016931216930225715) * v21 + 0.17777777777782838) * v21 + 0.6666666666666656) * v21 + 1.0)
+                        v83 = v20 * (v76 + (1.0 - 2.0 * v76 * v17) * v17) / v16
+                        v84.append(weight * v83)
+                    v84 = fsum(v84) * v10
+                    value = E_star / 3.141592653589793 * v84
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, h, s):
+    if r.__class__ is h.__class__ is s.__class__ is float and r > 1e-30 and (r < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
+        try:
+            value = -h * expm1(-(r * r) / (s * s))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(h, s):
+    v3 = np.negative(h)
+    v7 = np.square(s)
+    return (v3, v7)
+
+
+def block_profile_r(out, r, v3, v7):
+    np.square(r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.negative(out, out)
+    np.divide(out, v7, out)
+    np.expm1(out, out)
+    np.multiply(v3, out, out)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, h, s, w0, w1):
+    np.negative(h, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.square(r, w0)
+    np.negative(w0, w0)
+    np.square(s, w1)
+    np.divide(w0, w1, w1)
+    np.expm1(w1, w1)
+    np.multiply(out, w1, out)
+
+
+def radius_from_depth(d, h, s):
+    if d.__class__ is h.__class__ is s.__class__ is float and d > 1e-30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, h, s)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, s, E_star, h=1.0):
+    if a.__class__ is s.__class__ is E_star.__class__ is h.__class__ is float and a > 1e-30 and (a < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (h > 1e-30) and (h < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                return 2.0 * E_star * a
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(s, E_star):
+    v4 = (1.5019752682686114) * s
+    v7 = (2.0) * E_star
+    return (v4, v7)
+
+
+def block_stiffness_a(out, a, v4, v7, m0):
+    size = out.size
+    np.less_equal(a, v4, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some10 = np.count_nonzero(m0)
+    if some10:
+        np.multiply(v7, a, out)
+    if some10 != size:
+        np.copyto(out, C19, where=~m0)
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, s, E_star, w0, m0):
+    size = out.size
+    np.multiply(C20, s, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less_equal(a, w0, m0)
+    some10 = np.count_nonzero(m0)
+    if some10:
+        np.multiply(C21, E_star, out)
+        np.multiply(out, a, out)
+    if some10 != size:
+        np.copyto(out, C19, where=~m0)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'h', 's'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
+        ('a', 'h', 's'): Program(('a', 'h', 's'), prepare_depth_all, block_depth_all, scratch=3, masks=1),
+    },
+    ('_profile', 1, 'r', 'h', 's'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
+        ('r', 'h', 's'): Program(('r', 'h', 's'), prepare_profile_all, block_profile_all, scratch=2),
+    },
+    ('_stiffness', 1, 'a', 's', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
+        ('a', 's', 'E_star'): Program(('a', 's', 'E_star'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+    },
+}

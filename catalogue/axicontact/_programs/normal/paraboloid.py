@@ -1,0 +1,746 @@
+"""Programs of axicontact.normal.paraboloid."""
+
+from __future__ import annotations
+
+from math import cbrt, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(2.0)
+C1 = np.array(9.0)
+C2 = np.array(16.0)
+C3 = np.array(-0.7327347664453868)
+C4 = np.array(-32.15553480435792)
+C5 = np.array(-332.23363563146734)
+C6 = np.array(-1070.7082873491413)
+C7 = np.array(-85.27694715374247)
+C8 = np.array(5044.821368830373)
+C9 = np.array(8082.413158212496)
+C10 = np.array(3759.725330928701)
+C11 = np.array(0.26666666666720995)
+C12 = np.array(0.21387262524856868)
+C13 = np.array(32.12935731379798)
+C14 = np.array(746.8124983579742)
+C15 = np.array(6202.125133759036)
+C16 = np.array(23553.080984642995)
+C17 = np.array(44404.005348491315)
+C18 = np.array(40380.01430284195)
+C19 = np.array(14099.684276696918)
+C20 = np.array(1.0)
+C21 = np.array(0.6666666666666666)
+C22 = np.array(3.141592653589793)
+C23 = np.array(4.0)
+C24 = np.array(3.0)
+C25 = np.array(9.42477796076938)
+C26 = np.array(0.0)
+
+
+def depth(a, R):
+    if a.__class__ is R.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30):
+        try:
+            return a * a / R
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R):
+    return (R,)
+
+
+def block_depth_a(out, a, R):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+
+
+def depth_from_force(F, R, E_star):
+    if F.__class__ is R.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return cbrt(9.0 * (F * F) / (16.0 * (E_star * E_star) * R))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_from_force_F(R, E_star):
+    v7 = np.square(E_star)
+    v9 = (16.0) * v7
+    v10 = v9 * R
+    return (v10,)
+
+
+def block_depth_from_force_F(out, F, v10):
+    np.square(F, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.multiply(C1, out, out)
+    np.divide(out, v10, out)
+    np.cbrt(out, out)
+
+
+def prepare_depth_from_force_all():
+    return ()
+
+
+def block_depth_from_force_all(out, F, R, E_star, w0):
+    np.square(F, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.multiply(C1, out, out)
+    np.square(E_star, w0)
+    np.multiply(C2, w0, w0)
+    np.multiply(w0, R, w0)
+    np.divide(out, w0, w0)
+    np.cbrt(w0, out)
+
+
+def displacement(r, a, R):
+    if r.__class__ is a.__class__ is R.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30):
+        try:
+            v4 = a * a
+            if r > a:
+                v14 = a / (r + sqrt((r - a) * (r + a)))
+                v16 = v14 * v14
+                value = 2.0 * v4 / (3.141592653589793 * R) * (a / r * (0.6666666666666666 + v16 * (((((((((-0.7327347664453868 * v16 + -32.15553480435792) * v16 + -332.23363563146734) * v16 + -1070.7082873491413) * v16 + -85.27694715374247) * v16 + 5044.821368830373) * v16 + 8082.413158212496) * v16 + 3759.725330928701) * v16 + 0.26666666666720995) / ((((((((0.21387262524856868 * v16 + 32.12935731379798) * v16 + 746.8124983579742) * v16 + 6202.125133759036) * v16 + 23553.080984642995) * v16 + 44404.005348491315) * v16 + 40380.01430284195) * v16 + 14099.684276696918) * v16 + 1.0))))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return v4 / R - r * r / (2.0 * R)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_displacement_r(a, R):
+    v4 = np.square(a)
+    v5 = (2.0) * v4
+    v7 = (3.141592653589793) * R
+    v8 = v5 / v7
+    v73 = v4 / R
+    v75 = (2.0) * R
+    return (a, v8, v73, v75)
+
+
+def block_displacement_r(out, r, a, v8, v73, v75, w0, w1, w2, m0):
+    size = out.size
+    np.greater(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some79 = np.count_nonzero(m0)
+    if some79:
+        np.subtract(r, a, out)
+        np.add(r, a, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.add(r, w0, w0)
+        np.divide(a, w0, w0)
+        np.divide(a, r, out)
+        np.multiply(w0, w0, w0)
+        np.multiply(C3, w0, w1)
+        np.add(w1, C4, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C5, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C6, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C7, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C8, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C9, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C10, w1)
+        np.multiply(w1, w0, w1)
+        np.add(w1, C11, w1)
+        np.multiply(C12, w0, w2)
+        np.add(w2, C13, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C14, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C15, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C16, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C17, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C18, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C19, w2)
+        np.multiply(w2, w0, w2)
+        np.add(w2, C20, w2)
+        np.divide(w1, w2, w2)
+        np.multiply(w0, w2, w2)
+        np.add(C21, w2, w2)
+        np.multiply(out, w2, w2)
+        np.multiply(v8, w2, out)
+    if some79 != size:
+        other79 = w2 if some79 else out
+        np.square(r, other79)
+        np.divide(other79, v75, other79)
+        np.subtract(v73, other79, other79)
+        if some79:
+            np.copyto(out, other79, where=~m0)
+
+
+def prepare_displacement_r_a(R):
+    v7 = (3.141592653589793) * R
+    v75 = (2.0) * R
+    return (R, v7, v75)
+
+
+def block_displacement_r_a(out, r, a, R, v7, v75, w0, w1, w2, w3, w4, m0):
+    size = out.size
+    np.square(a, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater(r, a, m0)
+    some79 = np.count_nonzero(m0)
+    if some79:
+        np.multiply(C0, w0, out)
+        np.divide(out, v7, out)
+        np.subtract(r, a, w1)
+        np.add(r, a, w2)
+        np.multiply(w1, w2, w2)
+        np.sqrt(w2, w2)
+        np.add(r, w2, w2)
+        np.divide(a, w2, w2)
+        np.divide(a, r, w1)
+        np.multiply(w2, w2, w2)
+        np.multiply(C3, w2, w3)
+        np.add(w3, C4, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C9, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C10, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C11, w3)
+        np.multiply(C12, w2, w4)
+        np.add(w4, C13, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C16, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C17, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C18, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C19, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C20, w4)
+        np.divide(w3, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.add(C21, w4, w4)
+        np.multiply(w1, w4, w4)
+        np.multiply(out, w4, out)
+    if some79 != size:
+        other79 = w4 if some79 else out
+        np.divide(w0, R, other79)
+        np.square(r, w1)
+        np.divide(w1, v75, w1)
+        np.subtract(other79, w1, other79)
+        if some79:
+            np.copyto(out, other79, where=~m0)
+
+
+def prepare_displacement_all():
+    return ()
+
+
+def block_displacement_all(out, r, a, R, w0, w1, w2, w3, w4, m0):
+    size = out.size
+    np.square(a, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater(r, a, m0)
+    some79 = np.count_nonzero(m0)
+    if some79:
+        np.multiply(C0, w0, out)
+        np.multiply(C22, R, w1)
+        np.divide(out, w1, w1)
+        np.subtract(r, a, out)
+        np.add(r, a, w2)
+        np.multiply(out, w2, w2)
+        np.sqrt(w2, w2)
+        np.add(r, w2, w2)
+        np.divide(a, w2, w2)
+        np.divide(a, r, out)
+        np.multiply(w2, w2, w2)
+        np.multiply(C3, w2, w3)
+        np.add(w3, C4, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C5, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C6, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C7, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C8, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C9, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C10, w3)
+        np.multiply(w3, w2, w3)
+        np.add(w3, C11, w3)
+        np.multiply(C12, w2, w4)
+        np.add(w4, C13, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C14, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C15, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C16, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C17, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C18, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C19, w4)
+        np.multiply(w4, w2, w4)
+        np.add(w4, C20, w4)
+        np.divide(w3, w4, w4)
+        np.multiply(w2, w4, w4)
+        np.add(C21, w4, w4)
+        np.multiply(out, w4, w4)
+        np.multiply(w1, w4, out)
+    if some79 != size:
+        other79 = w4 if some79 else out
+        np.divide(w0, R, other79)
+        np.square(r, w1)
+        np.multiply(C0, R, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(other79, w2, other79)
+        if some79:
+            np.copyto(out, other79, where=~m0)
+
+
+def force(a, R, E_star):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 4.0 * E_star / (3.0 * R) * (a * (a * a))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R, E_star):
+    v4 = (4.0) * E_star
+    v6 = (3.0) * R
+    v7 = v4 / v6
+    return (v7,)
+
+
+def block_force_a(out, a, v7):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v7, out, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R, E_star, w0):
+    np.multiply(C23, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(C24, R, w0)
+    np.divide(out, w0, w0)
+    np.square(a, out)
+    np.multiply(a, out, out)
+    np.multiply(w0, out, out)
+
+
+def force_from_depth(d, R, E_star):
+    if d.__class__ is R.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 4.0 * E_star / 3.0 * d * sqrt(R * d)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_from_depth_d(R, E_star):
+    v4 = (4.0) * E_star
+    v6 = v4 / (3.0)
+    return (R, v6)
+
+
+def block_force_from_depth_d(out, d, R, v6, w0):
+    np.multiply(v6, d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(R, d, w0)
+    np.sqrt(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_force_from_depth_all():
+    return ()
+
+
+def block_force_from_depth_all(out, d, R, E_star, w0):
+    np.multiply(C23, E_star, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.divide(out, C24, out)
+    np.multiply(out, d, out)
+    np.multiply(R, d, w0)
+    np.sqrt(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def mean_pressure(a, R, E_star):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 4.0 * E_star / (9.42477796076938 * R) * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(R, E_star):
+    v4 = (4.0) * E_star
+    v6 = (9.42477796076938) * R
+    v7 = v4 / v6
+    return (v7,)
+
+
+def block_mean_pressure_a(out, a, v7):
+    np.multiply(v7, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, R, E_star, w0):
+    np.multiply(C23, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(C25, R, w0)
+    np.divide(out, w0, w0)
+    np.multiply(w0, a, out)
+
+
+def pressure(r, a, R, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                return 2.0 * E_star / (3.141592653589793 * R) * sqrt((a - r) * (a + r))
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_r(a, R, E_star):
+    v11 = (2.0) * E_star
+    v13 = (3.141592653589793) * R
+    v14 = v11 / v13
+    return (a, v14)
+
+
+def block_pressure_r(out, r, a, v14, w0, f0):
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    if largest_r > a:
+        np.maximum(out, f0, out=out)
+    np.add(a, r, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.multiply(v14, w0, out)
+
+
+def prepare_pressure_r_a(R, E_star):
+    v10 = (2.0) * E_star
+    v12 = (3.141592653589793) * R
+    v13 = v10 / v12
+    return (v13,)
+
+
+def block_pressure_r_a(out, r, a, v13, w0, m0):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.subtract(a, r, out)
+        np.add(a, r, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(v13, w0, out)
+    if some16 != size:
+        np.copyto(out, C26, where=~m0)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, r, a, R, E_star, w0, w1, m0):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.subtract(a, r, out)
+        np.add(a, r, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C0, E_star, out)
+        np.multiply(C22, R, w1)
+        np.divide(out, w1, w1)
+        np.multiply(w1, w0, out)
+    if some16 != size:
+        np.copyto(out, C26, where=~m0)
+
+
+def profile(r, R):
+    if r.__class__ is R.__class__ is float and r > 1e-30 and (r < 1e+30) and (R > 1e-30) and (R < 1e+30):
+        try:
+            return r * r / (2.0 * R)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(R):
+    v4 = (2.0) * R
+    return (v4,)
+
+
+def block_profile_r(out, r, v4):
+    np.square(r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.divide(out, v4, out)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, R, w0):
+    np.square(r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.multiply(C0, R, w0)
+    np.divide(out, w0, out)
+
+
+def radius_from_depth(d, R):
+    if d.__class__ is R.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30):
+        try:
+            return sqrt(R * d)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_radius_from_depth_d(R):
+    return (R,)
+
+
+def block_radius_from_depth_d(out, d, R):
+    np.multiply(R, d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(out, out)
+
+
+def prepare_radius_from_depth_all():
+    return ()
+
+
+def block_radius_from_depth_all(out, d, R):
+    np.multiply(R, d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(out, out)
+
+
+def radius_from_force(F, R, E_star):
+    if F.__class__ is R.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return cbrt(3.0 * R / (4.0 * E_star) * F)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_radius_from_force_F(R, E_star):
+    v4 = (3.0) * R
+    v6 = (4.0) * E_star
+    v7 = v4 / v6
+    return (v7,)
+
+
+def block_radius_from_force_F(out, F, v7):
+    np.multiply(v7, F, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.cbrt(out, out)
+
+
+def prepare_radius_from_force_all():
+    return ()
+
+
+def block_radius_from_force_all(out, F, R, E_star, w0):
+    np.multiply(C24, R, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.multiply(C23, E_star, w0)
+    np.divide(out, w0, w0)
+    np.multiply(w0, F, w0)
+    np.cbrt(w0, out)
+
+
+def stiffness(a, E_star, R=1.0):
+    if a.__class__ is E_star.__class__ is R.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (R > 1e-30) and (R < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
+        ('a', 'R'): Program(('a', 'R'), prepare_depth_all, block_depth_all),
+    },
+    ('_depth_from_force', 1, 'F', 'R', 'E_star'): {
+        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F),
+        ('F', 'R', 'E_star'): Program(('F', 'R', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1),
+    },
+    ('_displacement', 2, 'r', 'a', 'R'): {
+        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1),
+        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=5, masks=1),
+        ('r', 'a', 'R'): Program(('r', 'a', 'R'), prepare_displacement_all, block_displacement_all, scratch=5, masks=1),
+    },
+    ('_force', 1, 'a', 'R', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a),
+        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_force_all, block_force_all, scratch=1),
+    },
+    ('_force_from_depth', 1, 'd', 'R', 'E_star'): {
+        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d, scratch=1),
+        ('d', 'R', 'E_star'): Program(('d', 'R', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=1),
+    },
+    ('_mean_pressure', 1, 'a', 'R', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a),
+        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=1),
+    },
+    ('_pressure', 2, 'r', 'a', 'R', 'E_star'): {
+        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, filled=(0.0,), positive=True),
+        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=1, masks=1),
+        ('r', 'a', 'R', 'E_star'): Program(('r', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=2, masks=1),
+    },
+    ('_profile', 1, 'r', 'R'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
+        ('r', 'R'): Program(('r', 'R'), prepare_profile_all, block_profile_all, scratch=1),
+    },
+    ('_radius_from_depth', 1, 'd', 'R'): {
+        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d),
+        ('d', 'R'): Program(('d', 'R'), prepare_radius_from_depth_all, block_radius_from_depth_all),
+    },
+    ('_radius_from_force', 1, 'F', 'R', 'E_star'): {
+        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F),
+        ('F', 'R', 'E_star'): Program(('F', 'R', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

@@ -1,0 +1,1483 @@
+"""Programs of axicontact.normal.power_law."""
+
+from __future__ import annotations
+
+from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+
+C0 = np.array(0.5)
+C1 = np.array(1.75)
+C2 = np.array(1.5)
+C3 = np.array(1.0)
+C4 = np.array(0.75)
+C5 = np.array(0.01524698625788054)
+C6 = np.array(0.5334320651111477)
+C7 = np.array(2.250488865813539)
+C8 = np.array(2.8612106440066865)
+C9 = np.array(1.3794681629043655)
+C10 = np.array(0.2596058532893223)
+C11 = np.array(0.015624999999999823)
+C12 = np.array(3.278794792785737)
+C13 = np.array(49.328555418276075)
+C14 = np.array(167.28648538571198)
+C15 = np.array(195.37226190335065)
+C16 = np.array(90.69722535867314)
+C17 = np.array(16.763212110504565)
+C18 = np.array(1.7724538509055159)
+C19 = np.array(0.0)
+C20 = np.array(np.inf)
+C21 = np.array(3.5449077018110318)
+C22 = np.array(2.0)
+RULE_0 = rule(((inf, 64),))
+RULE_1 = rule(((16.0, 64), (inf, 128)))
+
+
+def depth(a, A, n):
+    if a.__class__ is A.__class__ is n.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30):
+        try:
+            v6 = n / 2.0 + 0.5
+            v8 = v6 + 1.75
+            v12 = (v6 + 0.5) * (v6 + 1.5)
+            v26 = 1.0 / (v8 * v8)
+            value = 1.7724538509055159 * A * pow(a, n) * ((v6 * (v6 + 1.0) / v12 if v6 < 1.0 else 1.0 - (v6 + 0.75) / v12) * sqrt(v8) * (1.0 + v26 * (((((((0.01524698625788054 * v26 + 0.5334320651111477) * v26 + 2.250488865813539) * v26 + 2.8612106440066865) * v26 + 1.3794681629043655) * v26 + 0.2596058532893223) * v26 + 0.015624999999999823) / ((((((3.278794792785737 * v26 + 49.328555418276075) * v26 + 167.28648538571198) * v26 + 195.37226190335065) * v26 + 90.69722535867314) * v26 + 16.763212110504565) * v26 + 1.0))))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(A, n):
+    v4 = n / (2.0)
+    v6 = v4 + (0.5)
+    v8 = v6 + (1.75)
+    v9 = v6 + (0.5)
+    v11 = v6 + (1.5)
+    v12 = v9 * v11
+    v14 = np.less(v6, (1.0))
+    v15 = v6 + (1.0)
+    v16 = v6 * v15
+    v17 = v16 / v12
+    v19 = v6 + (0.75)
+    v20 = v19 / v12
+    v21 = (1.0) - v20
+    v22 = v17 if v14 else v21
+    v23 = np.sqrt(v8)
+    v24 = v22 * v23
+    v25 = v8 * v8
+    v26 = (1.0) / v25
+    v28 = (0.01524698625788054) * v26
+    v30 = v28 + (0.5334320651111477)
+    v31 = v30 * v26
+    v33 = v31 + (2.250488865813539)
+    v34 = v33 * v26
+    v36 = v34 + (2.8612106440066865)
+    v37 = v36 * v26
+    v39 = v37 + (1.3794681629043655)
+    v40 = v39 * v26
+    v42 = v40 + (0.2596058532893223)
+    v43 = v42 * v26
+    v45 = v43 + (0.015624999999999823)
+    v47 = (3.278794792785737) * v26
+    v49 = v47 + (49.328555418276075)
+    v50 = v49 * v26
+    v52 = v50 + (167.28648538571198)
+    v53 = v52 * v26
+    v55 = v53 + (195.37226190335065)
+    v56 = v55 * v26
+    v58 = v56 + (90.69722535867314)
+    v59 = v58 * v26
+    v61 = v59 + (16.763212110504565)
+    v62 = v61 * v26
+    v63 = v62 + (1.0)
+    v64 = v45 / v63
+    v65 = v26 * v64
+    v66 = (1.0) + v65
+    v67 = v24 * v66
+    v69 = (1.7724538509055159) * A
+    return (n, v67, v69)
+
+
+def block_depth_a(out, a, n, v67, v69):
+    np.power(a, n, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v69, out, out)
+    np.multiply(out, v67, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, A, n, w0, w1, w2, w3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some22 != size:
+        other22 = w3 if some22 else w1
+        np.add(out, C4, other22)
+        np.divide(other22, w2, other22)
+        np.subtract(C3, other22, other22)
+        if some22:
+            np.copyto(w1, other22, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C18, A, w2)
+    np.power(a, n, w0)
+    np.multiply(w2, w0, w0)
+    np.multiply(w0, out, out)
+
+
+def depth_from_force(F, A, n, E_star):
+    if F.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            v68 = (v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))
+            v69 = n + 1.0
+            v76 = v69 * F / (3.5449077018110318 * E_star * n * A * v68)
+            v84 = v76 > 0.0 and v76 < inf
+            if v84:
+                v86 = pow(v76, 1.0 / v69)
+                v97 = v76 / (v86 + v86 * ((v76 / (pow(v86, n) * pow(v86, 1.0)) - 1.0) / v69) if v84 else v86)
+            else:
+                v97 = v76
+            value = 1.7724538509055159 * A * v68 * v97
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_from_force_F(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v69 = n + (1.0)
+    v72 = (3.5449077018110318) * E_star
+    v73 = v72 * n
+    v74 = v73 * A
+    v75 = v74 * v68
+    v78 = (1.7724538509055159) * A
+    v79 = v78 * v68
+    v85 = (1.0) / v69
+    return (n, v69, v75, v79, v85)
+
+
+def block_depth_from_force_F(out, F, n, v69, v75, v79, v85, w0, w1, w2, m0, m1):
+    size = out.size
+    np.multiply(v69, F, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.divide(out, v75, out)
+    np.greater(out, C19, m0)
+    np.less(out, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.power(out, v85, w0)
+        some95 = np.count_nonzero(m1)
+        if some95:
+            np.power(w0, n, w1)
+            np.power(w0, C3, w2)
+            np.multiply(w1, w2, w2)
+            np.divide(out, w2, w2)
+            np.subtract(w2, C3, w2)
+            np.divide(w2, v69, w2)
+            np.multiply(w0, w2, w2)
+            np.add(w0, w2, w1)
+        if some95 != size:
+            np.copyto(w1, w0, where=~m1)
+        np.divide(out, w1, w0)
+    if some97 != size:
+        np.copyto(w0, out, where=~m1)
+    np.multiply(v79, w0, out)
+
+
+def prepare_depth_from_force_all():
+    return ()
+
+
+def block_depth_from_force_all(out, F, A, n, E_star, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some23 != size:
+        other23 = w3 if some23 else w1
+        np.add(out, C4, other23)
+        np.divide(other23, w2, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(w1, other23, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.add(n, C3, w2)
+    np.multiply(w2, F, w0)
+    np.multiply(C21, E_star, w1)
+    np.multiply(w1, n, w1)
+    np.multiply(w1, A, w1)
+    np.multiply(w1, out, w1)
+    np.divide(w0, w1, w1)
+    np.multiply(C18, A, w0)
+    np.multiply(w0, out, out)
+    np.greater(w1, C19, m0)
+    np.less(w1, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.divide(C3, w2, w0)
+        np.power(w1, w0, w0)
+        some95 = np.count_nonzero(m1)
+        if some95:
+            np.power(w0, n, w3)
+            np.power(w0, C3, w4)
+            np.multiply(w3, w4, w4)
+            np.divide(w1, w4, w4)
+            np.subtract(w4, C3, w4)
+            np.divide(w4, w2, w4)
+            np.multiply(w0, w4, w4)
+            np.add(w0, w4, w3)
+        if some95 != size:
+            np.copyto(w3, w0, where=~m1)
+        np.divide(w1, w3, w0)
+    if some97 != size:
+        np.copyto(w0, w1, where=~m1)
+    np.multiply(out, w0, out)
+
+
+def displacement(r, a, A, n):
+    if r.__class__ is a.__class__ is A.__class__ is n.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            v68 = (v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))
+            v72 = pow(a, n)
+            if r > a:
+                if a > 0.0:
+                    v75 = (r - a) / a
+                    v82 = sqrt(log1p(v75) if isfinite(v75) else log(r) - log(a))
+                    v85 = 42.0 / (n + 1.0)
+                    v90 = v85 / (sqrt(v82 * v82 + v85) + v82)
+                    v95 = 2.0 * v82
+                    v98 = a / r
+                    v109 = -n
+                    v115 = []
+                    for node, weight in RULE_0(v90 / 1.0):
+                        v93 = node * v90
+                        v94 = v82 + v93
+                        v97 = v93 * (v95 + v93)
+                        v114 = atan2(v98 * exp(-v97), sqrt(-expm1(-2.0 * v94 * v94))) * exp(v109 * v97) * 2.0 * v94
+                        v115.append(weight * v114)
+                    v115 = fsum(v115) * v90
+                    v117 = n * v115
+                else:
+                    v117 = 0.0
+                value = 2.0 * A / 1.7724538509055159 * v72 * v117 * v68
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = 1.7724538509055159 * A * v72 * v68 - A * pow(r, n)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, A, n, E_star):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            value = 3.5449077018110318 * E_star * n * A / (n + 1.0) * a * pow(a, n) * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0))))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v70 = (3.5449077018110318) * E_star
+    v71 = v70 * n
+    v72 = v71 * A
+    v73 = n + (1.0)
+    v74 = v72 / v73
+    return (n, v68, v74)
+
+
+def block_force_a(out, a, n, v68, v74, w0):
+    np.multiply(v74, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.power(a, n, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(w0, v68, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, A, n, E_star, w0, w1, w2, w3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some23 != size:
+        other23 = w3 if some23 else w1
+        np.add(out, C4, other23)
+        np.divide(other23, w2, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(w1, other23, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C21, E_star, w2)
+    np.multiply(w2, n, w2)
+    np.multiply(w2, A, w2)
+    np.add(n, C3, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w0, a, w0)
+    np.power(a, n, w2)
+    np.multiply(w0, w2, w2)
+    np.multiply(w2, out, out)
+
+
+def force_from_depth(d, A, n, E_star):
+    if d.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            v68 = (v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))
+            v72 = d / (1.7724538509055159 * A * v68)
+            v82 = n + 0.0
+            v84 = pow(v72, 1.0 / v82)
+            value = 3.5449077018110318 * E_star * n * A / (n + 1.0) * v68 * v72 * (v84 + v84 * ((v72 / (pow(v84, n) * pow(v84, 0.0)) - 1.0) / v82) if v72 > 0.0 and v72 < inf else v84)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_from_depth_d(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v70 = (1.7724538509055159) * A
+    v71 = v70 * v68
+    v74 = (3.5449077018110318) * E_star
+    v75 = v74 * n
+    v76 = v75 * A
+    v77 = n + (1.0)
+    v78 = v76 / v77
+    v79 = v78 * v68
+    v82 = n + (0.0)
+    v83 = (1.0) / v82
+    return (n, v71, v79, v82, v83)
+
+
+def block_force_from_depth_d(out, d, n, v71, v79, v82, v83, w0, w1, w2, w3, m0, m1):
+    size = out.size
+    np.divide(d, v71, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(v79, out, w0)
+    np.power(out, v83, w1)
+    np.greater(out, C19, m0)
+    np.less(out, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.power(w1, n, w2)
+        np.power(w1, C19, w3)
+        np.multiply(w2, w3, w3)
+        np.divide(out, w3, w3)
+        np.subtract(w3, C3, w3)
+        np.divide(w3, v82, w3)
+        np.multiply(w1, w3, w3)
+        np.add(w1, w3, w2)
+    if some97 != size:
+        np.copyto(w2, w1, where=~m1)
+    np.multiply(w0, w2, out)
+
+
+def prepare_force_from_depth_all():
+    return ()
+
+
+def block_force_from_depth_all(out, d, A, n, E_star, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some23 != size:
+        other23 = w3 if some23 else w1
+        np.add(out, C4, other23)
+        np.divide(other23, w2, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(w1, other23, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C18, A, w2)
+    np.multiply(w2, out, w2)
+    np.divide(d, w2, w2)
+    np.multiply(C21, E_star, w0)
+    np.multiply(w0, n, w0)
+    np.multiply(w0, A, w0)
+    np.add(n, C3, w1)
+    np.divide(w0, w1, w1)
+    np.multiply(w1, out, out)
+    np.multiply(out, w2, out)
+    np.add(n, C19, w1)
+    np.divide(C3, w1, w0)
+    np.power(w2, w0, w0)
+    np.greater(w2, C19, m0)
+    np.less(w2, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.power(w0, n, w3)
+        np.power(w0, C19, w4)
+        np.multiply(w3, w4, w4)
+        np.divide(w2, w4, w4)
+        np.subtract(w4, C3, w4)
+        np.divide(w4, w1, w4)
+        np.multiply(w0, w4, w4)
+        np.add(w0, w4, w3)
+    if some97 != size:
+        np.copyto(w3, w0, where=~m1)
+    np.multiply(out, w3, out)
+
+
+def mean_pressure(a, A, n, E_star):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            value = 2.0 * E_star * n * A / (1.7724538509055159 * (n + 1.0)) * (pow(a, n) / a if a > 0.0 else pow(a, n - 1.0)) * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0))))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v69 = (2.0) * E_star
+    v70 = v69 * n
+    v71 = v70 * A
+    v72 = n + (1.0)
+    v74 = (1.7724538509055159) * v72
+    v75 = v71 / v74
+    v80 = n - (1.0)
+    return (n, v68, v75, v80)
+
+
+def block_mean_pressure_a(out, a, n, v68, v75, v80, w0, m0):
+    size = out.size
+    np.greater(a, C19, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some82 = np.count_nonzero(m0)
+    if some82:
+        np.power(a, n, out)
+        np.divide(out, a, out)
+    if some82 != size:
+        other82 = w0 if some82 else out
+        np.power(a, v80, other82)
+        if some82:
+            np.copyto(out, other82, where=~m0)
+    np.multiply(v75, out, out)
+    np.multiply(out, v68, out)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, A, n, E_star, w0, w1, w2, w3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, w0)
+    np.add(out, C0, w1)
+    np.add(out, C2, w2)
+    np.multiply(w1, w2, w2)
+    np.less(out, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(out, C3, w1)
+        np.multiply(out, w1, w1)
+        np.divide(w1, w2, w1)
+    if some23 != size:
+        other23 = w3 if some23 else w1
+        np.add(out, C4, other23)
+        np.divide(other23, w2, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(w1, other23, where=~m0)
+    np.sqrt(w0, w2)
+    np.multiply(w1, w2, w2)
+    np.multiply(w0, w0, w0)
+    np.divide(C3, w0, w0)
+    np.multiply(C5, w0, w1)
+    np.add(w1, C6, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C7, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C8, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C9, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C10, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C11, w1)
+    np.multiply(C12, w0, out)
+    np.add(out, C13, out)
+    np.multiply(out, w0, out)
+    np.add(out, C14, out)
+    np.multiply(out, w0, out)
+    np.add(out, C15, out)
+    np.multiply(out, w0, out)
+    np.add(out, C16, out)
+    np.multiply(out, w0, out)
+    np.add(out, C17, out)
+    np.multiply(out, w0, out)
+    np.add(out, C3, out)
+    np.divide(w1, out, out)
+    np.multiply(w0, out, out)
+    np.add(C3, out, out)
+    np.multiply(w2, out, out)
+    np.multiply(C22, E_star, w2)
+    np.multiply(w2, n, w2)
+    np.multiply(w2, A, w2)
+    np.add(n, C3, w0)
+    np.multiply(C18, w0, w0)
+    np.divide(w2, w0, w0)
+    np.greater(a, C19, m0)
+    some82 = np.count_nonzero(m0)
+    if some82:
+        np.power(a, n, w2)
+        np.divide(w2, a, w2)
+    if some82 != size:
+        other82 = w1 if some82 else w2
+        np.subtract(n, C3, other82)
+        np.power(a, other82, other82)
+        if some82:
+            np.copyto(w2, other82, where=~m0)
+    np.multiply(w0, w2, w2)
+    np.multiply(w2, out, out)
+
+
+def pressure(r, a, A, n, E_star):
+    if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                v8 = n / 2.0 + 0.5
+                v10 = v8 + 1.75
+                v14 = (v8 + 0.5) * (v8 + 1.5)
+                v28 = 1.0 / (v10 * v10)
+                v78 = n - 1.0
+                v82 = n > 1.0
+                v83 = abs(v78)
+                if r > 0.0:
+                    v94 = (a - r) / r
+                    v100 = log1p(v94) if isfinite(v94) else log(a) - log(r)
+                    if v100 > 0.0:
+                        v105 = v100 - 42.0 / (v83 if v83 > 0.001 or v83 != v83 else 0.001)
+                        v106 = v105 if v105 > 0.0 or v105 != v105 else 0.0
+                        v107 = sqrt(v100)
+                        v112 = v107 - sqrt(v106) if v82 else sqrt(v100 - v106)
+                        v115 = 2.0 * v107
+                        v120 = -v83
+                        v135 = []
+                        for node, weight in RULE_1(v112 / 1.0):
+                            v114 = node * v112
+                            if v82:
+                                v123 = v107 - v114
+                                v125 = v123 if v123 > 0.0 or v123 != v123 else 0.0
+                            else:
+                                v125 = v114
+                            v134 = exp(v120 * (v114 * (v115 - v114) if v82 else v114 * v114)) * (2.0 * v125 / sqrt(-expm1(-2.0 * v125 * v125)))
+                            v135.append(weight * v134)
+                        v135 = fsum(v135) * v112
+                        v136 = v135
+                    else:
+                        v136 = 0.0
+                    v138 = (1.0 if v82 else pow(r / a, n) * (a / r)) * v136
+                else:
+                    v138 = 1.0 / v83 if v82 else inf
+                value = E_star * n * A / 1.7724538509055159 * (pow(a, n) / a if a > 0.0 else pow(a, v78)) * v138 * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0))))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, A, n):
+    if r.__class__ is A.__class__ is n.__class__ is float and r > 1e-30 and (r < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30):
+        try:
+            value = A * pow(r, n)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(A, n):
+    return (A, n)
+
+
+def block_profile_r(out, r, A, n):
+    np.power(r, n, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.multiply(A, out, out)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, A, n):
+    np.power(r, n, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.multiply(A, out, out)
+
+
+def radius_from_depth(d, A, n):
+    if d.__class__ is A.__class__ is n.__class__ is float and d > 1e-30 and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30):
+        try:
+            v6 = n / 2.0 + 0.5
+            v8 = v6 + 1.75
+            v12 = (v6 + 0.5) * (v6 + 1.5)
+            v26 = 1.0 / (v8 * v8)
+            v71 = d / (1.7724538509055159 * A * ((v6 * (v6 + 1.0) / v12 if v6 < 1.0 else 1.0 - (v6 + 0.75) / v12) * sqrt(v8) * (1.0 + v26 * (((((((0.01524698625788054 * v26 + 0.5334320651111477) * v26 + 2.250488865813539) * v26 + 2.8612106440066865) * v26 + 1.3794681629043655) * v26 + 0.2596058532893223) * v26 + 0.015624999999999823) / ((((((3.278794792785737 * v26 + 49.328555418276075) * v26 + 167.28648538571198) * v26 + 195.37226190335065) * v26 + 90.69722535867314) * v26 + 16.763212110504565) * v26 + 1.0)))))
+            v73 = n + 0.0
+            v75 = pow(v71, 1.0 / v73)
+            if v71 > 0.0 and v71 < inf:
+                value = v75 + v75 * ((v71 / (pow(v75, n) * pow(v75, 0.0)) - 1.0) / v73)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v75
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_radius_from_depth_d(A, n):
+    v4 = n / (2.0)
+    v6 = v4 + (0.5)
+    v8 = v6 + (1.75)
+    v9 = v6 + (0.5)
+    v11 = v6 + (1.5)
+    v12 = v9 * v11
+    v14 = np.less(v6, (1.0))
+    v15 = v6 + (1.0)
+    v16 = v6 * v15
+    v17 = v16 / v12
+    v19 = v6 + (0.75)
+    v20 = v19 / v12
+    v21 = (1.0) - v20
+    v22 = v17 if v14 else v21
+    v23 = np.sqrt(v8)
+    v24 = v22 * v23
+    v25 = v8 * v8
+    v26 = (1.0) / v25
+    v28 = (0.01524698625788054) * v26
+    v30 = v28 + (0.5334320651111477)
+    v31 = v30 * v26
+    v33 = v31 + (2.250488865813539)
+    v34 = v33 * v26
+    v36 = v34 + (2.8612106440066865)
+    v37 = v36 * v26
+    v39 = v37 + (1.3794681629043655)
+    v40 = v39 * v26
+    v42 = v40 + (0.2596058532893223)
+    v43 = v42 * v26
+    v45 = v43 + (0.015624999999999823)
+    v47 = (3.278794792785737) * v26
+    v49 = v47 + (49.328555418276075)
+    v50 = v49 * v26
+    v52 = v50 + (167.28648538571198)
+    v53 = v52 * v26
+    v55 = v53 + (195.37226190335065)
+    v56 = v55 * v26
+    v58 = v56 + (90.69722535867314)
+    v59 = v58 * v26
+    v61 = v59 + (16.763212110504565)
+    v62 = v61 * v26
+    v63 = v62 + (1.0)
+    v64 = v45 / v63
+    v65 = v26 * v64
+    v66 = (1.0) + v65
+    v67 = v24 * v66
+    v69 = (1.7724538509055159) * A
+    v70 = v69 * v67
+    v73 = n + (0.0)
+    v74 = (1.0) / v73
+    return (n, v70, v73, v74)
+
+
+def block_radius_from_depth_d(out, d, n, v70, v73, v74, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(d, v70, w0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.power(w0, v74, w1)
+    np.greater(w0, C19, m0)
+    np.less(w0, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some88 = np.count_nonzero(m1)
+    if some88:
+        np.power(w1, n, out)
+        np.power(w1, C19, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C3, w2)
+        np.divide(w2, v73, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some88 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_radius_from_depth_all():
+    return ()
+
+
+def block_radius_from_depth_all(out, d, A, n, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.multiply(n, C0, w0)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.add(w0, C0, w0)
+    np.add(w0, C1, w1)
+    np.add(w0, C0, w2)
+    np.add(w0, C2, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w0, C3, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.add(w0, C3, w2)
+        np.multiply(w0, w2, w2)
+        np.divide(w2, w3, w2)
+    if some22 != size:
+        other22 = w4 if some22 else w2
+        np.add(w0, C4, other22)
+        np.divide(other22, w3, other22)
+        np.subtract(C3, other22, other22)
+        if some22:
+            np.copyto(w2, other22, where=~m0)
+    np.sqrt(w1, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(w1, w1, w1)
+    np.divide(C3, w1, w1)
+    np.multiply(C5, w1, w2)
+    np.add(w2, C6, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C7, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C11, w2)
+    np.multiply(C12, w1, w0)
+    np.add(w0, C13, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C14, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C15, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C16, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C17, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C3, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w1, w0, w0)
+    np.add(C3, w0, w0)
+    np.multiply(w3, w0, w0)
+    np.multiply(C18, A, w3)
+    np.multiply(w3, w0, w0)
+    np.divide(d, w0, w0)
+    np.add(n, C19, w3)
+    np.divide(C3, w3, w1)
+    np.power(w0, w1, w1)
+    np.greater(w0, C19, m0)
+    np.less(w0, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some88 = np.count_nonzero(m1)
+    if some88:
+        np.power(w1, n, out)
+        np.power(w1, C19, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C3, w2)
+        np.divide(w2, w3, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some88 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def radius_from_force(F, A, n, E_star):
+    if F.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            v69 = n + 1.0
+            v76 = v69 * F / (3.5449077018110318 * E_star * n * A * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))))
+            v78 = pow(v76, 1.0 / v69)
+            if v76 > 0.0 and v76 < inf:
+                value = v78 + v78 * ((v76 / (pow(v78, n) * pow(v78, 1.0)) - 1.0) / v69)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v78
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_radius_from_force_F(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v69 = n + (1.0)
+    v72 = (3.5449077018110318) * E_star
+    v73 = v72 * n
+    v74 = v73 * A
+    v75 = v74 * v68
+    v77 = (1.0) / v69
+    return (n, v69, v75, v77)
+
+
+def block_radius_from_force_F(out, F, n, v69, v75, v77, w0, w1, w2, m0, m1):
+    size = out.size
+    np.multiply(v69, F, w0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.divide(w0, v75, w0)
+    np.power(w0, v77, w1)
+    np.greater(w0, C19, m0)
+    np.less(w0, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some92 = np.count_nonzero(m1)
+    if some92:
+        np.power(w1, n, out)
+        np.power(w1, C3, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C3, w2)
+        np.divide(w2, v69, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some92 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_radius_from_force_all():
+    return ()
+
+
+def block_radius_from_force_all(out, F, A, n, E_star, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.multiply(n, C0, w0)
+    largest_F = largest(F)
+    if largest_F == np.inf:
+        raise FloatingPointError
+    np.add(w0, C0, w0)
+    np.add(w0, C1, w1)
+    np.add(w0, C0, w2)
+    np.add(w0, C2, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w0, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(w0, C3, w2)
+        np.multiply(w0, w2, w2)
+        np.divide(w2, w3, w2)
+    if some23 != size:
+        other23 = w4 if some23 else w2
+        np.add(w0, C4, other23)
+        np.divide(other23, w3, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(w2, other23, where=~m0)
+    np.sqrt(w1, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(w1, w1, w1)
+    np.divide(C3, w1, w1)
+    np.multiply(C5, w1, w2)
+    np.add(w2, C6, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C7, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C11, w2)
+    np.multiply(C12, w1, w0)
+    np.add(w0, C13, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C14, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C15, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C16, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C17, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C3, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w1, w0, w0)
+    np.add(C3, w0, w0)
+    np.multiply(w3, w0, w0)
+    np.add(n, C3, w3)
+    np.multiply(w3, F, w1)
+    np.multiply(C21, E_star, w2)
+    np.multiply(w2, n, w2)
+    np.multiply(w2, A, w2)
+    np.multiply(w2, w0, w0)
+    np.divide(w1, w0, w0)
+    np.divide(C3, w3, w1)
+    np.power(w0, w1, w1)
+    np.greater(w0, C19, m0)
+    np.less(w0, C20, m1)
+    np.bitwise_and(m0, m1, m1)
+    some92 = np.count_nonzero(m1)
+    if some92:
+        np.power(w1, n, out)
+        np.power(w1, C3, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C3, w2)
+        np.divide(w2, w3, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some92 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def stiffness(a, E_star, A=1.0, n=1.0):
+    if a.__class__ is E_star.__class__ is A.__class__ is n.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C22, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'A', 'n'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
+        ('a', 'A', 'n'): Program(('a', 'A', 'n'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+    },
+    ('_depth_from_force', 1, 'F', 'A', 'n', 'E_star'): {
+        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, scratch=3, masks=2),
+        ('F', 'A', 'n', 'E_star'): Program(('F', 'A', 'n', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=5, masks=2),
+    },
+    ('_force', 1, 'a', 'A', 'n', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=1),
+        ('a', 'A', 'n', 'E_star'): Program(('a', 'A', 'n', 'E_star'), prepare_force_all, block_force_all, scratch=4, masks=1),
+    },
+    ('_force_from_depth', 1, 'd', 'A', 'n', 'E_star'): {
+        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d, scratch=4, masks=2),
+        ('d', 'A', 'n', 'E_star'): Program(('d', 'A', 'n', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=5, masks=2),
+    },
+    ('_mean_pressure', 1, 'a', 'A', 'n', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=1, masks=1),
+        ('a', 'A', 'n', 'E_star'): Program(('a', 'A', 'n', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=4, masks=1),
+    },
+    ('_profile', 1, 'r', 'A', 'n'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
+        ('r', 'A', 'n'): Program(('r', 'A', 'n'), prepare_profile_all, block_profile_all),
+    },
+    ('_radius_from_depth', 1, 'd', 'A', 'n'): {
+        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, scratch=3, masks=2),
+        ('d', 'A', 'n'): Program(('d', 'A', 'n'), prepare_radius_from_depth_all, block_radius_from_depth_all, scratch=5, masks=2),
+    },
+    ('_radius_from_force', 1, 'F', 'A', 'n', 'E_star'): {
+        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F, scratch=3, masks=2),
+        ('F', 'A', 'n', 'E_star'): Program(('F', 'A', 'n', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=5, masks=2),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

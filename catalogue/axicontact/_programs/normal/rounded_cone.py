@@ -1,0 +1,559 @@
+"""Programs of axicontact.normal.rounded_cone."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt, tan
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import rounded_cone as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(3.0)
+C2 = np.array(4.0)
+C3 = np.array(9.42477796076938)
+C4 = np.array(3.141592653589793)
+C5 = np.array(0.5)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, theta, b):
+    if a.__class__ is theta.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v3 = tan(theta)
+            if a < b:
+                return v3 / b * (a * a)
+            v11 = sqrt((a - b) * (a + b))
+            return v3 * a * (atan(v11 / b) + b / (v11 + a))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(theta, b):
+    v3 = np.tan(theta)
+    v4 = v3 / b
+    return (b, v3, v4)
+
+
+def block_depth_a(out, a, b, v3, v4, w0, w1, w2, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.square(a, out)
+        np.multiply(v4, out, out)
+    if some20 != size:
+        other20 = w0 if some20 else out
+        np.subtract(a, b, other20)
+        np.add(a, b, w1)
+        np.multiply(other20, w1, w1)
+        np.sqrt(w1, w1)
+        np.divide(w1, b, other20)
+        np.arctan(other20, other20)
+        np.multiply(v3, a, w2)
+        np.add(w1, a, w1)
+        np.divide(b, w1, w1)
+        np.add(other20, w1, w1)
+        np.multiply(w2, w1, other20)
+        if some20:
+            np.copyto(out, other20, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, theta, b, w0, w1, w2, w3, m0):
+    size = out.size
+    np.tan(theta, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.divide(w0, b, out)
+        np.square(a, w1)
+        np.multiply(out, w1, out)
+    if some20 != size:
+        other20 = w1 if some20 else out
+        np.subtract(a, b, other20)
+        np.add(a, b, w2)
+        np.multiply(other20, w2, w2)
+        np.sqrt(w2, w2)
+        np.divide(w2, b, other20)
+        np.arctan(other20, other20)
+        np.multiply(w0, a, w3)
+        np.add(w2, a, w2)
+        np.divide(b, w2, w2)
+        np.add(other20, w2, w2)
+        np.multiply(w3, w2, other20)
+        if some20:
+            np.copyto(out, other20, where=~m0)
+
+
+def depth_from_force(F, theta, b, E_star):
+    if F.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, theta, b):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v12 = a - b
+            v14 = a + b
+            v61 = tan(theta)
+            v63 = 2.0 * b
+            if r > a:
+                v4 = a if a < b or a != a else b
+                if a > b:
+                    v5 = r - b
+                    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (r + b))
+                    v11 = b / r
+                    v17 = r - a
+                    v22 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * v14) / sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (r + a))
+                    v24 = asinh(v22 / v11)
+                    v29 = 0.0 - expm1(-2.0 * v24)
+                    v32 = v29 if v29 > 0.0 else inf
+                    v49 = b * b
+                    v53 = v11 * v11
+                    v74 = []
+                    for node, weight in RULE_0(v24 / 1.0):
+                        v34 = node * v24
+                        v43 = v22 * (exp(-v34) * (0.0 - expm1(-2.0 * (v24 - v34))) / v32)
+                        v44 = v43 * v43
+                        v46 = sqrt(1.0 + v44)
+                        v48 = v10 * v43 / v46
+                        v52 = sqrt(v49 + v48 * v48)
+                        v73 = v61 * (atan(v48 / b) + v63 / (v48 + v52)) * v48 / v52 * atan2(v52, v10 / v46) * (sqrt(v53 + v44) / (v46 * v46 * v46))
+                        v74.append(weight * v73)
+                    v74 = fsum(v74) * v24
+                    v76 = v10 * v74
+                else:
+                    v76 = 0.0
+                v88 = v4 / (r + sqrt((r - v4) * (r + v4)))
+                v90 = v88 * v88
+                value = 2.0 * v61 / (3.141592653589793 * b) * (v4 * v4) * (v4 / r * (0.6666666666666666 + v90 * (((((((((-0.7327347664453868 * v90 + -32.15553480435792) * v90 + -332.23363563146734) * v90 + -1070.7082873491413) * v90 + -85.27694715374247) * v90 + 5044.821368830373) * v90 + 8082.413158212496) * v90 + 3759.725330928701) * v90 + 0.26666666666720995) / ((((((((0.21387262524856868 * v90 + 32.12935731379798) * v90 + 746.8124983579742) * v90 + 6202.125133759036) * v90 + 23553.080984642995) * v90 + 44404.005348491315) * v90 + 40380.01430284195) * v90 + 14099.684276696918) * v90 + 1.0)))) + 0.6366197723675814 * v76
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            if a < b:
+                v162 = v61 / b * (a * a)
+            else:
+                v153 = sqrt(v12 * v14)
+                v162 = v61 * a * (atan(v153 / b) + b / (v153 + a))
+            return v162 - (v61 / v63 * (r * r) if r < b else v61 * (r - b / 2.0))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = tan(theta)
+            v12 = a * a
+            if a < b:
+                return 4.0 * E_star * v6 / (3.0 * b) * (a * v12)
+            v18 = sqrt((a - b) * (a + b))
+            return E_star * v6 * (v12 * atan(v18 / b) + 4.0 * b * v12 / (3.0 * (v18 + a)) + b / 3.0 * v18)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(theta, b, E_star):
+    v5 = (4.0) * E_star
+    v6 = np.tan(theta)
+    v7 = v5 * v6
+    v9 = (3.0) * b
+    v10 = v7 / v9
+    v21 = E_star * v6
+    v23 = (4.0) * b
+    v29 = b / (3.0)
+    return (b, v10, v21, v23, v29)
+
+
+def block_force_a(out, a, b, v10, v21, v23, v29, w0, w1, w2, w3, w4, m0):
+    size = out.size
+    np.square(a, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.multiply(a, w0, out)
+        np.multiply(v10, out, out)
+    if some34 != size:
+        other34 = w1 if some34 else out
+        np.subtract(a, b, other34)
+        np.add(a, b, w2)
+        np.multiply(other34, w2, w2)
+        np.sqrt(w2, w2)
+        np.divide(w2, b, other34)
+        np.arctan(other34, other34)
+        np.multiply(w0, other34, other34)
+        np.multiply(v23, w0, w3)
+        np.add(w2, a, w4)
+        np.multiply(C1, w4, w4)
+        np.divide(w3, w4, w4)
+        np.add(other34, w4, w4)
+        np.multiply(v29, w2, w2)
+        np.add(w4, w2, w2)
+        np.multiply(v21, w2, other34)
+        if some34:
+            np.copyto(out, other34, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, w5, w6, m0):
+    size = out.size
+    np.tan(theta, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, w1)
+    np.less(a, b, m0)
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.multiply(C2, E_star, out)
+        np.multiply(out, w0, out)
+        np.multiply(C1, b, w2)
+        np.divide(out, w2, w2)
+        np.multiply(a, w1, out)
+        np.multiply(w2, out, out)
+    if some34 != size:
+        other34 = w2 if some34 else out
+        np.subtract(a, b, other34)
+        np.add(a, b, w3)
+        np.multiply(other34, w3, w3)
+        np.sqrt(w3, w3)
+        np.divide(w3, b, other34)
+        np.arctan(other34, other34)
+        np.multiply(E_star, w0, w4)
+        np.multiply(w1, other34, other34)
+        np.multiply(C2, b, w5)
+        np.multiply(w5, w1, w5)
+        np.add(w3, a, w6)
+        np.multiply(C1, w6, w6)
+        np.divide(w5, w6, w6)
+        np.add(other34, w6, w6)
+        np.divide(b, C1, other34)
+        np.multiply(other34, w3, w3)
+        np.add(w6, w3, w3)
+        np.multiply(w4, w3, other34)
+        if some34:
+            np.copyto(out, other34, where=~m0)
+
+
+def force_from_depth(d, theta, b, E_star):
+    if d.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = tan(theta)
+            if a < b:
+                return 4.0 * E_star * v6 / (9.42477796076938 * b) * a
+            v15 = sqrt((a - b) * (a + b))
+            return E_star * v6 / 3.141592653589793 * (atan(v15 / b) + 4.0 * b / (3.0 * (v15 + a)) + b * v15 / (3.0 * (a * a)))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(theta, b, E_star):
+    v5 = (4.0) * E_star
+    v6 = np.tan(theta)
+    v7 = v5 * v6
+    v9 = (9.42477796076938) * b
+    v10 = v7 / v9
+    v18 = E_star * v6
+    v20 = v18 / (3.141592653589793)
+    v21 = (4.0) * b
+    return (b, v10, v20, v21)
+
+
+def block_mean_pressure_a(out, a, b, v10, v20, v21, w0, w1, w2, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some35 = np.count_nonzero(m0)
+    if some35:
+        np.multiply(v10, a, out)
+    if some35 != size:
+        other35 = w0 if some35 else out
+        np.subtract(a, b, other35)
+        np.add(a, b, w1)
+        np.multiply(other35, w1, w1)
+        np.sqrt(w1, w1)
+        np.divide(w1, b, other35)
+        np.arctan(other35, other35)
+        np.add(w1, a, w2)
+        np.multiply(C1, w2, w2)
+        np.divide(v21, w2, w2)
+        np.add(other35, w2, w2)
+        np.multiply(b, w1, w1)
+        np.square(a, other35)
+        np.multiply(C1, other35, other35)
+        np.divide(w1, other35, other35)
+        np.add(w2, other35, other35)
+        np.multiply(v20, other35, other35)
+        if some35:
+            np.copyto(out, other35, where=~m0)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, w5, m0):
+    size = out.size
+    np.tan(theta, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some35 = np.count_nonzero(m0)
+    if some35:
+        np.multiply(C2, E_star, out)
+        np.multiply(out, w0, out)
+        np.multiply(C3, b, w1)
+        np.divide(out, w1, w1)
+        np.multiply(w1, a, out)
+    if some35 != size:
+        other35 = w1 if some35 else out
+        np.subtract(a, b, other35)
+        np.add(a, b, w2)
+        np.multiply(other35, w2, w2)
+        np.sqrt(w2, w2)
+        np.divide(w2, b, other35)
+        np.arctan(other35, other35)
+        np.multiply(E_star, w0, w3)
+        np.divide(w3, C4, w3)
+        np.multiply(C2, b, w4)
+        np.add(w2, a, w5)
+        np.multiply(C1, w5, w5)
+        np.divide(w4, w5, w5)
+        np.add(other35, w5, w5)
+        np.multiply(b, w2, w2)
+        np.square(a, other35)
+        np.multiply(C1, other35, other35)
+        np.divide(w2, other35, other35)
+        np.add(w5, other35, other35)
+        np.multiply(w3, other35, other35)
+        if some35:
+            np.copyto(out, other35, where=~m0)
+
+
+def pressure(r, a, theta, b, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                v5 = a if a < b or a != a else b
+                v13 = tan(theta)
+                v24 = nextafter(b, inf) if r == b else r
+                if a > (v24 if v24 > b or v24 != v24 else b):
+                    v25 = v24 < b
+                    v28 = a - b
+                    v32 = sqrt((v28 if v28 > 0.0 or v28 != v28 else 0.0) * (a + b))
+                    if v25:
+                        v38 = v32
+                    else:
+                        v33 = a - v24
+                        v38 = sqrt((v33 if v33 > 0.0 or v33 != v33 else 0.0) * (a + v24))
+                    v45 = asinh(v38 / sqrt(abs(v24 - b) * (v24 + b)))
+                    v46 = 2.0 * (0.0 if v25 else 1.0)
+                    v47 = 1.0 - v46
+                    v52 = v46 - v47 * expm1(-2.0 * v45)
+                    v54 = v52 if v52 > 0.0 else inf
+                    v68 = b * b
+                    v74 = 2.0 * b
+                    v81 = []
+                    for node, weight in RULE_0(v45 / 1.0):
+                        v57 = node * v45
+                        v67 = v32 * (exp(-v57) * (v46 - v47 * expm1(-2.0 * (v45 - v57))) / v54)
+                        v71 = sqrt(v68 + v67 * v67)
+                        v80 = v13 * (atan(v67 / b) + v74 / (v67 + v71)) * v67 / v71
+                        v81.append(weight * v80)
+                    v81 = fsum(v81) * v45
+                    v82 = v81
+                else:
+                    v82 = 0.0
+                value = (2.0 * E_star * v13 / (3.141592653589793 * b) * sqrt((v5 - r) * (v5 + r)) if r < v5 else 0.0) + E_star / 3.141592653589793 * v82
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, theta, b):
+    if r.__class__ is theta.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v4 = tan(theta)
+            if r < b:
+                return v4 / (2.0 * b) * (r * r)
+            return v4 * (r - b / 2.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(theta, b):
+    v4 = np.tan(theta)
+    v6 = (2.0) * b
+    v7 = v4 / v6
+    v10 = b / (2.0)
+    return (b, v4, v7, v10)
+
+
+def block_profile_r(out, r, b, v4, v7, v10, w0, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some13 = np.count_nonzero(m0)
+    if some13:
+        np.square(r, out)
+        np.multiply(v7, out, out)
+    if some13 != size:
+        other13 = w0 if some13 else out
+        np.subtract(r, v10, other13)
+        np.multiply(v4, other13, other13)
+        if some13:
+            np.copyto(out, other13, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, theta, b, w0, w1, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.tan(theta, w0)
+    some14 = np.count_nonzero(m0)
+    if some14:
+        np.multiply(C0, b, out)
+        np.divide(w0, out, out)
+        np.square(r, w1)
+        np.multiply(out, w1, out)
+    if some14 != size:
+        other14 = w1 if some14 else out
+        np.multiply(b, C5, other14)
+        np.subtract(r, other14, other14)
+        np.multiply(w0, other14, other14)
+        if some14:
+            np.copyto(out, other14, where=~m0)
+
+
+def radius_from_depth(d, theta, b):
+    if d.__class__ is theta.__class__ is b.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, theta, b)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, theta, b, E_star):
+    if F.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, theta=0.7853981633974483, b=1.0):
+    if a.__class__ is E_star.__class__ is theta.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'theta', 'b'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=3, masks=1),
+        ('a', 'theta', 'b'): Program(('a', 'theta', 'b'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+    },
+    ('_force', 1, 'a', 'theta', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
+        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=7, masks=1),
+    },
+    ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=3, masks=1),
+        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=6, masks=1),
+    },
+    ('_profile', 1, 'r', 'theta', 'b'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
+        ('r', 'theta', 'b'): Program(('r', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=2, masks=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

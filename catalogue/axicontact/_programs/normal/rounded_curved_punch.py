@@ -1,0 +1,803 @@
+"""Programs of axicontact.normal.rounded_curved_punch."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import rounded_curved_punch as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(0.42)
+C2 = np.array(0.0005288491342179178)
+C3 = np.array(0.038096760299703034)
+C4 = np.array(0.4065213849117787)
+C5 = np.array(1.438682033198726)
+C6 = np.array(1.9979042349620892)
+C7 = np.array(0.9428090415820634)
+C8 = np.array(0.006421883194715949)
+C9 = np.array(0.15001504718401248)
+C10 = np.array(0.9450913324352289)
+C11 = np.array(2.37401087025821)
+C12 = np.array(2.569097449054519)
+C13 = np.array(1.0)
+C14 = np.array(4.0)
+C15 = np.array(3.0)
+C16 = np.array(9.42477796076938)
+C17 = np.array(3.141592653589793)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R1, R2, b):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            if a < b:
+                return a * a / R1
+            v9 = a - b
+            v10 = v9 / b
+            if v10 < 0.42:
+                v56 = v10 * sqrt(v10) * ((((((0.0005288491342179178 * v10 + 0.038096760299703034) * v10 + 0.4065213849117787) * v10 + 1.438682033198726) * v10 + 1.9979042349620892) * v10 + 0.9428090415820634) / (((((0.006421883194715949 * v10 + 0.15001504718401248) * v10 + 0.9450913324352289) * v10 + 2.37401087025821) * v10 + 2.569097449054519) * v10 + 1.0))
+            else:
+                v16 = sqrt(v9 * (a + b)) / b
+                v56 = v16 - atan(v16)
+            value = a * (a / R1 + b / R2 * v56)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R1, R2, b):
+    v8 = b / R2
+    return (R1, b, v8)
+
+
+def block_depth_a(out, a, R1, b, v8, w0, w1, w2, w3, w4, w5, w6, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some61 = np.count_nonzero(m0)
+    if some61:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some61 != size:
+        other61 = w0 if some61 else out
+        np.divide(a, R1, other61)
+        np.subtract(a, b, w1)
+        np.divide(w1, b, w2)
+        np.less(w2, C1, m1)
+        some56 = np.count_nonzero(m1)
+        if some56:
+            np.minimum(w2, f0, out=w3)
+            np.sqrt(w3, w4)
+            np.multiply(w3, w4, w4)
+            np.multiply(C2, w3, w5)
+            np.add(w5, C3, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C4, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C5, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C6, w5)
+            np.multiply(w5, w3, w5)
+            np.add(w5, C7, w5)
+            np.multiply(C8, w3, w6)
+            np.add(w6, C9, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C10, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C11, w6)
+            np.multiply(w6, w3, w6)
+            np.add(w6, C12, w6)
+            np.multiply(w6, w3, w3)
+            np.add(w3, C13, w3)
+            np.divide(w5, w3, w3)
+            np.multiply(w4, w3, w3)
+        if some56 != size:
+            other56 = w4 if some56 else w3
+            np.add(a, b, other56)
+            np.multiply(w1, other56, other56)
+            np.sqrt(other56, other56)
+            np.divide(other56, b, other56)
+            np.arctan(other56, w5)
+            np.subtract(other56, w5, other56)
+            if some56:
+                np.copyto(w3, other56, where=~m1)
+        np.multiply(v8, w3, w3)
+        np.add(other61, w3, w3)
+        np.multiply(a, w3, other61)
+        if some61:
+            np.copyto(out, other61, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R1, R2, b, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some61 = np.count_nonzero(m0)
+    if some61:
+        np.square(a, out)
+        np.divide(out, R1, out)
+    if some61 != size:
+        other61 = w0 if some61 else out
+        np.divide(a, R1, other61)
+        np.divide(b, R2, w1)
+        np.subtract(a, b, w2)
+        np.divide(w2, b, w3)
+        np.less(w3, C1, m1)
+        some56 = np.count_nonzero(m1)
+        if some56:
+            np.minimum(w3, f0, out=w4)
+            np.sqrt(w4, w5)
+            np.multiply(w4, w5, w5)
+            np.multiply(C2, w4, w6)
+            np.add(w6, C3, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C4, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C5, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C6, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C7, w6)
+            np.multiply(C8, w4, w7)
+            np.add(w7, C9, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C10, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C11, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C12, w7)
+            np.multiply(w7, w4, w4)
+            np.add(w4, C13, w4)
+            np.divide(w6, w4, w4)
+            np.multiply(w5, w4, w4)
+        if some56 != size:
+            other56 = w5 if some56 else w4
+            np.add(a, b, other56)
+            np.multiply(w2, other56, other56)
+            np.sqrt(other56, other56)
+            np.divide(other56, b, other56)
+            np.arctan(other56, w6)
+            np.subtract(other56, w6, other56)
+            if some56:
+                np.copyto(w4, other56, where=~m1)
+        np.multiply(w1, w4, w4)
+        np.add(other61, w4, w4)
+        np.multiply(a, w4, other61)
+        if some61:
+            np.copyto(out, other61, where=~m0)
+
+
+def depth_from_force(F, R1, R2, b, E_star):
+    if F.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R1, R2, b):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v6 = r - b
+            v13 = a - b
+            v15 = a + b
+            v67 = b / R2
+            if r > a:
+                v5 = a if a < b or a != a else b
+                if a > b:
+                    v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (r + b))
+                    v12 = b / r
+                    v18 = r - a
+                    v23 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * v15) / sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (r + a))
+                    v25 = asinh(v23 / v12)
+                    v30 = 0.0 - expm1(-2.0 * v25)
+                    v33 = v30 if v30 > 0.0 else inf
+                    v50 = b * b
+                    v54 = v12 * v12
+                    v76 = []
+                    for node, weight in RULE_0(v25 / 1.0):
+                        v35 = node * v25
+                        v44 = v23 * (exp(-v35) * (0.0 - expm1(-2.0 * (v25 - v35))) / v33)
+                        v45 = v44 * v44
+                        v47 = sqrt(1.0 + v45)
+                        v49 = v11 * v44 / v47
+                        v53 = sqrt(v50 + v49 * v49)
+                        v75 = (2.0 * v53 / R1 + 2.0 * v49 / R2 - v67 * atan2(v49, b)) * v49 / v53 * atan2(v53, v11 / v47) * (sqrt(v54 + v45) / (v47 * v47 * v47))
+                        v76.append(weight * v75)
+                    v76 = fsum(v76) * v25
+                    v78 = v11 * v76
+                else:
+                    v78 = 0.0
+                v89 = v5 / (r + sqrt((r - v5) * (r + v5)))
+                v91 = v89 * v89
+                value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v91 * (((((((((-0.7327347664453868 * v91 + -32.15553480435792) * v91 + -332.23363563146734) * v91 + -1070.7082873491413) * v91 + -85.27694715374247) * v91 + 5044.821368830373) * v91 + 8082.413158212496) * v91 + 3759.725330928701) * v91 + 0.26666666666720995) / ((((((((0.21387262524856868 * v91 + 32.12935731379798) * v91 + 746.8124983579742) * v91 + 6202.125133759036) * v91 + 23553.080984642995) * v91 + 44404.005348491315) * v91 + 40380.01430284195) * v91 + 14099.684276696918) * v91 + 1.0)))) + 0.6366197723675814 * v78
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            if a < b:
+                v202 = a * a / R1
+            else:
+                v153 = v13 / b
+                if v153 < 0.42:
+                    v197 = v153 * sqrt(v153) * ((((((0.0005288491342179178 * v153 + 0.038096760299703034) * v153 + 0.4065213849117787) * v153 + 1.438682033198726) * v153 + 1.9979042349620892) * v153 + 0.9428090415820634) / (((((0.006421883194715949 * v153 + 0.15001504718401248) * v153 + 0.9450913324352289) * v153 + 2.37401087025821) * v153 + 2.569097449054519) * v153 + 1.0))
+                else:
+                    v158 = sqrt(v13 * v15) / b
+                    v197 = v158 - atan(v158)
+                v202 = a * (a / R1 + v67 * v197)
+            v206 = r * r / (2.0 * R1)
+            value = v202 - (v206 if r < b else v206 + v6 * v6 / (2.0 * R2))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = 3.0 * R1
+            v11 = a * a
+            v12 = a * v11
+            if a < b:
+                return 4.0 * E_star / v8 * v12
+            v14 = a - b
+            v16 = v14 * (a + b)
+            v17 = sqrt(v16)
+            v22 = v14 / b
+            if v22 < 0.42:
+                v65 = v22 * sqrt(v22) * ((((((0.0005288491342179178 * v22 + 0.038096760299703034) * v22 + 0.4065213849117787) * v22 + 1.438682033198726) * v22 + 1.9979042349620892) * v22 + 0.9428090415820634) / (((((0.006421883194715949 * v22 + 0.15001504718401248) * v22 + 0.9450913324352289) * v22 + 2.37401087025821) * v22 + 2.569097449054519) * v22 + 1.0))
+            else:
+                v25 = v17 / b
+                v65 = v25 - atan(v25)
+            value = E_star * (4.0 * v12 / v8 + b / R2 * v11 * v65 + v16 * v17 / (3.0 * R2))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(R1, R2, b, E_star):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R1
+    v9 = v6 / v8
+    v20 = b / R2
+    v69 = (3.0) * R2
+    return (b, E_star, v8, v9, v20, v69)
+
+
+def block_force_a(out, a, b, E_star, v8, v9, v20, v69, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, m0, m1, f0):
+    size = out.size
+    np.square(a, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, w0, w1)
+    np.less(a, b, m0)
+    some74 = np.count_nonzero(m0)
+    if some74:
+        np.multiply(v9, w1, out)
+    if some74 != size:
+        other74 = w2 if some74 else out
+        np.subtract(a, b, other74)
+        np.add(a, b, w3)
+        np.multiply(other74, w3, w3)
+        np.sqrt(w3, w4)
+        np.multiply(C14, w1, w5)
+        np.divide(w5, v8, w5)
+        np.multiply(v20, w0, w6)
+        np.divide(other74, b, other74)
+        np.less(other74, C1, m1)
+        some65 = np.count_nonzero(m1)
+        if some65:
+            np.minimum(other74, f0, out=w7)
+            np.sqrt(w7, w8)
+            np.multiply(w7, w8, w8)
+            np.multiply(C2, w7, w9)
+            np.add(w9, C3, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C4, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C5, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C6, w9)
+            np.multiply(w9, w7, w9)
+            np.add(w9, C7, w9)
+            np.multiply(C8, w7, w10)
+            np.add(w10, C9, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C10, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C11, w10)
+            np.multiply(w10, w7, w10)
+            np.add(w10, C12, w10)
+            np.multiply(w10, w7, w7)
+            np.add(w7, C13, w7)
+            np.divide(w9, w7, w7)
+            np.multiply(w8, w7, w7)
+        if some65 != size:
+            other65 = w8 if some65 else w7
+            np.divide(w4, b, other65)
+            np.arctan(other65, w9)
+            np.subtract(other65, w9, other65)
+            if some65:
+                np.copyto(w7, other65, where=~m1)
+        np.multiply(w6, w7, w7)
+        np.add(w5, w7, w7)
+        np.multiply(w3, w4, w4)
+        np.divide(w4, v69, w4)
+        np.add(w7, w4, w4)
+        np.multiply(E_star, w4, other74)
+        if some74:
+            np.copyto(out, other74, where=~m0)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, m0, m1, f0):
+    size = out.size
+    np.multiply(C15, R1, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, w1)
+    np.multiply(a, w1, w2)
+    np.less(a, b, m0)
+    some74 = np.count_nonzero(m0)
+    if some74:
+        np.multiply(C14, E_star, out)
+        np.divide(out, w0, out)
+        np.multiply(out, w2, out)
+    if some74 != size:
+        other74 = w3 if some74 else out
+        np.subtract(a, b, other74)
+        np.add(a, b, w4)
+        np.multiply(other74, w4, w4)
+        np.sqrt(w4, w5)
+        np.multiply(C14, w2, w6)
+        np.divide(w6, w0, w6)
+        np.divide(b, R2, w7)
+        np.multiply(w7, w1, w7)
+        np.divide(other74, b, other74)
+        np.less(other74, C1, m1)
+        some65 = np.count_nonzero(m1)
+        if some65:
+            np.minimum(other74, f0, out=w8)
+            np.sqrt(w8, w9)
+            np.multiply(w8, w9, w9)
+            np.multiply(C2, w8, w10)
+            np.add(w10, C3, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C4, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C5, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C6, w10)
+            np.multiply(w10, w8, w10)
+            np.add(w10, C7, w10)
+            np.multiply(C8, w8, w11)
+            np.add(w11, C9, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C10, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C11, w11)
+            np.multiply(w11, w8, w11)
+            np.add(w11, C12, w11)
+            np.multiply(w11, w8, w8)
+            np.add(w8, C13, w8)
+            np.divide(w10, w8, w8)
+            np.multiply(w9, w8, w8)
+        if some65 != size:
+            other65 = w9 if some65 else w8
+            np.divide(w5, b, other65)
+            np.arctan(other65, w10)
+            np.subtract(other65, w10, other65)
+            if some65:
+                np.copyto(w8, other65, where=~m1)
+        np.multiply(w7, w8, w8)
+        np.add(w6, w8, w8)
+        np.multiply(w4, w5, w5)
+        np.multiply(C15, R2, w4)
+        np.divide(w5, w4, w4)
+        np.add(w8, w4, w4)
+        np.multiply(E_star, w4, other74)
+        if some74:
+            np.copyto(out, other74, where=~m0)
+
+
+def force_from_depth(d, R1, R2, b, E_star):
+    if d.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a < b:
+                return 4.0 * E_star / (9.42477796076938 * R1) * a
+            v11 = a - b
+            v13 = v11 * (a + b)
+            v14 = sqrt(v13)
+            v20 = v11 / b
+            if v20 < 0.42:
+                v63 = v20 * sqrt(v20) * ((((((0.0005288491342179178 * v20 + 0.038096760299703034) * v20 + 0.4065213849117787) * v20 + 1.438682033198726) * v20 + 1.9979042349620892) * v20 + 0.9428090415820634) / (((((0.006421883194715949 * v20 + 0.15001504718401248) * v20 + 0.9450913324352289) * v20 + 2.37401087025821) * v20 + 2.569097449054519) * v20 + 1.0))
+            else:
+                v23 = v14 / b
+                v63 = v23 - atan(v23)
+            value = E_star / 3.141592653589793 * (4.0 * a / (3.0 * R1) + b / R2 * v63 + v13 * v14 / (3.0 * (a * a) * R2))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(R1, R2, b, E_star):
+    v6 = (4.0) * E_star
+    v8 = (9.42477796076938) * R1
+    v9 = v6 / v8
+    v17 = (3.0) * R1
+    v19 = b / R2
+    v74 = E_star / (3.141592653589793)
+    return (R2, b, v9, v17, v19, v74)
+
+
+def block_mean_pressure_a(out, a, R2, b, v9, v17, v19, v74, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some77 = np.count_nonzero(m0)
+    if some77:
+        np.multiply(v9, a, out)
+    if some77 != size:
+        other77 = w0 if some77 else out
+        np.subtract(a, b, other77)
+        np.add(a, b, w1)
+        np.multiply(other77, w1, w1)
+        np.sqrt(w1, w2)
+        np.multiply(C14, a, w3)
+        np.divide(w3, v17, w3)
+        np.divide(other77, b, other77)
+        np.less(other77, C1, m1)
+        some63 = np.count_nonzero(m1)
+        if some63:
+            np.minimum(other77, f0, out=w4)
+            np.sqrt(w4, w5)
+            np.multiply(w4, w5, w5)
+            np.multiply(C2, w4, w6)
+            np.add(w6, C3, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C4, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C5, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C6, w6)
+            np.multiply(w6, w4, w6)
+            np.add(w6, C7, w6)
+            np.multiply(C8, w4, w7)
+            np.add(w7, C9, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C10, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C11, w7)
+            np.multiply(w7, w4, w7)
+            np.add(w7, C12, w7)
+            np.multiply(w7, w4, w4)
+            np.add(w4, C13, w4)
+            np.divide(w6, w4, w4)
+            np.multiply(w5, w4, w4)
+        if some63 != size:
+            other63 = w5 if some63 else w4
+            np.divide(w2, b, other63)
+            np.arctan(other63, w6)
+            np.subtract(other63, w6, other63)
+            if some63:
+                np.copyto(w4, other63, where=~m1)
+        np.multiply(v19, w4, w4)
+        np.add(w3, w4, w4)
+        np.multiply(w1, w2, w2)
+        np.square(a, w1)
+        np.multiply(C15, w1, w1)
+        np.multiply(w1, R2, w1)
+        np.divide(w2, w1, w1)
+        np.add(w4, w1, w1)
+        np.multiply(v74, w1, other77)
+        if some77:
+            np.copyto(out, other77, where=~m0)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some77 = np.count_nonzero(m0)
+    if some77:
+        np.multiply(C14, E_star, out)
+        np.multiply(C16, R1, w0)
+        np.divide(out, w0, w0)
+        np.multiply(w0, a, out)
+    if some77 != size:
+        other77 = w0 if some77 else out
+        np.subtract(a, b, other77)
+        np.add(a, b, w1)
+        np.multiply(other77, w1, w1)
+        np.sqrt(w1, w2)
+        np.multiply(C14, a, w3)
+        np.multiply(C15, R1, w4)
+        np.divide(w3, w4, w4)
+        np.divide(b, R2, w3)
+        np.divide(other77, b, other77)
+        np.less(other77, C1, m1)
+        some63 = np.count_nonzero(m1)
+        if some63:
+            np.minimum(other77, f0, out=w5)
+            np.sqrt(w5, w6)
+            np.multiply(w5, w6, w6)
+            np.multiply(C2, w5, w7)
+            np.add(w7, C3, w7)
+            np.multiply(w7, w5, w7)
+            np.add(w7, C4, w7)
+            np.multiply(w7, w5, w7)
+            np.add(w7, C5, w7)
+            np.multiply(w7, w5, w7)
+            np.add(w7, C6, w7)
+            np.multiply(w7, w5, w7)
+            np.add(w7, C7, w7)
+            np.multiply(C8, w5, w8)
+            np.add(w8, C9, w8)
+            np.multiply(w8, w5, w8)
+            np.add(w8, C10, w8)
+            np.multiply(w8, w5, w8)
+            np.add(w8, C11, w8)
+            np.multiply(w8, w5, w8)
+            np.add(w8, C12, w8)
+            np.multiply(w8, w5, w5)
+            np.add(w5, C13, w5)
+            np.divide(w7, w5, w5)
+            np.multiply(w6, w5, w5)
+        if some63 != size:
+            other63 = w6 if some63 else w5
+            np.divide(w2, b, other63)
+            np.arctan(other63, w7)
+            np.subtract(other63, w7, other63)
+            if some63:
+                np.copyto(w5, other63, where=~m1)
+        np.multiply(w3, w5, w5)
+        np.add(w4, w5, w5)
+        np.multiply(w1, w2, w2)
+        np.square(a, w1)
+        np.multiply(C15, w1, w1)
+        np.multiply(w1, R2, w1)
+        np.divide(w2, w1, w1)
+        np.add(w5, w1, w1)
+        np.divide(E_star, C17, w5)
+        np.multiply(w5, w1, other77)
+        if some77:
+            np.copyto(out, other77, where=~m0)
+
+
+def pressure(r, a, R1, R2, b, E_star):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                v6 = a if a < b or a != a else b
+                v23 = nextafter(b, inf) if r == b else r
+                if a > (v23 if v23 > b or v23 != v23 else b):
+                    v24 = v23 < b
+                    v27 = a - b
+                    v31 = sqrt((v27 if v27 > 0.0 or v27 != v27 else 0.0) * (a + b))
+                    if v24:
+                        v37 = v31
+                    else:
+                        v32 = a - v23
+                        v37 = sqrt((v32 if v32 > 0.0 or v32 != v32 else 0.0) * (a + v23))
+                    v44 = asinh(v37 / sqrt(abs(v23 - b) * (v23 + b)))
+                    v45 = 2.0 * (0.0 if v24 else 1.0)
+                    v46 = 1.0 - v45
+                    v51 = v45 - v46 * expm1(-2.0 * v44)
+                    v53 = v51 if v51 > 0.0 else inf
+                    v67 = b * b
+                    v77 = b / R2
+                    v82 = []
+                    for node, weight in RULE_0(v44 / 1.0):
+                        v56 = node * v44
+                        v66 = v31 * (exp(-v56) * (v45 - v46 * expm1(-2.0 * (v44 - v56))) / v53)
+                        v70 = sqrt(v67 + v66 * v66)
+                        v81 = (2.0 * v70 / R1 + 2.0 * v66 / R2 - v77 * atan2(v66, b)) * v66 / v70
+                        v82.append(weight * v81)
+                    v82 = fsum(v82) * v44
+                    v83 = v82
+                else:
+                    v83 = 0.0
+                value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v83
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, R1, R2, b):
+    if r.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            v8 = r * r / (2.0 * R1)
+            if r < b:
+                return v8
+            v9 = r - b
+            return v8 + v9 * v9 / (2.0 * R2)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(R1, R2, b):
+    v7 = (2.0) * R1
+    v11 = (2.0) * R2
+    return (b, v7, v11)
+
+
+def block_profile_r(out, r, b, v7, v11, w0, w1, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.square(r, w0)
+    np.divide(w0, v7, w0)
+    some14 = np.count_nonzero(m0)
+    if some14:
+        np.copyto(out, w0)
+    if some14 != size:
+        other14 = w1 if some14 else out
+        np.subtract(r, b, other14)
+        np.square(other14, other14)
+        np.divide(other14, v11, other14)
+        np.add(w0, other14, other14)
+        if some14:
+            np.copyto(out, other14, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, R1, R2, b, w0, w1, w2, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.square(r, w0)
+    np.multiply(C0, R1, w1)
+    np.divide(w0, w1, w1)
+    some14 = np.count_nonzero(m0)
+    if some14:
+        np.copyto(out, w1)
+    if some14 != size:
+        other14 = w0 if some14 else out
+        np.subtract(r, b, other14)
+        np.square(other14, other14)
+        np.multiply(C0, R2, w2)
+        np.divide(other14, w2, w2)
+        np.add(w1, w2, other14)
+        if some14:
+            np.copyto(out, other14, where=~m0)
+
+
+def radius_from_depth(d, R1, R2, b):
+    if d.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and d > 1e-30 and (d < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R1, R2, b)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R1, R2, b, E_star):
+    if F.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R1, R2, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, R1=1.0, R2=1.0, b=1.0):
+    if a.__class__ is E_star.__class__ is R1.__class__ is R2.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R1', 'R2', 'b'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=7, masks=2, filled=(0.42,)),
+        ('a', 'R1', 'R2', 'b'): Program(('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.42,)),
+    },
+    ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=2, filled=(0.42,)),
+        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=12, masks=2, filled=(0.42,)),
+    },
+    ('_mean_pressure', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=8, masks=2, filled=(0.42,)),
+        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=9, masks=2, filled=(0.42,)),
+    },
+    ('_profile', 1, 'r', 'R1', 'R2', 'b'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=2, masks=1),
+        ('r', 'R1', 'R2', 'b'): Program(('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, scratch=3, masks=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

@@ -1,0 +1,550 @@
+"""Programs of axicontact.normal.sphere_tipped_cone."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, cos, exp, expm1, fsum, inf, log1p, nextafter, sin, sqrt, tanh
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import sphere_tipped_cone as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(0.5)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, R, theta):
+    if a.__class__ is R.__class__ is theta.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966):
+        try:
+            v4 = R * sin(theta)
+            v9 = R - a
+            if a < v4:
+                return a * (log1p(2.0 * a / v9) / 2.0)
+            v6 = R * cos(theta)
+            v16 = v6 * v6 - v9 * (R + a) if v6 < v4 else (a - v4) * (a + v4)
+            v19 = sqrt(v16 if v16 > 0.0 or v16 != v16 else 0.0)
+            v22 = v4 * v4
+            value = a * (log1p((v22 / (v19 + a) + v22 / (v6 + R)) / (v19 + v6)) + v4 * atan2(v19, v4) / v6)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(R, theta):
+    v3 = np.sin(theta)
+    v4 = R * v3
+    v5 = np.cos(theta)
+    v6 = R * v5
+    v7 = np.less(v6, v4)
+    v8 = v6 * v6
+    v22 = np.square(v4)
+    v25 = v6 + R
+    v26 = v22 / v25
+    return (R, v4, v6, v7, v8, v22, v26)
+
+
+def block_depth_a(out, a, R, v4, v6, v7, v8, v22, v26, w0, w1, w2, w3, m0, f0):
+    size = out.size
+    np.subtract(R, a, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, v4, m0)
+    some42 = np.count_nonzero(m0)
+    if some42:
+        np.multiply(C0, a, out)
+        np.divide(out, w0, out)
+        np.log1p(out, out)
+        np.multiply(out, C1, out)
+        np.multiply(a, out, out)
+    if some42 != size:
+        other42 = w1 if some42 else out
+        if v7:
+            np.add(R, a, other42)
+            np.multiply(w0, other42, other42)
+            np.subtract(v8, other42, other42)
+        else:
+            np.subtract(a, v4, other42)
+            np.add(a, v4, w2)
+            np.multiply(other42, w2, other42)
+        np.maximum(other42, f0, out=other42)
+        np.sqrt(other42, other42)
+        np.arctan2(other42, v4, w2)
+        np.add(other42, a, w3)
+        np.divide(v22, w3, w3)
+        np.add(w3, v26, w3)
+        np.add(other42, v6, other42)
+        np.divide(w3, other42, other42)
+        np.log1p(other42, other42)
+        np.multiply(v4, w2, w2)
+        np.divide(w2, v6, w2)
+        np.add(other42, w2, w2)
+        np.multiply(a, w2, other42)
+        if some42:
+            np.copyto(out, other42, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, R, theta, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.sin(theta, w0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(R, w0, w0)
+    np.subtract(R, a, w1)
+    np.less(a, w0, m0)
+    some42 = np.count_nonzero(m0)
+    if some42:
+        np.multiply(C0, a, out)
+        np.divide(out, w1, out)
+        np.log1p(out, out)
+        np.multiply(out, C1, out)
+        np.multiply(a, out, out)
+    if some42 != size:
+        other42 = w2 if some42 else out
+        np.cos(theta, other42)
+        np.multiply(R, other42, other42)
+        np.less(other42, w0, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.multiply(other42, other42, w3)
+            np.add(R, a, w4)
+            np.multiply(w1, w4, w4)
+            np.subtract(w3, w4, w3)
+        if some16 != size:
+            other16 = w4 if some16 else w3
+            np.subtract(a, w0, other16)
+            np.add(a, w0, w5)
+            np.multiply(other16, w5, other16)
+            if some16:
+                np.copyto(w3, other16, where=~m1)
+        np.maximum(w3, f0, out=w3)
+        np.sqrt(w3, w3)
+        np.arctan2(w3, w0, w4)
+        np.square(w0, w5)
+        np.add(w3, a, w6)
+        np.divide(w5, w6, w6)
+        np.add(other42, R, w7)
+        np.divide(w5, w7, w7)
+        np.add(w6, w7, w7)
+        np.add(w3, other42, w3)
+        np.divide(w7, w3, w3)
+        np.log1p(w3, w3)
+        np.multiply(w0, w4, w4)
+        np.divide(w4, other42, other42)
+        np.add(w3, other42, other42)
+        np.multiply(a, other42, other42)
+        if some42:
+            np.copyto(out, other42, where=~m0)
+
+
+def displacement(r, a, R, theta):
+    if r.__class__ is a.__class__ is R.__class__ is theta.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966):
+        try:
+            v5 = R * sin(theta)
+            v43 = r + R
+            v51 = R - r
+            v75 = r - v5
+            v81 = a - v5
+            v83 = a + v5
+            v126 = R * cos(theta)
+            v128 = v5 * v5
+            v131 = v126 + R
+            v132 = v128 / v131
+            if r > a:
+                v6 = a if a < v5 or a != a else v5
+                v7 = r if r < R or r != r else R
+                if v6 < v7:
+                    v8 = v7 - v6
+                    v14 = v6 / sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (v7 + v6))
+                    v15 = asinh(v14)
+                    v20 = 0.0 - expm1(-2.0 * v15)
+                    v23 = v20 if v20 > 0.0 else inf
+                    v41 = r - R
+                    v45 = sqrt((v41 if v41 > 0.0 or v41 != v41 else 0.0) * v43)
+                    v47 = v45 * v45
+                    v55 = sqrt((v51 if v51 > 0.0 or v51 != v51 else 0.0) * (R + r))
+                    v56 = v55 * v55
+                    v69 = []
+                    for node, weight in RULE_0(v15 / 1.0):
+                        v25 = node * v15
+                        v34 = v14 * (exp(-v25) * (0.0 - expm1(-2.0 * (v15 - v25))) / v23)
+                        v37 = sqrt(1.0 + v34 * v34)
+                        v39 = v7 * (v34 / v37)
+                        v40 = v7 / v37
+                        v48 = v40 * v40
+                        v58 = sqrt(v56 + v48)
+                        v68 = (asinh(v39 / v58) + R * v39 / (v58 * v58)) * atan2(v39, sqrt(v47 + v48)) * (v40 / v37)
+                        v69.append(weight * v68)
+                    v69 = fsum(v69) * v15
+                    v70 = v69
+                else:
+                    v70 = inf
+                if a > v5:
+                    v74 = 1.0 - 2.0 * theta / 3.141592653589793
+                    v79 = sqrt((v75 if v75 > 0.0 or v75 != v75 else 0.0) * (r + v5))
+                    v80 = v5 / r
+                    v86 = r - a
+                    v91 = sqrt((v81 if v81 > 0.0 or v81 != v81 else 0.0) * v83) / sqrt((v86 if v86 > 0.0 or v86 != v86 else 0.0) * (r + a))
+                    v93 = asinh(v91 / v80)
+                    v96 = 0.0 - expm1(-2.0 * v93)
+                    v98 = v96 if v96 > 0.0 else inf
+                    v115 = v5 * v5
+                    v119 = v80 * v80
+                    v140 = v128 * R
+                    v141 = v126 * v126
+                    v154 = []
+                    for node, weight in RULE_0(v93 / v74):
+                        v100 = node * v93
+                        v109 = v91 * (exp(-v100) * (0.0 - expm1(-2.0 * (v93 - v100))) / v98)
+                        v110 = v109 * v109
+                        v112 = sqrt(1.0 + v110)
+                        v114 = v79 * v109 / v112
+                        v118 = sqrt(v115 + v114 * v114)
+                        v153 = (log1p((v128 / (v114 + v118) + v132) / (v114 + v126)) + v5 * atan2(v114, v5) / v126 + v140 / (v118 * v141 + R * v114 * v126)) * v114 / v118 * atan2(v118, v79 / v112) * (sqrt(v119 + v110) / (v112 * v112 * v112))
+                        v154.append(weight * v153)
+                    v154 = fsum(v154) * v93
+                    v156 = v79 * v154
+                else:
+                    v156 = 0.0
+                value = 0.6366197723675814 * (v70 + v156)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v162 = R - a
+            if a < v5:
+                v187 = a * (log1p(2.0 * a / v162) / 2.0)
+            else:
+                v167 = v126 * v126 - v162 * (R + a) if v126 < v5 else v81 * v83
+                v169 = sqrt(v167 if v167 > 0.0 or v167 != v167 else 0.0)
+                v187 = a * (log1p((v128 / (v169 + a) + v132) / (v169 + v126)) + v5 * atan2(v169, v5) / v126)
+            value = v187 - (r * r / (sqrt(v51 * v43) + R) if r < v5 else v5 * (v75 / v126 + v5 / v131))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, theta, E_star):
+    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = R * sin(theta)
+            v7 = R * cos(theta)
+            v17 = v7 * v7 - (R - a) * (R + a) if v7 < v5 else (a - v5) * (a + v5)
+            v20 = sqrt(v17 if v17 > 0.0 or v17 != v17 else 0.0)
+            v21 = a if a < v5 or a != a else v5
+            v29 = asinh(v21 / (sqrt((R - v21) * (v21 + R)) if a < v5 else v7))
+            v34 = tanh(v29)
+            if v29 < 1.0:
+                v40 = v29 * v29
+                v75 = v34 * (v34 * v34) * ((((((1.0716932453474512e-06 * v40 + 0.00019982814521087247) * v40 + 0.007076196047699156) * v40 + 0.08608622548411103) * v40 + 0.3073858328214721) * v40 + 0.3333333333333333) / (((((2.565078604208634e-08 * v40 + 2.0203143566039827e-05) * v40 + 0.001617010334189783) * v40 + 0.03639274880225476) * v40 + 0.32215749846441627) * v40 + 1.0))
+            else:
+                v75 = v29 - v34
+            v83 = 1.0 - 2.0 * theta / 3.141592653589793
+            v85 = asinh(v20 / v5)
+            v89 = 0.0 - expm1(-2.0 * v85)
+            v92 = v89 if v89 > 0.0 else inf
+            v103 = v5 * v5
+            v108 = v5 * v5
+            v112 = v108 / (v7 + R)
+            v120 = v108 * R
+            v121 = v7 * v7
+            v130 = []
+            for node, weight in RULE_0(v85 / v83):
+                v93 = node * v85
+                v102 = v20 * (exp(-v93) * (0.0 - expm1(-2.0 * (v85 - v93))) / v92)
+                v106 = sqrt(v103 + v102 * v102)
+                v129 = (log1p((v108 / (v102 + v106) + v112) / (v102 + v7)) + v5 * atan2(v102, v5) / v7 + v120 / (v106 * v121 + R * v102 * v7)) * v102 * v106
+                v130.append(weight * v129)
+            v130 = fsum(v130) * v85
+            value = E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, R, theta, E_star):
+    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a > 0.0:
+                v7 = R * sin(theta)
+                v9 = R * cos(theta)
+                v19 = v9 * v9 - (R - a) * (R + a) if v9 < v7 else (a - v7) * (a + v7)
+                v21 = sqrt(v19 if v19 > 0.0 or v19 != v19 else 0.0)
+                v22 = a if a < v7 or a != a else v7
+                v30 = asinh(v22 / (sqrt((R - v22) * (v22 + R)) if a < v7 else v9))
+                v35 = tanh(v30)
+                if v30 < 1.0:
+                    v41 = v30 * v30
+                    v76 = v35 * (v35 * v35) * ((((((1.0716932453474512e-06 * v41 + 0.00019982814521087247) * v41 + 0.007076196047699156) * v41 + 0.08608622548411103) * v41 + 0.3073858328214721) * v41 + 0.3333333333333333) / (((((2.565078604208634e-08 * v41 + 2.0203143566039827e-05) * v41 + 0.001617010334189783) * v41 + 0.03639274880225476) * v41 + 0.32215749846441627) * v41 + 1.0))
+                else:
+                    v76 = v30 - v35
+                v84 = 1.0 - 2.0 * theta / 3.141592653589793
+                v86 = asinh(v21 / v7)
+                v90 = 0.0 - expm1(-2.0 * v86)
+                v93 = v90 if v90 > 0.0 else inf
+                v104 = v7 * v7
+                v109 = v7 * v7
+                v113 = v109 / (v9 + R)
+                v121 = v109 * R
+                v122 = v9 * v9
+                v131 = []
+                for node, weight in RULE_0(v86 / v84):
+                    v94 = node * v86
+                    v103 = v21 * (exp(-v94) * (0.0 - expm1(-2.0 * (v86 - v94))) / v93)
+                    v107 = sqrt(v104 + v103 * v103)
+                    v130 = (log1p((v109 / (v103 + v107) + v113) / (v103 + v9)) + v7 * atan2(v103, v7) / v9 + v121 / (v107 * v122 + R * v103 * v9)) * v103 * v107
+                    v131.append(weight * v130)
+                v131 = fsum(v131) * v86
+                value = (E_star * (v22 * v22 * v30 + R * R * v76) + 2.0 * E_star * v131) / (3.141592653589793 * (a * a))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, R, theta, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = R * sin(theta)
+            v7 = a if a < v6 or a != a else v6
+            v8 = R - r
+            v20 = v7 - r
+            v21 = v7 + r
+            v33 = sqrt((v20 if v20 > 0.0 or v20 != v20 else 0.0) * v21)
+            v38 = R + sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (R + r))
+            v39 = v7 + v33
+            v40 = v39 / v38
+            if v40 > 0.7:
+                return None
+            if r < a:
+                v18 = R * cos(theta)
+                v25 = E_star / 3.141592653589793
+                if r < v7:
+                    v43 = r * (r / v39) / v38
+                    v44 = v40 * v40
+                    v45 = v43 * v43
+                    v51 = 0.13579013365982337 * v44 + -0.4846453962188766
+                    v56 = v51 * v44 + 0.8293825948837366
+                    v61 = v56 * v44 + -0.8745573865774817
+                    v66 = v61 * v44 + 0.6371928816963097
+                    v71 = v66 * v44 + -0.3332798652335896
+                    v76 = v71 * v44 + 0.13289328569967984
+                    v81 = v76 * v44 + -0.03710676078458442
+                    v86 = v81 * v44 + 0.011089560042611895
+                    v91 = v86 * v44 + 0.0012521687336059639
+                    v96 = v91 * v44 + 0.0036572276005780893
+                    v101 = v96 * v44 + 0.004425450516633092
+                    v106 = v101 * v44 + 0.005918487051520244
+                    v107 = ((((((((((((0.0 * v45 + 0.13579013365982337) * v45 + v51) * v45 + v56) * v45 + v61) * v45 + v66) * v45 + v71) * v45 + v76) * v45 + v81) * v45 + v86) * v45 + v91) * v45 + v96) * v45 + v101) * v45
+                    v111 = v106 * v44 + 0.008264397984935742
+                    v116 = v111 * v44 + 0.012345681107818056
+                    v121 = v116 * v44 + 0.020408163224119494
+                    v126 = v121 * v44 + 0.04000000000042643
+                    v131 = v126 * v44 + 0.11111111111110937
+                    v150 = v25 * (R * asinh(sqrt(v20 * v21) / (sqrt((R - v7) * (v7 + R)) if a < v6 else v18)) / sqrt(v8 * (r + R)) + 2.0 * v33 / v38 * (v131 * v44 + 1.0 + v43 * (v43 + v40) * ((((((v107 + v106) * v45 + v111) * v45 + v116) * v45 + v121) * v45 + v126) * v45 + v131)))
+                else:
+                    v150 = 0.0
+                v157 = nextafter(v6, inf) if r == v6 else r
+                if a > (v157 if v157 > v6 or v157 != v157 else v6):
+                    v153 = 1.0 - 2.0 * theta / 3.141592653589793
+                    v158 = v157 < v6
+                    v160 = a - v6
+                    v164 = sqrt((v160 if v160 > 0.0 or v160 != v160 else 0.0) * (a + v6))
+                    if v158:
+                        v170 = v164
+                    else:
+                        v165 = a - v157
+                        v170 = sqrt((v165 if v165 > 0.0 or v165 != v165 else 0.0) * (a + v157))
+                    v177 = asinh(v170 / sqrt(abs(v157 - v6) * (v157 + v6)))
+                    v178 = 2.0 * (0.0 if v158 else 1.0)
+                    v179 = 1.0 - v178
+                    v184 = v178 - v179 * expm1(-2.0 * v177)
+                    v186 = v184 if v184 > 0.0 else inf
+                    v200 = v6 * v6
+                    v205 = v6 * v6
+                    v209 = v205 / (v18 + R)
+                    v217 = v205 * R
+                    v218 = v18 * v18
+                    v227 = []
+                    for node, weight in RULE_0(v177 / v153):
+                        v189 = node * v177
+                        v199 = v164 * (exp(-v189) * (v178 - v179 * expm1(-2.0 * (v177 - v189))) / v186)
+                        v203 = sqrt(v200 + v199 * v199)
+                        v226 = (log1p((v205 / (v199 + v203) + v209) / (v199 + v18)) + v6 * atan2(v199, v6) / v18 + v217 / (v203 * v218 + R * v199 * v18)) * v199 / v203
+                        v227.append(weight * v226)
+                    v227 = fsum(v227) * v177
+                    v228 = v227
+                else:
+                    v228 = 0.0
+                value = v150 + v25 * v228
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, R, theta):
+    if r.__class__ is R.__class__ is theta.__class__ is float and r > 1e-30 and (r < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966):
+        try:
+            v4 = R * sin(theta)
+            if r < v4:
+                return r * r / (sqrt((R - r) * (r + R)) + R)
+            v10 = R * cos(theta)
+            value = v4 * ((r - v4) / v10 + v4 / (v10 + R))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(R, theta):
+    v3 = np.sin(theta)
+    v4 = R * v3
+    v9 = np.cos(theta)
+    v10 = R * v9
+    v18 = v10 + R
+    v19 = v4 / v18
+    return (R, v4, v10, v19)
+
+
+def block_profile_r(out, r, R, v4, v10, v19, w0, m0):
+    size = out.size
+    np.less(r, v4, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.subtract(R, r, out)
+        np.add(r, R, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.square(r, out)
+        np.add(w0, R, w0)
+        np.divide(out, w0, out)
+    if some22 != size:
+        other22 = w0 if some22 else out
+        np.subtract(r, v4, other22)
+        np.divide(other22, v10, other22)
+        np.add(other22, v19, other22)
+        np.multiply(v4, other22, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, R, theta, w0, w1, w2, m0):
+    size = out.size
+    np.sin(theta, w0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.multiply(R, w0, w0)
+    np.less(r, w0, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.subtract(R, r, out)
+        np.add(r, R, w1)
+        np.multiply(out, w1, w1)
+        np.sqrt(w1, w1)
+        np.square(r, out)
+        np.add(w1, R, w1)
+        np.divide(out, w1, out)
+    if some22 != size:
+        other22 = w1 if some22 else out
+        np.cos(theta, other22)
+        np.multiply(R, other22, other22)
+        np.subtract(r, w0, w2)
+        np.divide(w2, other22, w2)
+        np.add(other22, R, other22)
+        np.divide(w0, other22, other22)
+        np.add(w2, other22, other22)
+        np.multiply(w0, other22, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+
+
+def radius_from_depth(d, R, theta):
+    if d.__class__ is R.__class__ is theta.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966):
+        try:
+            value = bodies._radius_from_depth(d, R, theta)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, R=1.0, theta=0.7853981633974483):
+    if a.__class__ is E_star.__class__ is R.__class__ is theta.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'R', 'theta'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=4, masks=1, filled=(0.0,)),
+        ('a', 'R', 'theta'): Program(('a', 'R', 'theta'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.0,)),
+    },
+    ('_profile', 1, 'r', 'R', 'theta'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
+        ('r', 'R', 'theta'): Program(('r', 'R', 'theta'), prepare_profile_all, block_profile_all, scratch=3, masks=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

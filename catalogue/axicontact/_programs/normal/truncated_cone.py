@@ -1,0 +1,425 @@
+"""Programs of axicontact.normal.truncated_cone."""
+
+from __future__ import annotations
+
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt, tan
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.plain import rule
+from ..._programs.bodies.normal import truncated_cone as bodies
+
+C0 = np.array(2.0)
+C1 = np.array(3.141592653589793)
+C2 = np.array(0.0)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+
+
+def depth(a, theta, b):
+    if a.__class__ is theta.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (b <= a):
+        try:
+            return tan(theta) * a * atan(sqrt((a - b) * (a + b)) / b)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_a(theta, b):
+    v9 = np.tan(theta)
+    return (b, v9)
+
+
+def block_depth_a(out, a, b, v9, w0):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, w0)
+    np.arctan(w0, w0)
+    np.multiply(v9, a, out)
+    np.multiply(out, w0, out)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, a, theta, b, w0):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, w0)
+    np.arctan(w0, w0)
+    np.tan(theta, out)
+    np.multiply(out, a, out)
+    np.multiply(out, w0, out)
+
+
+def depth_from_force(F, theta, b, E_star):
+    if F.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, theta, b):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v4 = r - b
+                v11 = a - b
+                v13 = a + b
+                v60 = tan(theta)
+                if r > a:
+                    if a > b:
+                        v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (r + b))
+                        v10 = b / r
+                        v16 = r - a
+                        v21 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * v13) / sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (r + a))
+                        v23 = asinh(v21 / v10)
+                        v28 = 0.0 - expm1(-2.0 * v23)
+                        v31 = v28 if v28 > 0.0 else inf
+                        v48 = b * b
+                        v52 = v10 * v10
+                        v62 = b * v60
+                        v71 = []
+                        for node, weight in RULE_0(v23 / 1.0):
+                            v33 = node * v23
+                            v42 = v21 * (exp(-v33) * (0.0 - expm1(-2.0 * (v23 - v33))) / v31)
+                            v43 = v42 * v42
+                            v45 = sqrt(1.0 + v43)
+                            v47 = v9 * v42 / v45
+                            v51 = sqrt(v48 + v47 * v47)
+                            v70 = (v60 * atan(v47 / b) + v62 / v47) * v47 / v51 * atan2(v51, v9 / v45) * (sqrt(v52 + v43) / (v45 * v45 * v45))
+                            v71.append(weight * v70)
+                        v71 = fsum(v71) * v23
+                        v73 = v9 * v71
+                    else:
+                        v73 = 0.0
+                    value = 0.6366197723675814 * v73
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return v60 * a * atan(sqrt(v11 * v13) / b) - (0.0 if r < b else v60 * v4)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            v7 = sqrt((a - b) * (a + b))
+            return E_star * tan(theta) * (a * a * atan(v7 / b) + b * v7)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_a(theta, b, E_star):
+    v10 = np.tan(theta)
+    v11 = E_star * v10
+    return (b, v11)
+
+
+def block_force_a(out, a, b, v11, w0, w1):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, out)
+    np.arctan(out, out)
+    np.square(a, w1)
+    np.multiply(w1, out, out)
+    np.multiply(b, w0, w0)
+    np.add(out, w0, w0)
+    np.multiply(v11, w0, out)
+
+
+def prepare_force_all():
+    return ()
+
+
+def block_force_all(out, a, theta, b, E_star, w0, w1, w2):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, out)
+    np.arctan(out, out)
+    np.tan(theta, w1)
+    np.multiply(E_star, w1, w1)
+    np.square(a, w2)
+    np.multiply(w2, out, out)
+    np.multiply(b, w0, w0)
+    np.add(out, w0, w0)
+    np.multiply(w1, w0, out)
+
+
+def force_from_depth(d, theta, b, E_star):
+    if d.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            v7 = sqrt((a - b) * (a + b))
+            return E_star * tan(theta) / 3.141592653589793 * (atan(v7 / b) + b * v7 / (a * a))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_mean_pressure_a(theta, b, E_star):
+    v10 = np.tan(theta)
+    v11 = E_star * v10
+    v13 = v11 / (3.141592653589793)
+    return (b, v13)
+
+
+def block_mean_pressure_a(out, a, b, v13, w0, w1):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, out)
+    np.arctan(out, out)
+    np.multiply(b, w0, w0)
+    np.square(a, w1)
+    np.divide(w0, w1, w1)
+    np.add(out, w1, w1)
+    np.multiply(v13, w1, out)
+
+
+def prepare_mean_pressure_all():
+    return ()
+
+
+def block_mean_pressure_all(out, a, theta, b, E_star, w0, w1, w2):
+    np.subtract(a, b, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(a, b, w0)
+    np.multiply(out, w0, w0)
+    np.sqrt(w0, w0)
+    np.divide(w0, b, out)
+    np.arctan(out, out)
+    np.tan(theta, w1)
+    np.multiply(E_star, w1, w1)
+    np.divide(w1, C1, w1)
+    np.multiply(b, w0, w0)
+    np.square(a, w2)
+    np.divide(w0, w2, w2)
+    np.add(out, w2, w2)
+    np.multiply(w1, w2, out)
+
+
+def pressure(r, a, theta, b, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                if r < a:
+                    v5 = r == b
+                    if v5 and a > b:
+                        return inf
+                    v8 = nextafter(b, inf) if v5 else r
+                    if a > (v8 if v8 > b or v8 != v8 else b):
+                        v9 = v8 < b
+                        v13 = a - b
+                        v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + b))
+                        if v9:
+                            v23 = v17
+                        else:
+                            v18 = a - v8
+                            v23 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (a + v8))
+                        v30 = asinh(v23 / sqrt(abs(v8 - b) * (v8 + b)))
+                        v32 = 2.0 * (0.0 if v9 else 1.0)
+                        v33 = 1.0 - v32
+                        v38 = v32 - v33 * expm1(-2.0 * v30)
+                        v40 = v38 if v38 > 0.0 else inf
+                        v54 = b * b
+                        v60 = tan(theta)
+                        v62 = b * v60
+                        v67 = []
+                        for node, weight in RULE_0(v30 / 1.0):
+                            v43 = node * v30
+                            v53 = v17 * (exp(-v43) * (v32 - v33 * expm1(-2.0 * (v30 - v43))) / v40)
+                            v66 = (v60 * atan(v53 / b) + v62 / v53) * v53 / sqrt(v54 + v53 * v53)
+                            v67.append(weight * v66)
+                        v67 = fsum(v67) * v30
+                        v68 = v67
+                    else:
+                        v68 = 0.0
+                    value = E_star / 3.141592653589793 * v68
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, theta, b):
+    if r.__class__ is theta.__class__ is b.__class__ is float and r > 1e-30 and (r < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            if r < b:
+                return 0.0
+            return tan(theta) * (r - b)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_r(theta, b):
+    v4 = np.tan(theta)
+    return (b, v4)
+
+
+def block_profile_r(out, r, b, v4, w0, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some8 = np.count_nonzero(m0)
+    if some8:
+        np.copyto(out, C2)
+    if some8 != size:
+        other8 = w0 if some8 else out
+        np.subtract(r, b, other8)
+        np.multiply(v4, other8, other8)
+        if some8:
+            np.copyto(out, other8, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, r, theta, b, w0, w1, m0):
+    size = out.size
+    np.less(r, b, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some8 = np.count_nonzero(m0)
+    if some8:
+        np.copyto(out, C2)
+    if some8 != size:
+        other8 = w0 if some8 else out
+        np.tan(theta, other8)
+        np.subtract(r, b, w1)
+        np.multiply(other8, w1, other8)
+        if some8:
+            np.copyto(out, other8, where=~m0)
+
+
+def radius_from_depth(d, theta, b):
+    if d.__class__ is theta.__class__ is b.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, theta, b)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, theta, b, E_star):
+    if F.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, theta, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stiffness(a, E_star, theta=0.7853981633974483, b=1.0):
+    if a.__class__ is E_star.__class__ is theta.__class__ is b.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (b <= a):
+        try:
+            return 2.0 * E_star * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stiffness_a(E_star):
+    v3 = (2.0) * E_star
+    return (v3,)
+
+
+def block_stiffness_a(out, a, v3):
+    np.multiply(v3, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
+def prepare_stiffness_all():
+    return ()
+
+
+def block_stiffness_all(out, a, E_star):
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(out, a, out)
+
+
+BLOCKS = {
+    ('_depth', 1, 'a', 'theta', 'b'): {
+        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
+        ('a', 'theta', 'b'): Program(('a', 'theta', 'b'), prepare_depth_all, block_depth_all, scratch=1),
+    },
+    ('_force', 1, 'a', 'theta', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
+        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=3),
+    },
+    ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
+        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=2),
+        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=3),
+    },
+    ('_profile', 1, 'r', 'theta', 'b'): {
+        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
+        ('r', 'theta', 'b'): Program(('r', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=2, masks=1),
+    },
+    ('_stiffness', 1, 'a', 'E_star'): {
+        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
+        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+    },
+}

@@ -1,0 +1,376 @@
+"""Programs of axicontact.plane.flat_punch."""
+
+from __future__ import annotations
+
+from math import log1p, nan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(np.nan)
+C1 = np.array(2.0)
+C2 = np.array(3.141592653589793)
+C3 = np.array(0.0)
+C4 = np.array(-2.0)
+
+
+def depth(L, P, a, E_star):
+    if L.__class__ is P.__class__ is a.__class__ is E_star.__class__ is float and L > 1e-30 and (L < 1e+30) and (P > 1e-30) and (P < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= L:
+                v4 = L - a
+                return 2.0 * P * log1p((v4 + sqrt(v4 * (a + L))) / a) / (3.141592653589793 * E_star)
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_depth_L(P, a, E_star):
+    v9 = (2.0) * P
+    v15 = (3.141592653589793) * E_star
+    return (a, v9, v15)
+
+
+def block_depth_L(out, L, a, v9, v15, w0, m0):
+    size = out.size
+    np.less_equal(a, L, m0)
+    largest_L = largest(L)
+    if largest_L == np.inf:
+        raise FloatingPointError
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(L, a, out)
+        np.add(a, L, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.add(out, w0, w0)
+        np.divide(w0, a, w0)
+        np.log1p(w0, w0)
+        np.multiply(v9, w0, w0)
+        np.divide(w0, v15, out)
+    if some19 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_depth_L_P(a, E_star):
+    v15 = (3.141592653589793) * E_star
+    return (a, v15)
+
+
+def block_depth_L_P(out, L, P, a, v15, w0, w1, m0):
+    size = out.size
+    np.less_equal(a, L, m0)
+    largest_L = largest(L)
+    if largest_L == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(L, a, out)
+        np.add(a, L, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C1, P, w1)
+        np.add(out, w0, w0)
+        np.divide(w0, a, w0)
+        np.log1p(w0, w0)
+        np.multiply(w1, w0, w0)
+        np.divide(w0, v15, out)
+    if some19 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_depth_all():
+    return ()
+
+
+def block_depth_all(out, L, P, a, E_star, w0, w1, m0):
+    size = out.size
+    np.less_equal(a, L, m0)
+    largest_L = largest(L)
+    if largest_L == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(L, a, out)
+        np.add(a, L, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C1, P, w1)
+        np.add(out, w0, w0)
+        np.divide(w0, a, w0)
+        np.log1p(w0, w0)
+        np.multiply(w1, w0, w0)
+        np.multiply(C2, E_star, w1)
+        np.divide(w0, w1, out)
+    if some19 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def pressure(x, P, a):
+    if x.__class__ is P.__class__ is a.__class__ is float and x > 1e-30 and (x < 1e+30) and (P > 1e-30) and (P < 1e+30) and (a > 1e-30) and (a < 1e+30):
+        try:
+            if x <= a and P > 0.0:
+                return P / (3.141592653589793 * sqrt((a - x) * (a + x)))
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_pressure_x(P, a):
+    v12 = np.greater(P, (0.0))
+    return (P, a, v12)
+
+
+def block_pressure_x(out, x, P, a, v12, w0, m0):
+    size = out.size
+    np.less_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    np.bitwise_and(m0, v12, m0)
+    some14 = np.count_nonzero(m0)
+    if some14:
+        np.subtract(a, x, out)
+        np.add(a, x, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C2, w0, w0)
+        np.divide(P, w0, out)
+    if some14 != size:
+        np.copyto(out, C3, where=~m0)
+
+
+def prepare_pressure_x_P(a):
+    return (a,)
+
+
+def block_pressure_x_P(out, x, P, a, w0, m0, m1):
+    size = out.size
+    np.less_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    np.greater(P, C3, m1)
+    np.bitwise_and(m0, m1, m1)
+    some14 = np.count_nonzero(m1)
+    if some14:
+        np.subtract(a, x, out)
+        np.add(a, x, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C2, w0, w0)
+        np.divide(P, w0, out)
+    if some14 != size:
+        np.copyto(out, C3, where=~m1)
+
+
+def prepare_pressure_all():
+    return ()
+
+
+def block_pressure_all(out, x, P, a, w0, m0, m1):
+    size = out.size
+    np.less_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    np.greater(P, C3, m1)
+    np.bitwise_and(m0, m1, m1)
+    some14 = np.count_nonzero(m1)
+    if some14:
+        np.subtract(a, x, out)
+        np.add(a, x, w0)
+        np.multiply(out, w0, w0)
+        np.sqrt(w0, w0)
+        np.multiply(C2, w0, w0)
+        np.divide(P, w0, out)
+    if some14 != size:
+        np.copyto(out, C3, where=~m1)
+
+
+def profile(x, a):
+    if x.__class__ is a.__class__ is float and x > 1e-30 and (x < 1e+30) and (a > 1e-30) and (a < 1e+30):
+        try:
+            if x <= a:
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_profile_x(a):
+    return (a,)
+
+
+def block_profile_x(out, x, a, m0):
+    size = out.size
+    np.less_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    some5 = np.count_nonzero(m0)
+    if some5:
+        np.copyto(out, C3)
+    if some5 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def prepare_profile_all():
+    return ()
+
+
+def block_profile_all(out, x, a, m0):
+    size = out.size
+    np.less_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    some5 = np.count_nonzero(m0)
+    if some5:
+        np.copyto(out, C3)
+    if some5 != size:
+        np.copyto(out, C0, where=~m0)
+
+
+def slope(x, P, a, E_star):
+    if x.__class__ is P.__class__ is a.__class__ is E_star.__class__ is float and x > 1e-30 and (x < 1e+30) and (P > 1e-30) and (P < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if x >= a:
+                if P > 0.0:
+                    return -2.0 * P / (3.141592653589793 * E_star * sqrt((x - a) * (a + x)))
+                return 0.0
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_slope_x(P, a, E_star):
+    v9 = (-2.0) * P
+    v11 = (3.141592653589793) * E_star
+    v15 = np.greater(P, (0.0))
+    return (a, v9, v11, v15)
+
+
+def block_slope_x(out, x, a, v9, v11, v15, w0, m0):
+    size = out.size
+    np.greater_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        if v15:
+            np.subtract(x, a, out)
+            np.add(a, x, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.multiply(v11, w0, w0)
+            np.divide(v9, w0, out)
+        else:
+            np.copyto(out, C3)
+    if some18 != size:
+        np.copyto(out, C3, where=~m0)
+
+
+def prepare_slope_x_P(a, E_star):
+    v11 = (3.141592653589793) * E_star
+    return (a, v11)
+
+
+def block_slope_x_P(out, x, P, a, v11, w0, m0, m1):
+    size = out.size
+    np.greater_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(P, C3, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.subtract(x, a, out)
+            np.add(a, x, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.multiply(C4, P, out)
+            np.multiply(v11, w0, w0)
+            np.divide(out, w0, out)
+        if some16 != size:
+            np.copyto(out, C3, where=~m1)
+    if some18 != size:
+        np.copyto(out, C3, where=~m0)
+
+
+def prepare_slope_all():
+    return ()
+
+
+def block_slope_all(out, x, P, a, E_star, w0, w1, m0, m1):
+    size = out.size
+    np.greater_equal(x, a, m0)
+    largest_x = largest(x)
+    if largest_x == np.inf:
+        raise FloatingPointError
+    largest_P = largest(P)
+    if largest_P == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(P, C3, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.subtract(x, a, out)
+            np.add(a, x, w0)
+            np.multiply(out, w0, w0)
+            np.sqrt(w0, w0)
+            np.multiply(C4, P, out)
+            np.multiply(C2, E_star, w1)
+            np.multiply(w1, w0, w0)
+            np.divide(out, w0, out)
+        if some16 != size:
+            np.copyto(out, C3, where=~m1)
+    if some18 != size:
+        np.copyto(out, C3, where=~m0)
+
+
+BLOCKS = {
+    ('_depth', 2, 'L', 'P', 'a', 'E_star'): {
+        ('L',): Program(('L',), prepare_depth_L, block_depth_L, scratch=1, masks=1),
+        ('L', 'P'): Program(('L', 'P'), prepare_depth_L_P, block_depth_L_P, scratch=2, masks=1),
+        ('L', 'P', 'a', 'E_star'): Program(('L', 'P', 'a', 'E_star'), prepare_depth_all, block_depth_all, scratch=2, masks=1),
+    },
+    ('_pressure', 2, 'x', 'P', 'a'): {
+        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=1, masks=1),
+        ('x', 'P'): Program(('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, scratch=1, masks=2),
+        ('x', 'P', 'a'): Program(('x', 'P', 'a'), prepare_pressure_all, block_pressure_all, scratch=1, masks=2),
+    },
+    ('_profile', 1, 'x', 'a'): {
+        ('x',): Program(('x',), prepare_profile_x, block_profile_x, masks=1),
+        ('x', 'a'): Program(('x', 'a'), prepare_profile_all, block_profile_all, masks=1),
+    },
+    ('_slope', 2, 'x', 'P', 'a', 'E_star'): {
+        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=1, masks=1),
+        ('x', 'P'): Program(('x', 'P'), prepare_slope_x_P, block_slope_x_P, scratch=1, masks=2),
+        ('x', 'P', 'a', 'E_star'): Program(('x', 'P', 'a', 'E_star'), prepare_slope_all, block_slope_all, scratch=2, masks=2),
+    },
+}

@@ -1,0 +1,683 @@
+"""Programs of axicontact.tangential.cone."""
+
+from __future__ import annotations
+
+from math import expm1, log1p, nan, sqrt, tan
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(3.141592653589793)
+C1 = np.array(0.5)
+C2 = np.array(0.0)
+C3 = np.array(np.nan)
+C4 = np.array(2.0)
+C5 = np.array(2e-16)
+C6 = np.array(-1.0)
+C7 = np.array(-2.0)
+C8 = np.array(1.5707963267948966)
+
+
+def full_slip_displacement(a, theta, E_star, G_star, mu):
+    if a.__class__ is theta.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            return mu * (E_star / G_star) * (3.141592653589793 * tan(theta) * a / 2.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_full_slip_displacement_a(theta, E_star, G_star, mu):
+    v5 = E_star / G_star
+    v6 = mu * v5
+    v7 = np.tan(theta)
+    v9 = (3.141592653589793) * v7
+    v13 = v9 * (0.5)
+    return (v6, v13)
+
+
+def block_full_slip_displacement_a(out, a, v6, v13):
+    np.multiply(v13, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v6, out, out)
+
+
+def prepare_full_slip_displacement_all():
+    return ()
+
+
+def block_full_slip_displacement_all(out, a, theta, E_star, G_star, mu, w0):
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.tan(theta, w0)
+    np.multiply(C0, w0, w0)
+    np.multiply(w0, a, w0)
+    np.multiply(w0, C1, w0)
+    np.multiply(out, w0, out)
+
+
+def stick_radius(F_x, a, theta, E_star, mu):
+    if F_x.__class__ is a.__class__ is theta.__class__ is E_star.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            if F_x == 0.0 and a >= 0.0:
+                return a
+            v8 = 3.141592653589793 * E_star * tan(theta)
+            v12 = v8 * (a * a) / 2.0
+            v14 = v12 - F_x / mu
+            v20 = 0.0 if abs(v14) <= 2e-16 * v12 else v14
+            value = sqrt(2.0 * (v20 if v20 >= 0.0 else nan) / v8)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stick_radius_F_x(a, theta, E_star, mu):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v10 = np.square(a)
+    v11 = v8 * v10
+    v12 = v11 / (2.0)
+    v17 = (2e-16) * v12
+    v25 = np.greater_equal(a, (0.0))
+    return (a, mu, v8, v12, v17, v25)
+
+
+def block_stick_radius_F_x(out, F_x, a, mu, v8, v12, v17, v25, w0, w1, m0, m1):
+    size = out.size
+    np.equal(F_x, C2, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    np.bitwise_and(m0, v25, m0)
+    some30 = np.count_nonzero(m0)
+    if some30:
+        np.copyto(out, a)
+    if some30 != size:
+        other30 = w0 if some30 else out
+        np.divide(F_x, mu, other30)
+        np.subtract(v12, other30, other30)
+        np.absolute(other30, w1)
+        np.less_equal(w1, v17, m1)
+        some20 = np.count_nonzero(m1)
+        if some20:
+            np.copyto(w1, C2)
+        if some20 != size:
+            np.copyto(w1, other30, where=~m1)
+        np.greater_equal(w1, C2, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.copyto(other30, w1)
+        if some23 != size:
+            np.copyto(other30, C3, where=~m1)
+        np.multiply(C4, other30, other30)
+        np.divide(other30, v8, other30)
+        np.sqrt(other30, other30)
+        if some30:
+            np.copyto(out, other30, where=~m0)
+
+
+def prepare_stick_radius_F_x_a(theta, E_star, mu):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v13 = v8 * (0.5)
+    return (mu, v8, v13)
+
+
+def block_stick_radius_F_x_a(out, F_x, a, mu, v8, v13, w0, w1, w2, m0, m1):
+    size = out.size
+    np.equal(F_x, C2, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C2, m1)
+    np.bitwise_and(m0, m1, m1)
+    some32 = np.count_nonzero(m1)
+    if some32:
+        np.copyto(out, a)
+    if some32 != size:
+        other32 = w0 if some32 else out
+        np.square(a, other32)
+        np.multiply(v13, other32, other32)
+        np.divide(F_x, mu, w1)
+        np.subtract(other32, w1, w1)
+        np.absolute(w1, w2)
+        np.multiply(C5, other32, other32)
+        np.less_equal(w2, other32, m0)
+        some22 = np.count_nonzero(m0)
+        if some22:
+            np.copyto(other32, C2)
+        if some22 != size:
+            np.copyto(other32, w1, where=~m0)
+        np.greater_equal(other32, C2, m0)
+        some25 = np.count_nonzero(m0)
+        if some25:
+            np.copyto(w1, other32)
+        if some25 != size:
+            np.copyto(w1, C3, where=~m0)
+        np.multiply(C4, w1, w1)
+        np.divide(w1, v8, w1)
+        np.sqrt(w1, other32)
+        if some32:
+            np.copyto(out, other32, where=~m1)
+
+
+def prepare_stick_radius_all():
+    return ()
+
+
+def block_stick_radius_all(out, F_x, a, theta, E_star, mu, w0, w1, w2, w3, m0, m1):
+    size = out.size
+    np.equal(F_x, C2, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C2, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.copyto(out, a)
+    if some31 != size:
+        other31 = w0 if some31 else out
+        np.multiply(C0, E_star, other31)
+        np.tan(theta, w1)
+        np.multiply(other31, w1, w1)
+        np.square(a, other31)
+        np.multiply(w1, other31, other31)
+        np.multiply(other31, C1, other31)
+        np.divide(F_x, mu, w2)
+        np.subtract(other31, w2, w2)
+        np.absolute(w2, w3)
+        np.multiply(C5, other31, other31)
+        np.less_equal(w3, other31, m0)
+        some21 = np.count_nonzero(m0)
+        if some21:
+            np.copyto(other31, C2)
+        if some21 != size:
+            np.copyto(other31, w2, where=~m0)
+        np.greater_equal(other31, C2, m0)
+        some24 = np.count_nonzero(m0)
+        if some24:
+            np.copyto(w2, other31)
+        if some24 != size:
+            np.copyto(w2, C3, where=~m0)
+        np.multiply(C4, w2, w2)
+        np.divide(w2, w1, w1)
+        np.sqrt(w1, other31)
+        if some31:
+            np.copyto(out, other31, where=~m1)
+
+
+def tangential_displacement(a, c, theta, E_star, G_star, mu):
+    if a.__class__ is c.__class__ is theta.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (E_star / G_star) * (3.141592653589793 * tan(theta) * a / 2.0) * -expm1(-1.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_displacement_a(c, theta, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    v8 = np.tan(theta)
+    v10 = (3.141592653589793) * v8
+    v14 = v10 * (0.5)
+    return (c, v7, v14)
+
+
+def block_tangential_displacement_a(out, a, c, v7, v14, w0, m0):
+    size = out.size
+    np.multiply(v14, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some22 != size:
+        np.copyto(w0, C2, where=~m0)
+    np.multiply(C6, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_a_c(theta, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    v8 = np.tan(theta)
+    v10 = (3.141592653589793) * v8
+    v14 = v10 * (0.5)
+    return (v7, v14)
+
+
+def block_tangential_displacement_a_c(out, a, c, v7, v14, w0, m0):
+    size = out.size
+    np.multiply(v14, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some22 != size:
+        np.copyto(w0, C2, where=~m0)
+    np.multiply(C6, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_all():
+    return ()
+
+
+def block_tangential_displacement_all(out, a, c, theta, E_star, G_star, mu, w0, m0):
+    size = out.size
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.tan(theta, w0)
+    np.multiply(C0, w0, w0)
+    np.multiply(w0, a, w0)
+    np.multiply(w0, C1, w0)
+    np.multiply(out, w0, w0)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, out)
+        np.divide(out, c, out)
+        np.log1p(out, out)
+    if some21 != size:
+        np.copyto(out, C2, where=~m0)
+    np.multiply(C6, out, out)
+    np.expm1(out, out)
+    np.negative(out, out)
+    np.multiply(w0, out, out)
+
+
+def tangential_force(a, c, theta, E_star, mu):
+    if a.__class__ is c.__class__ is theta.__class__ is E_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0) * -expm1(-2.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_force_a(c, theta, E_star, mu):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v13 = v8 * (0.5)
+    return (c, mu, v13)
+
+
+def block_tangential_force_a(out, a, c, mu, v13, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v13, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some21 != size:
+        np.copyto(w0, C2, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_a_c(theta, E_star, mu):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v13 = v8 * (0.5)
+    return (mu, v13)
+
+
+def block_tangential_force_a_c(out, a, c, mu, v13, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(v13, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some21 != size:
+        np.copyto(w0, C2, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_all():
+    return ()
+
+
+def block_tangential_force_all(out, a, c, theta, E_star, mu, w0, m0):
+    size = out.size
+    np.multiply(C0, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.tan(theta, w0)
+    np.multiply(out, w0, w0)
+    np.square(a, out)
+    np.multiply(w0, out, out)
+    np.multiply(out, C1, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some20 != size:
+        np.copyto(w0, C2, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def traction(r, a, c, theta, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is theta.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            v6 = a - r
+            v7 = a + r
+            v11 = tan(theta)
+            if r < c:
+                v26 = a - c
+                v33 = c - r
+                v37 = sqrt((v33 if v33 > 0.0 or v33 != v33 else 0.0) * (c + r))
+                v47 = E_star / 3.141592653589793 * (3.141592653589793 * v11 / 2.0) * log1p((v26 + (v26 * (a + c) / (sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v7) + v37) if a > c else 0.0)) / (c + v37))
+            else:
+                v47 = E_star * v11 * log1p((v6 + sqrt(v6 * v7)) / r) / 2.0 if r < a else 0.0
+            return mu * v47
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_traction_r(a, c, theta, E_star, mu):
+    v11 = np.tan(theta)
+    v12 = E_star * v11
+    v19 = v12 * (0.5)
+    v24 = E_star / (3.141592653589793)
+    v25 = (3.141592653589793) * v11
+    v26 = v25 / (2.0)
+    v27 = v24 * v26
+    v28 = a - c
+    v29 = np.greater(a, c)
+    v30 = a + c
+    v31 = v28 * v30
+    return (a, c, mu, v19, v27, v28, v29, v31)
+
+
+def block_traction_r(out, r, a, c, mu, v19, v27, v28, v29, v31, w0, w1, w2, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        np.subtract(c, r, w1)
+        np.maximum(w1, f0, out=w1)
+        np.add(c, r, w2)
+        np.multiply(w1, w2, w2)
+        np.sqrt(w2, w2)
+        if v29:
+            np.maximum(out, f0, out=w1)
+            np.multiply(w1, w0, w1)
+            np.sqrt(w1, w1)
+            np.add(w1, w2, w1)
+            np.divide(v31, w1, w1)
+        else:
+            np.copyto(w1, C2)
+        np.add(v28, w1, w1)
+        np.add(c, w2, w2)
+        np.divide(w1, w2, w2)
+        np.log1p(w2, w2)
+        np.multiply(v27, w2, w1)
+    if some49 != size:
+        other49 = w2 if some49 else w1
+        np.less(r, a, m1)
+        some22 = np.count_nonzero(m1)
+        if some22:
+            np.multiply(out, w0, other49)
+            np.sqrt(other49, other49)
+            np.add(out, other49, other49)
+            np.divide(other49, r, other49)
+            np.log1p(other49, other49)
+            np.multiply(v19, other49, other49)
+        if some22 != size:
+            np.copyto(other49, C2, where=~m1)
+        if some49:
+            np.copyto(w1, other49, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_r_a_c(theta, E_star, mu):
+    v11 = np.tan(theta)
+    v12 = E_star * v11
+    v19 = v12 * (0.5)
+    v24 = E_star / (3.141592653589793)
+    v25 = (3.141592653589793) * v11
+    v26 = v25 / (2.0)
+    v27 = v24 * v26
+    return (mu, v19, v27)
+
+
+def block_traction_r_a_c(out, r, a, c, mu, v19, v27, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        np.subtract(a, c, w1)
+        np.greater(a, c, m1)
+        np.subtract(c, r, w2)
+        np.maximum(w2, f0, out=w2)
+        np.add(c, r, w3)
+        np.multiply(w2, w3, w3)
+        np.sqrt(w3, w3)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.add(a, c, w2)
+            np.multiply(w1, w2, w2)
+            np.maximum(out, f0, out=w4)
+            np.multiply(w4, w0, w4)
+            np.sqrt(w4, w4)
+            np.add(w4, w3, w4)
+            np.divide(w2, w4, w2)
+        if some42 != size:
+            np.copyto(w2, C2, where=~m1)
+        np.add(w1, w2, w2)
+        np.add(c, w3, w3)
+        np.divide(w2, w3, w3)
+        np.log1p(w3, w3)
+        np.multiply(v27, w3, w1)
+    if some49 != size:
+        other49 = w3 if some49 else w1
+        np.less(r, a, m1)
+        some22 = np.count_nonzero(m1)
+        if some22:
+            np.multiply(out, w0, other49)
+            np.sqrt(other49, other49)
+            np.add(out, other49, other49)
+            np.divide(other49, r, other49)
+            np.log1p(other49, other49)
+            np.multiply(v19, other49, other49)
+        if some22 != size:
+            np.copyto(other49, C2, where=~m1)
+        if some49:
+            np.copyto(w1, other49, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_all():
+    return ()
+
+
+def block_traction_all(out, r, a, c, theta, E_star, mu, w0, w1, w2, w3, w4, w5, w6, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.tan(theta, w1)
+    np.less(r, c, m0)
+    some49 = np.count_nonzero(m0)
+    if some49:
+        np.divide(E_star, C0, w2)
+        np.multiply(C8, w1, w3)
+        np.multiply(w2, w3, w3)
+        np.subtract(a, c, w2)
+        np.greater(a, c, m1)
+        np.subtract(c, r, w4)
+        np.maximum(w4, f0, out=w4)
+        np.add(c, r, w5)
+        np.multiply(w4, w5, w5)
+        np.sqrt(w5, w5)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.add(a, c, w4)
+            np.multiply(w2, w4, w4)
+            np.maximum(out, f0, out=w6)
+            np.multiply(w6, w0, w6)
+            np.sqrt(w6, w6)
+            np.add(w6, w5, w6)
+            np.divide(w4, w6, w4)
+        if some42 != size:
+            np.copyto(w4, C2, where=~m1)
+        np.add(w2, w4, w4)
+        np.add(c, w5, w5)
+        np.divide(w4, w5, w5)
+        np.log1p(w5, w5)
+        np.multiply(w3, w5, w2)
+    if some49 != size:
+        other49 = w5 if some49 else w2
+        np.less(r, a, m1)
+        some21 = np.count_nonzero(m1)
+        if some21:
+            np.multiply(out, w0, other49)
+            np.sqrt(other49, other49)
+            np.multiply(E_star, w1, w3)
+            np.add(out, other49, other49)
+            np.divide(other49, r, other49)
+            np.log1p(other49, other49)
+            np.multiply(w3, other49, other49)
+            np.multiply(other49, C1, other49)
+        if some21 != size:
+            np.copyto(other49, C2, where=~m1)
+        if some49:
+            np.copyto(w2, other49, where=~m0)
+    np.multiply(mu, w2, out)
+
+
+BLOCKS = {
+    ('_full_slip_displacement', 1, 'a', 'theta', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
+        ('a', 'theta', 'E_star', 'G_star', 'mu'): Program(('a', 'theta', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=1),
+    },
+    ('_stick_radius', 2, 'F_x', 'a', 'theta', 'E_star', 'mu'): {
+        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=2, masks=2),
+        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=3, masks=2),
+        ('F_x', 'a', 'theta', 'E_star', 'mu'): Program(('F_x', 'a', 'theta', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=4, masks=2),
+    },
+    ('_tangential_displacement', 2, 'a', 'c', 'theta', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
+        ('a', 'c', 'theta', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'theta', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=1, masks=1),
+    },
+    ('_tangential_force', 2, 'a', 'c', 'theta', 'E_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
+        ('a', 'c', 'theta', 'E_star', 'mu'): Program(('a', 'c', 'theta', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=1, masks=1),
+    },
+    ('_traction', 3, 'r', 'a', 'c', 'theta', 'E_star', 'mu'): {
+        ('r',): Program(('r',), prepare_traction_r, block_traction_r, scratch=3, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c'): Program(('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c', 'theta', 'E_star', 'mu'): Program(('r', 'a', 'c', 'theta', 'E_star', 'mu'), prepare_traction_all, block_traction_all, scratch=7, masks=2, filled=(0.0,)),
+    },
+}

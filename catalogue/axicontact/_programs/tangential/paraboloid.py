@@ -1,0 +1,652 @@
+"""Programs of axicontact.tangential.paraboloid."""
+
+from __future__ import annotations
+
+from math import cbrt, expm1, log1p, nan, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(2.0)
+C1 = np.array(0.0)
+C2 = np.array(np.nan)
+C3 = np.array(2e-16)
+C4 = np.array(4.0)
+C5 = np.array(3.0)
+C6 = np.array(-2.0)
+C7 = np.array(-3.0)
+C8 = np.array(3.141592653589793)
+
+
+def full_slip_displacement(a, R, E_star, G_star, mu):
+    if a.__class__ is R.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            return mu * (E_star / G_star) * (a * a / R)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_full_slip_displacement_a(R, E_star, G_star, mu):
+    v5 = E_star / G_star
+    v6 = mu * v5
+    return (R, v6)
+
+
+def block_full_slip_displacement_a(out, a, R, v6):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+    np.multiply(v6, out, out)
+
+
+def prepare_full_slip_displacement_all():
+    return ()
+
+
+def block_full_slip_displacement_all(out, a, R, E_star, G_star, mu, w0):
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.square(a, w0)
+    np.divide(w0, R, w0)
+    np.multiply(out, w0, out)
+
+
+def stick_radius(F_x, a, R, E_star, mu):
+    if F_x.__class__ is a.__class__ is R.__class__ is E_star.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            if F_x == 0.0 and a >= 0.0:
+                return a
+            v6 = 4.0 * E_star
+            v8 = 3.0 * R
+            v13 = v6 / v8 * (a * (a * a))
+            v15 = v13 - F_x / mu
+            v21 = 0.0 if abs(v15) <= 2e-16 * v13 else v15
+            value = cbrt(v8 / v6 * (v21 if v21 >= 0.0 else nan))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stick_radius_F_x(a, R, E_star, mu):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    v11 = np.square(a)
+    v12 = a * v11
+    v13 = v9 * v12
+    v18 = (2e-16) * v13
+    v26 = np.greater_equal(a, (0.0))
+    v28 = v8 / v6
+    return (a, mu, v13, v18, v26, v28)
+
+
+def block_stick_radius_F_x(out, F_x, a, mu, v13, v18, v26, v28, w0, w1, m0, m1):
+    size = out.size
+    np.equal(F_x, C1, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    np.bitwise_and(m0, v26, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.copyto(out, a)
+    if some31 != size:
+        other31 = w0 if some31 else out
+        np.divide(F_x, mu, other31)
+        np.subtract(v13, other31, other31)
+        np.absolute(other31, w1)
+        np.less_equal(w1, v18, m1)
+        some21 = np.count_nonzero(m1)
+        if some21:
+            np.copyto(w1, C1)
+        if some21 != size:
+            np.copyto(w1, other31, where=~m1)
+        np.greater_equal(w1, C1, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.copyto(other31, w1)
+        if some24 != size:
+            np.copyto(other31, C2, where=~m1)
+        np.multiply(v28, other31, other31)
+        np.cbrt(other31, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
+
+
+def prepare_stick_radius_F_x_a(R, E_star, mu):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    v28 = v8 / v6
+    return (mu, v9, v28)
+
+
+def block_stick_radius_F_x_a(out, F_x, a, mu, v9, v28, w0, w1, w2, m0, m1):
+    size = out.size
+    np.equal(F_x, C1, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.copyto(out, a)
+    if some31 != size:
+        other31 = w0 if some31 else out
+        np.square(a, other31)
+        np.multiply(a, other31, other31)
+        np.multiply(v9, other31, other31)
+        np.divide(F_x, mu, w1)
+        np.subtract(other31, w1, w1)
+        np.absolute(w1, w2)
+        np.multiply(C3, other31, other31)
+        np.less_equal(w2, other31, m0)
+        some21 = np.count_nonzero(m0)
+        if some21:
+            np.copyto(other31, C1)
+        if some21 != size:
+            np.copyto(other31, w1, where=~m0)
+        np.greater_equal(other31, C1, m0)
+        some24 = np.count_nonzero(m0)
+        if some24:
+            np.copyto(w1, other31)
+        if some24 != size:
+            np.copyto(w1, C2, where=~m0)
+        np.multiply(v28, w1, w1)
+        np.cbrt(w1, other31)
+        if some31:
+            np.copyto(out, other31, where=~m1)
+
+
+def prepare_stick_radius_all():
+    return ()
+
+
+def block_stick_radius_all(out, F_x, a, R, E_star, mu, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.equal(F_x, C1, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.copyto(out, a)
+    if some31 != size:
+        other31 = w0 if some31 else out
+        np.multiply(C4, E_star, other31)
+        np.multiply(C5, R, w1)
+        np.divide(other31, w1, w2)
+        np.square(a, w3)
+        np.multiply(a, w3, w3)
+        np.multiply(w2, w3, w3)
+        np.divide(F_x, mu, w2)
+        np.subtract(w3, w2, w2)
+        np.absolute(w2, w4)
+        np.multiply(C3, w3, w3)
+        np.less_equal(w4, w3, m0)
+        some21 = np.count_nonzero(m0)
+        if some21:
+            np.copyto(w3, C1)
+        if some21 != size:
+            np.copyto(w3, w2, where=~m0)
+        np.greater_equal(w3, C1, m0)
+        some24 = np.count_nonzero(m0)
+        if some24:
+            np.copyto(w2, w3)
+        if some24 != size:
+            np.copyto(w2, C2, where=~m0)
+        np.divide(w1, other31, other31)
+        np.multiply(other31, w2, w2)
+        np.cbrt(w2, other31)
+        if some31:
+            np.copyto(out, other31, where=~m1)
+
+
+def tangential_displacement(a, c, R, E_star, G_star, mu):
+    if a.__class__ is c.__class__ is R.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (E_star / G_star) * (a * a / R) * -expm1(-2.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_displacement_a(c, R, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    return (c, R, v7)
+
+
+def block_tangential_displacement_a(out, a, c, R, v7, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some17 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(C6, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_a_c(R, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    return (R, v7)
+
+
+def block_tangential_displacement_a_c(out, a, c, R, v7, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.divide(out, R, out)
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some17 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(C6, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_all():
+    return ()
+
+
+def block_tangential_displacement_all(out, a, c, R, E_star, G_star, mu, w0, m0):
+    size = out.size
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.square(a, w0)
+    np.divide(w0, R, w0)
+    np.multiply(out, w0, w0)
+    np.greater(a, c, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, c, out)
+        np.divide(out, c, out)
+        np.log1p(out, out)
+    if some17 != size:
+        np.copyto(out, C1, where=~m0)
+    np.multiply(C6, out, out)
+    np.expm1(out, out)
+    np.negative(out, out)
+    np.multiply(w0, out, out)
+
+
+def tangential_force(a, c, R, E_star, mu):
+    if a.__class__ is c.__class__ is R.__class__ is E_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (4.0 * E_star / (3.0 * R) * (a * (a * a))) * -expm1(-3.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_force_a(c, R, E_star, mu):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    return (c, mu, v9)
+
+
+def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v9, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some20 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_a_c(R, E_star, mu):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    return (mu, v9)
+
+
+def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v9, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some20 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_all():
+    return ()
+
+
+def block_tangential_force_all(out, a, c, R, E_star, mu, w0, m0):
+    size = out.size
+    np.multiply(C4, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(C5, R, w0)
+    np.divide(out, w0, w0)
+    np.square(a, out)
+    np.multiply(a, out, out)
+    np.multiply(w0, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some20 != size:
+        np.copyto(w0, C1, where=~m0)
+    np.multiply(C7, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def traction(r, a, c, R, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is R.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            v6 = a - r
+            v7 = a + r
+            if r < c:
+                if a > c:
+                    v29 = c - r
+                    v36 = (a - c) * (a + c) / (sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v7) + sqrt((v29 if v29 > 0.0 or v29 != v29 else 0.0) * (c + r)))
+                else:
+                    v36 = 0.0
+                v39 = E_star / 3.141592653589793 * (2.0 / R) * v36
+            else:
+                v39 = 2.0 * E_star / (3.141592653589793 * R) * sqrt(v6 * v7) if r < a else 0.0
+            return mu * v39
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_traction_r(a, c, R, E_star, mu):
+    v12 = (2.0) * E_star
+    v14 = (3.141592653589793) * R
+    v15 = v12 / v14
+    v19 = E_star / (3.141592653589793)
+    v20 = (2.0) / R
+    v21 = v19 * v20
+    v22 = np.greater(a, c)
+    v23 = a - c
+    v24 = a + c
+    v25 = v23 * v24
+    return (a, c, mu, v15, v21, v22, v25)
+
+
+def block_traction_r(out, r, a, c, mu, v15, v21, v22, v25, w0, w1, w2, w3, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some39 = np.count_nonzero(m0)
+    if some39:
+        if v22:
+            np.maximum(out, f0, out=w1)
+            np.multiply(w1, w0, w1)
+            np.sqrt(w1, w1)
+            np.subtract(c, r, w2)
+            np.maximum(w2, f0, out=w2)
+            np.add(c, r, w3)
+            np.multiply(w2, w3, w3)
+            np.sqrt(w3, w3)
+            np.add(w1, w3, w3)
+            np.divide(v25, w3, w1)
+        else:
+            np.copyto(w1, C1)
+        np.multiply(v21, w1, w1)
+    if some39 != size:
+        other39 = w3 if some39 else w1
+        np.less(r, a, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.multiply(out, w0, other39)
+            np.sqrt(other39, other39)
+            np.multiply(v15, other39, other39)
+        if some18 != size:
+            np.copyto(other39, C1, where=~m1)
+        if some39:
+            np.copyto(w1, other39, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_r_a_c(R, E_star, mu):
+    v12 = (2.0) * E_star
+    v14 = (3.141592653589793) * R
+    v15 = v12 / v14
+    v19 = E_star / (3.141592653589793)
+    v20 = (2.0) / R
+    v21 = v19 * v20
+    return (mu, v15, v21)
+
+
+def block_traction_r_a_c(out, r, a, c, mu, v15, v21, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some39 = np.count_nonzero(m0)
+    if some39:
+        np.greater(a, c, m1)
+        some36 = np.count_nonzero(m1)
+        if some36:
+            np.subtract(a, c, w1)
+            np.add(a, c, w2)
+            np.multiply(w1, w2, w2)
+            np.maximum(out, f0, out=w1)
+            np.multiply(w1, w0, w1)
+            np.sqrt(w1, w1)
+            np.subtract(c, r, w3)
+            np.maximum(w3, f0, out=w3)
+            np.add(c, r, w4)
+            np.multiply(w3, w4, w4)
+            np.sqrt(w4, w4)
+            np.add(w1, w4, w4)
+            np.divide(w2, w4, w1)
+        if some36 != size:
+            np.copyto(w1, C1, where=~m1)
+        np.multiply(v21, w1, w1)
+    if some39 != size:
+        other39 = w4 if some39 else w1
+        np.less(r, a, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.multiply(out, w0, other39)
+            np.sqrt(other39, other39)
+            np.multiply(v15, other39, other39)
+        if some18 != size:
+            np.copyto(other39, C1, where=~m1)
+        if some39:
+            np.copyto(w1, other39, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_all():
+    return ()
+
+
+def block_traction_all(out, r, a, c, R, E_star, mu, w0, w1, w2, w3, w4, w5, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some39 = np.count_nonzero(m0)
+    if some39:
+        np.divide(E_star, C8, w1)
+        np.divide(C0, R, w2)
+        np.multiply(w1, w2, w2)
+        np.greater(a, c, m1)
+        some36 = np.count_nonzero(m1)
+        if some36:
+            np.subtract(a, c, w1)
+            np.add(a, c, w3)
+            np.multiply(w1, w3, w3)
+            np.maximum(out, f0, out=w1)
+            np.multiply(w1, w0, w1)
+            np.sqrt(w1, w1)
+            np.subtract(c, r, w4)
+            np.maximum(w4, f0, out=w4)
+            np.add(c, r, w5)
+            np.multiply(w4, w5, w5)
+            np.sqrt(w5, w5)
+            np.add(w1, w5, w5)
+            np.divide(w3, w5, w1)
+        if some36 != size:
+            np.copyto(w1, C1, where=~m1)
+        np.multiply(w2, w1, w1)
+    if some39 != size:
+        other39 = w2 if some39 else w1
+        np.less(r, a, m1)
+        some18 = np.count_nonzero(m1)
+        if some18:
+            np.multiply(out, w0, other39)
+            np.sqrt(other39, other39)
+            np.multiply(C0, E_star, w5)
+            np.multiply(C8, R, w3)
+            np.divide(w5, w3, w3)
+            np.multiply(w3, other39, other39)
+        if some18 != size:
+            np.copyto(other39, C1, where=~m1)
+        if some39:
+            np.copyto(w1, other39, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+BLOCKS = {
+    ('_full_slip_displacement', 1, 'a', 'R', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
+        ('a', 'R', 'E_star', 'G_star', 'mu'): Program(('a', 'R', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=1),
+    },
+    ('_stick_radius', 2, 'F_x', 'a', 'R', 'E_star', 'mu'): {
+        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=2, masks=2),
+        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=3, masks=2),
+        ('F_x', 'a', 'R', 'E_star', 'mu'): Program(('F_x', 'a', 'R', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=5, masks=2),
+    },
+    ('_tangential_displacement', 2, 'a', 'c', 'R', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
+        ('a', 'c', 'R', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'R', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=1, masks=1),
+    },
+    ('_tangential_force', 2, 'a', 'c', 'R', 'E_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
+        ('a', 'c', 'R', 'E_star', 'mu'): Program(('a', 'c', 'R', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=1, masks=1),
+    },
+    ('_traction', 3, 'r', 'a', 'c', 'R', 'E_star', 'mu'): {
+        ('r',): Program(('r',), prepare_traction_r, block_traction_r, scratch=4, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c'): Program(('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c', 'R', 'E_star', 'mu'): Program(('r', 'a', 'c', 'R', 'E_star', 'mu'), prepare_traction_all, block_traction_all, scratch=6, masks=2, filled=(0.0,)),
+    },
+}

@@ -1,0 +1,838 @@
+"""Programs of axicontact.tangential.sextic."""
+
+from __future__ import annotations
+
+from math import expm1, inf, log1p, nan, pow, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(6.0)
+C1 = np.array(16.0)
+C2 = np.array(5.0)
+C3 = np.array(0.0)
+C4 = np.array(np.nan)
+C5 = np.array(35.0)
+C6 = np.array(0.14285714285714285)
+C7 = np.array(np.inf)
+C8 = np.array(7.0)
+C9 = np.array(1.0)
+C10 = np.array(2e-16)
+C11 = np.array(192.0)
+C12 = np.array(-6.0)
+C13 = np.array(-7.0)
+C14 = np.array(2.0)
+C15 = np.array(3.0)
+C16 = np.array(4.0)
+C17 = np.array(8.0)
+C18 = np.array(3.141592653589793)
+C19 = np.array(96.0)
+C20 = np.array(32.0)
+C21 = np.array(78.53981633974483)
+
+
+def full_slip_displacement(a, A, E_star, G_star, mu):
+    if a.__class__ is A.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (E_star / G_star) * (16.0 * A / 5.0 * pow(a, 6.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_full_slip_displacement_a(A, E_star, G_star, mu):
+    v5 = E_star / G_star
+    v6 = mu * v5
+    v8 = (16.0) * A
+    v10 = v8 / (5.0)
+    return (v6, v10)
+
+
+def block_full_slip_displacement_a(out, a, v6, v10):
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v10, out, out)
+    np.multiply(v6, out, out)
+
+
+def prepare_full_slip_displacement_all():
+    return ()
+
+
+def block_full_slip_displacement_all(out, a, A, E_star, G_star, mu, w0, w1):
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.multiply(C1, A, w0)
+    np.divide(w0, C2, w0)
+    np.power(a, C0, w1)
+    np.multiply(w0, w1, w1)
+    np.multiply(out, w1, out)
+
+
+def stick_radius(F_x, a, A, E_star, mu):
+    if F_x.__class__ is a.__class__ is A.__class__ is E_star.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            if F_x == 0.0 and a >= 0.0:
+                return a
+            v7 = 192.0 * E_star * A
+            v12 = v7 / 35.0 * pow(a, 7.0)
+            v14 = v12 - F_x / mu
+            v20 = 0.0 if abs(v14) <= 2e-16 * v12 else v14
+            v28 = 35.0 * (v20 if v20 >= 0.0 else nan) / v7
+            v30 = pow(v28, 0.14285714285714285)
+            if v28 > 0.0 and v28 < inf:
+                value = v30 + v30 * ((v28 / (pow(v30, 7.0) * pow(v30, 0.0)) - 1.0) / 7.0)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v30
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_stick_radius_F_x(a, A, E_star, mu):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    v11 = np.power(a, (7.0))
+    v12 = v9 * v11
+    v17 = (2e-16) * v12
+    v25 = np.greater_equal(a, (0.0))
+    return (a, mu, v7, v12, v17, v25)
+
+
+def block_stick_radius_F_x(out, F_x, a, mu, v7, v12, v17, v25, w0, w1, w2, w3, m0, m1, m2):
+    size = out.size
+    np.equal(F_x, C3, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    np.bitwise_and(m0, v25, m0)
+    some45 = np.count_nonzero(m0)
+    if some45:
+        np.copyto(out, a)
+    if some45 != size:
+        other45 = w0 if some45 else out
+        np.divide(F_x, mu, w1)
+        np.subtract(v12, w1, w1)
+        np.absolute(w1, w2)
+        np.less_equal(w2, v17, m1)
+        some20 = np.count_nonzero(m1)
+        if some20:
+            np.copyto(w2, C3)
+        if some20 != size:
+            np.copyto(w2, w1, where=~m1)
+        np.greater_equal(w2, C3, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.copyto(w1, w2)
+        if some23 != size:
+            np.copyto(w1, C4, where=~m1)
+        np.multiply(C5, w1, w1)
+        np.divide(w1, v7, w1)
+        np.power(w1, C6, w2)
+        np.greater(w1, C3, m1)
+        np.less(w1, C7, m2)
+        np.bitwise_and(m1, m2, m2)
+        some44 = np.count_nonzero(m2)
+        if some44:
+            np.power(w2, C8, other45)
+            np.power(w2, C3, w3)
+            np.multiply(other45, w3, w3)
+            np.divide(w1, w3, w3)
+            np.subtract(w3, C9, w3)
+            np.divide(w3, C8, w3)
+            np.multiply(w2, w3, w3)
+            np.add(w2, w3, other45)
+        if some44 != size:
+            np.copyto(other45, w2, where=~m2)
+        if some45:
+            np.copyto(out, other45, where=~m0)
+
+
+def prepare_stick_radius_F_x_a(A, E_star, mu):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    return (mu, v7, v9)
+
+
+def block_stick_radius_F_x_a(out, F_x, a, mu, v7, v9, w0, w1, w2, w3, m0, m1, m2):
+    size = out.size
+    np.equal(F_x, C3, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C3, m1)
+    np.bitwise_and(m0, m1, m1)
+    some45 = np.count_nonzero(m1)
+    if some45:
+        np.copyto(out, a)
+    if some45 != size:
+        other45 = w0 if some45 else out
+        np.power(a, C8, w1)
+        np.multiply(v9, w1, w1)
+        np.divide(F_x, mu, w2)
+        np.subtract(w1, w2, w2)
+        np.absolute(w2, w3)
+        np.multiply(C10, w1, w1)
+        np.less_equal(w3, w1, m0)
+        some20 = np.count_nonzero(m0)
+        if some20:
+            np.copyto(w1, C3)
+        if some20 != size:
+            np.copyto(w1, w2, where=~m0)
+        np.greater_equal(w1, C3, m0)
+        some23 = np.count_nonzero(m0)
+        if some23:
+            np.copyto(w2, w1)
+        if some23 != size:
+            np.copyto(w2, C4, where=~m0)
+        np.multiply(C5, w2, w2)
+        np.divide(w2, v7, w2)
+        np.power(w2, C6, w1)
+        np.greater(w2, C3, m0)
+        np.less(w2, C7, m2)
+        np.bitwise_and(m0, m2, m2)
+        some44 = np.count_nonzero(m2)
+        if some44:
+            np.power(w1, C8, other45)
+            np.power(w1, C3, w3)
+            np.multiply(other45, w3, w3)
+            np.divide(w2, w3, w3)
+            np.subtract(w3, C9, w3)
+            np.divide(w3, C8, w3)
+            np.multiply(w1, w3, w3)
+            np.add(w1, w3, other45)
+        if some44 != size:
+            np.copyto(other45, w1, where=~m2)
+        if some45:
+            np.copyto(out, other45, where=~m1)
+
+
+def prepare_stick_radius_all():
+    return ()
+
+
+def block_stick_radius_all(out, F_x, a, A, E_star, mu, w0, w1, w2, w3, w4, m0, m1, m2):
+    size = out.size
+    np.equal(F_x, C3, m0)
+    largest_F_x = largest(F_x)
+    if largest_F_x == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.greater_equal(a, C3, m1)
+    np.bitwise_and(m0, m1, m1)
+    some45 = np.count_nonzero(m1)
+    if some45:
+        np.copyto(out, a)
+    if some45 != size:
+        other45 = w0 if some45 else out
+        np.multiply(C11, E_star, w1)
+        np.multiply(w1, A, w1)
+        np.divide(w1, C5, w2)
+        np.power(a, C8, w3)
+        np.multiply(w2, w3, w3)
+        np.divide(F_x, mu, w2)
+        np.subtract(w3, w2, w2)
+        np.absolute(w2, w4)
+        np.multiply(C10, w3, w3)
+        np.less_equal(w4, w3, m0)
+        some20 = np.count_nonzero(m0)
+        if some20:
+            np.copyto(w3, C3)
+        if some20 != size:
+            np.copyto(w3, w2, where=~m0)
+        np.greater_equal(w3, C3, m0)
+        some23 = np.count_nonzero(m0)
+        if some23:
+            np.copyto(w2, w3)
+        if some23 != size:
+            np.copyto(w2, C4, where=~m0)
+        np.multiply(C5, w2, w2)
+        np.divide(w2, w1, w1)
+        np.power(w1, C6, w2)
+        np.greater(w1, C3, m0)
+        np.less(w1, C7, m2)
+        np.bitwise_and(m0, m2, m2)
+        some44 = np.count_nonzero(m2)
+        if some44:
+            np.power(w2, C8, other45)
+            np.power(w2, C3, w3)
+            np.multiply(other45, w3, w3)
+            np.divide(w1, w3, w3)
+            np.subtract(w3, C9, w3)
+            np.divide(w3, C8, w3)
+            np.multiply(w2, w3, w3)
+            np.add(w2, w3, other45)
+        if some44 != size:
+            np.copyto(other45, w2, where=~m2)
+        if some45:
+            np.copyto(out, other45, where=~m1)
+
+
+def tangential_displacement(a, c, A, E_star, G_star, mu):
+    if a.__class__ is c.__class__ is A.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (E_star / G_star) * (16.0 * A / 5.0 * pow(a, 6.0)) * -expm1(-6.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_displacement_a(c, A, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    v9 = (16.0) * A
+    v11 = v9 / (5.0)
+    return (c, v7, v11)
+
+
+def block_tangential_displacement_a(out, a, c, v7, v11, w0, m0):
+    size = out.size
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v11, out, out)
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some21 != size:
+        np.copyto(w0, C3, where=~m0)
+    np.multiply(C12, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_a_c(A, E_star, G_star, mu):
+    v6 = E_star / G_star
+    v7 = mu * v6
+    v9 = (16.0) * A
+    v11 = v9 / (5.0)
+    return (v7, v11)
+
+
+def block_tangential_displacement_a_c(out, a, c, v7, v11, w0, m0):
+    size = out.size
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(v11, out, out)
+    np.multiply(v7, out, out)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some21 != size:
+        np.copyto(w0, C3, where=~m0)
+    np.multiply(C12, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_displacement_all():
+    return ()
+
+
+def block_tangential_displacement_all(out, a, c, A, E_star, G_star, mu, w0, w1, m0):
+    size = out.size
+    np.divide(E_star, G_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(mu, out, out)
+    np.multiply(C1, A, w0)
+    np.divide(w0, C2, w0)
+    np.power(a, C0, w1)
+    np.multiply(w0, w1, w1)
+    np.multiply(out, w1, w1)
+    np.greater(a, c, m0)
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(a, c, out)
+        np.divide(out, c, out)
+        np.log1p(out, out)
+    if some21 != size:
+        np.copyto(out, C3, where=~m0)
+    np.multiply(C12, out, out)
+    np.expm1(out, out)
+    np.negative(out, out)
+    np.multiply(w1, out, out)
+
+
+def tangential_force(a, c, A, E_star, mu):
+    if a.__class__ is c.__class__ is A.__class__ is E_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = mu * (192.0 * E_star * A / 35.0 * pow(a, 7.0)) * -expm1(-7.0 * (log1p((a - c) / c) if a > c else 0.0))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tangential_force_a(c, A, E_star, mu):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    return (c, mu, v9)
+
+
+def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
+    size = out.size
+    np.power(a, C8, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some19 != size:
+        np.copyto(w0, C3, where=~m0)
+    np.multiply(C13, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_a_c(A, E_star, mu):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    return (mu, v9)
+
+
+def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
+    size = out.size
+    np.power(a, C8, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+    np.multiply(mu, out, out)
+    np.greater(a, c, m0)
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(a, c, w0)
+        np.divide(w0, c, w0)
+        np.log1p(w0, w0)
+    if some19 != size:
+        np.copyto(w0, C3, where=~m0)
+    np.multiply(C13, w0, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.multiply(out, w0, out)
+
+
+def prepare_tangential_force_all():
+    return ()
+
+
+def block_tangential_force_all(out, a, c, A, E_star, mu, w0, m0):
+    size = out.size
+    np.multiply(C11, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.multiply(out, A, out)
+    np.divide(out, C5, out)
+    np.power(a, C8, w0)
+    np.multiply(out, w0, w0)
+    np.multiply(mu, w0, w0)
+    np.greater(a, c, m0)
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.subtract(a, c, out)
+        np.divide(out, c, out)
+        np.log1p(out, out)
+    if some19 != size:
+        np.copyto(out, C3, where=~m0)
+    np.multiply(C13, out, out)
+    np.expm1(out, out)
+    np.negative(out, out)
+    np.multiply(w0, out, out)
+
+
+def traction(r, a, c, A, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is A.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            v6 = a - r
+            v7 = a + r
+            if r < c:
+                v44 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v7)
+                v45 = c - r
+                v50 = a * a
+                v52 = v50 * 0.0 + 1.0
+                v53 = c * c
+                v56 = v44 + sqrt((v45 if v45 > 0.0 or v45 != v45 else 0.0) * (c + r))
+                v82 = E_star / 3.141592653589793 * (96.0 * A / 5.0) * (((a - c) * (a + c) / v56 if a > c else 0.0) * ((4.0 * r * r * ((2.0 * r * r + v52 * v56 * v44 + v53) / 3.0) + (v50 * v52 + v53) * v56 * v44 + v53 * v53) / 5.0))
+            else:
+                if r < a:
+                    v18 = a * a
+                    v23 = r * r
+                    v33 = 32.0 * E_star * A / 78.53981633974483 * (3.0 * (v18 * v18) + 4.0 * v18 * v23 + 8.0 * (v23 * v23)) * sqrt(v6 * v7)
+                else:
+                    v33 = 0.0
+                v82 = v33
+            value = mu * v82
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_traction_r(a, c, A, E_star, mu):
+    v12 = (32.0) * E_star
+    v13 = v12 * A
+    v15 = v13 / (78.53981633974483)
+    v18 = np.square(a)
+    v19 = np.square(v18)
+    v21 = (3.0) * v19
+    v22 = (4.0) * v18
+    v35 = E_star / (3.141592653589793)
+    v37 = (96.0) * A
+    v39 = v37 / (5.0)
+    v41 = v35 * v39
+    v50 = a * a
+    v51 = v50 * (0.0)
+    v52 = v51 + (1.0)
+    v53 = c * c
+    v62 = v50 * v52
+    v63 = v62 + v53
+    v64 = v53 * v53
+    v73 = np.greater(a, c)
+    v74 = a - c
+    v75 = a + c
+    v76 = v74 * v75
+    return (a, c, mu, v15, v21, v22, v41, v52, v53, v63, v64, v73, v76)
+
+
+def block_traction_r(out, r, a, c, mu, v15, v21, v22, v41, v52, v53, v63, v64, v73, v76, w0, w1, w2, w3, w4, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some82 = np.count_nonzero(m0)
+    if some82:
+        np.maximum(out, f0, out=w1)
+        np.multiply(w1, w0, w1)
+        np.sqrt(w1, w1)
+        np.subtract(c, r, w2)
+        np.maximum(w2, f0, out=w2)
+        np.add(c, r, w3)
+        np.multiply(w2, w3, w3)
+        np.sqrt(w3, w3)
+        np.multiply(C14, r, w2)
+        np.multiply(w2, r, w2)
+        np.add(w1, w3, w3)
+        np.multiply(v52, w3, w4)
+        np.multiply(w4, w1, w4)
+        np.add(w2, w4, w4)
+        np.add(w4, v53, w4)
+        np.divide(w4, C15, w4)
+        np.multiply(C16, r, w2)
+        np.multiply(w2, r, w2)
+        np.multiply(w2, w4, w4)
+        np.multiply(v63, w3, w2)
+        np.multiply(w2, w1, w1)
+        np.add(w4, w1, w1)
+        np.add(w1, v64, w1)
+        np.divide(w1, C2, w1)
+        if v73:
+            np.divide(v76, w3, w4)
+        else:
+            np.copyto(w4, C3)
+        np.multiply(w4, w1, w1)
+        np.multiply(v41, w1, w1)
+    if some82 != size:
+        other82 = w4 if some82 else w1
+        np.less(r, a, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
+            np.multiply(out, w0, other82)
+            np.sqrt(other82, other82)
+            np.square(r, w3)
+            np.multiply(v22, w3, w2)
+            np.add(v21, w2, w2)
+            np.square(w3, w3)
+            np.multiply(C17, w3, w3)
+            np.add(w2, w3, w3)
+            np.multiply(v15, w3, w3)
+            np.multiply(w3, other82, other82)
+        if some33 != size:
+            np.copyto(other82, C3, where=~m1)
+        if some82:
+            np.copyto(w1, other82, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_r_a_c(A, E_star, mu):
+    v12 = (32.0) * E_star
+    v13 = v12 * A
+    v15 = v13 / (78.53981633974483)
+    v35 = E_star / (3.141592653589793)
+    v37 = (96.0) * A
+    v39 = v37 / (5.0)
+    v41 = v35 * v39
+    return (mu, v15, v41)
+
+
+def block_traction_r_a_c(out, r, a, c, mu, v15, v41, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some82 = np.count_nonzero(m0)
+    if some82:
+        np.maximum(out, f0, out=w1)
+        np.multiply(w1, w0, w1)
+        np.sqrt(w1, w1)
+        np.subtract(c, r, w2)
+        np.maximum(w2, f0, out=w2)
+        np.add(c, r, w3)
+        np.multiply(w2, w3, w3)
+        np.sqrt(w3, w3)
+        np.multiply(a, a, w2)
+        np.multiply(w2, C3, w4)
+        np.add(w4, C9, w4)
+        np.multiply(c, c, w5)
+        np.multiply(C14, r, w6)
+        np.multiply(w6, r, w6)
+        np.add(w1, w3, w3)
+        np.multiply(w4, w3, w7)
+        np.multiply(w7, w1, w7)
+        np.add(w6, w7, w7)
+        np.add(w7, w5, w7)
+        np.divide(w7, C15, w7)
+        np.multiply(w2, w4, w4)
+        np.add(w4, w5, w4)
+        np.multiply(w5, w5, w5)
+        np.multiply(C16, r, w2)
+        np.multiply(w2, r, w2)
+        np.multiply(w2, w7, w7)
+        np.multiply(w4, w3, w4)
+        np.multiply(w4, w1, w1)
+        np.add(w7, w1, w1)
+        np.add(w1, w5, w5)
+        np.divide(w5, C2, w5)
+        np.greater(a, c, m1)
+        some78 = np.count_nonzero(m1)
+        if some78:
+            np.subtract(a, c, w1)
+            np.add(a, c, w7)
+            np.multiply(w1, w7, w7)
+            np.divide(w7, w3, w1)
+        if some78 != size:
+            np.copyto(w1, C3, where=~m1)
+        np.multiply(w1, w5, w5)
+        np.multiply(v41, w5, w1)
+    if some82 != size:
+        other82 = w5 if some82 else w1
+        np.less(r, a, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
+            np.multiply(out, w0, other82)
+            np.sqrt(other82, other82)
+            np.square(a, w3)
+            np.square(w3, w7)
+            np.multiply(C15, w7, w7)
+            np.multiply(C16, w3, w3)
+            np.square(r, w4)
+            np.multiply(w3, w4, w3)
+            np.add(w7, w3, w3)
+            np.square(w4, w4)
+            np.multiply(C17, w4, w4)
+            np.add(w3, w4, w4)
+            np.multiply(v15, w4, w4)
+            np.multiply(w4, other82, other82)
+        if some33 != size:
+            np.copyto(other82, C3, where=~m1)
+        if some82:
+            np.copyto(w1, other82, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+def prepare_traction_all():
+    return ()
+
+
+def block_traction_all(out, r, a, c, A, E_star, mu, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0, m1, f0):
+    size = out.size
+    np.subtract(a, r, out)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_c = largest(c)
+    if largest_c == np.inf:
+        raise FloatingPointError
+    np.add(a, r, w0)
+    np.less(r, c, m0)
+    some82 = np.count_nonzero(m0)
+    if some82:
+        np.divide(E_star, C18, w1)
+        np.multiply(C19, A, w2)
+        np.divide(w2, C2, w2)
+        np.multiply(w1, w2, w2)
+        np.maximum(out, f0, out=w1)
+        np.multiply(w1, w0, w1)
+        np.sqrt(w1, w1)
+        np.subtract(c, r, w3)
+        np.maximum(w3, f0, out=w3)
+        np.add(c, r, w4)
+        np.multiply(w3, w4, w4)
+        np.sqrt(w4, w4)
+        np.multiply(a, a, w3)
+        np.multiply(w3, C3, w5)
+        np.add(w5, C9, w5)
+        np.multiply(c, c, w6)
+        np.multiply(C14, r, w7)
+        np.multiply(w7, r, w7)
+        np.add(w1, w4, w4)
+        np.multiply(w5, w4, w8)
+        np.multiply(w8, w1, w8)
+        np.add(w7, w8, w8)
+        np.add(w8, w6, w8)
+        np.divide(w8, C15, w8)
+        np.multiply(w3, w5, w5)
+        np.add(w5, w6, w5)
+        np.multiply(w6, w6, w6)
+        np.multiply(C16, r, w3)
+        np.multiply(w3, r, w3)
+        np.multiply(w3, w8, w8)
+        np.multiply(w5, w4, w5)
+        np.multiply(w5, w1, w1)
+        np.add(w8, w1, w1)
+        np.add(w1, w6, w6)
+        np.divide(w6, C2, w6)
+        np.greater(a, c, m1)
+        some78 = np.count_nonzero(m1)
+        if some78:
+            np.subtract(a, c, w1)
+            np.add(a, c, w8)
+            np.multiply(w1, w8, w8)
+            np.divide(w8, w4, w1)
+        if some78 != size:
+            np.copyto(w1, C3, where=~m1)
+        np.multiply(w1, w6, w6)
+        np.multiply(w2, w6, w1)
+    if some82 != size:
+        other82 = w6 if some82 else w1
+        np.less(r, a, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
+            np.multiply(out, w0, other82)
+            np.sqrt(other82, other82)
+            np.multiply(C20, E_star, w2)
+            np.multiply(w2, A, w2)
+            np.divide(w2, C21, w2)
+            np.square(a, w4)
+            np.square(w4, w8)
+            np.multiply(C15, w8, w8)
+            np.multiply(C16, w4, w4)
+            np.square(r, w5)
+            np.multiply(w4, w5, w4)
+            np.add(w8, w4, w4)
+            np.square(w5, w5)
+            np.multiply(C17, w5, w5)
+            np.add(w4, w5, w5)
+            np.multiply(w2, w5, w5)
+            np.multiply(w5, other82, other82)
+        if some33 != size:
+            np.copyto(other82, C3, where=~m1)
+        if some82:
+            np.copyto(w1, other82, where=~m0)
+    np.multiply(mu, w1, out)
+
+
+BLOCKS = {
+    ('_full_slip_displacement', 1, 'a', 'A', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
+        ('a', 'A', 'E_star', 'G_star', 'mu'): Program(('a', 'A', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=2),
+    },
+    ('_stick_radius', 2, 'F_x', 'a', 'A', 'E_star', 'mu'): {
+        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=4, masks=3),
+        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=4, masks=3),
+        ('F_x', 'a', 'A', 'E_star', 'mu'): Program(('F_x', 'a', 'A', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=5, masks=3),
+    },
+    ('_tangential_displacement', 2, 'a', 'c', 'A', 'E_star', 'G_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
+        ('a', 'c', 'A', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'A', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=2, masks=1),
+    },
+    ('_tangential_force', 2, 'a', 'c', 'A', 'E_star', 'mu'): {
+        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
+        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
+        ('a', 'c', 'A', 'E_star', 'mu'): Program(('a', 'c', 'A', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=1, masks=1),
+    },
+    ('_traction', 3, 'r', 'a', 'c', 'A', 'E_star', 'mu'): {
+        ('r',): Program(('r',), prepare_traction_r, block_traction_r, scratch=5, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c'): Program(('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, scratch=8, masks=2, filled=(0.0,)),
+        ('r', 'a', 'c', 'A', 'E_star', 'mu'): Program(('r', 'a', 'c', 'A', 'E_star', 'mu'), prepare_traction_all, block_traction_all, scratch=9, masks=2, filled=(0.0,)),
+    },
+}

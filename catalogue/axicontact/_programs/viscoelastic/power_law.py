@@ -1,0 +1,1928 @@
+"""Programs of axicontact.viscoelastic.power_law."""
+
+from __future__ import annotations
+
+from math import exp, expm1, inf, pow, sin, sqrt
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(np.inf)
+C2 = np.array(1.0)
+C3 = np.array(0.5)
+C4 = np.array(1.75)
+C5 = np.array(1.5)
+C6 = np.array(0.75)
+C7 = np.array(0.01524698625788054)
+C8 = np.array(0.5334320651111477)
+C9 = np.array(2.250488865813539)
+C10 = np.array(2.8612106440066865)
+C11 = np.array(1.3794681629043655)
+C12 = np.array(0.2596058532893223)
+C13 = np.array(0.015624999999999823)
+C14 = np.array(3.278794792785737)
+C15 = np.array(49.328555418276075)
+C16 = np.array(167.28648538571198)
+C17 = np.array(195.37226190335065)
+C18 = np.array(90.69722535867314)
+C19 = np.array(16.763212110504565)
+C20 = np.array(1.7724538509055159)
+C21 = np.array(3.5449077018110318)
+C22 = np.array(3.141592653589793)
+
+
+def ramp_force_kelvin_voigt(t, v, A, n, E, eta):
+    if t.__class__ is v.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t == 0.0:
+                return 0.0
+            v7 = n + 1.0
+            v13 = n / 2.0 + 0.5
+            v15 = v13 + 1.75
+            v19 = (v13 + 0.5) * (v13 + 1.5)
+            v32 = 1.0 / (v15 * v15)
+            v73 = (v13 * (v13 + 1.0) / v19 if v13 < 1.0 else 1.0 - (v13 + 0.75) / v19) * sqrt(v15) * (1.0 + v32 * (((((((0.01524698625788054 * v32 + 0.5334320651111477) * v32 + 2.250488865813539) * v32 + 2.8612106440066865) * v32 + 1.3794681629043655) * v32 + 0.2596058532893223) * v32 + 0.015624999999999823) / ((((((3.278794792785737 * v32 + 49.328555418276075) * v32 + 167.28648538571198) * v32 + 195.37226190335065) * v32 + 90.69722535867314) * v32 + 16.763212110504565) * v32 + 1.0)))
+            v77 = v * t / (1.7724538509055159 * A * v73)
+            v85 = n + 0.0
+            v87 = pow(v77, 1.0 / v85)
+            value = 3.5449077018110318 * n * A / v7 * v73 * v77 * (v87 + v87 * ((v77 / (pow(v87, n) * pow(v87, 0.0)) - 1.0) / v85) if v77 > 0.0 and v77 < inf else v87) * (E + eta * (v7 / n) / t)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_ramp_force_kelvin_voigt_t(A, n, v, E, eta):
+    v7 = n + (1.0)
+    v8 = v7 / n
+    v11 = n / (2.0)
+    v13 = v11 + (0.5)
+    v15 = v13 + (1.75)
+    v16 = v13 + (0.5)
+    v18 = v13 + (1.5)
+    v19 = v16 * v18
+    v20 = np.less(v13, (1.0))
+    v21 = v13 + (1.0)
+    v22 = v13 * v21
+    v23 = v22 / v19
+    v25 = v13 + (0.75)
+    v26 = v25 / v19
+    v27 = (1.0) - v26
+    v28 = v23 if v20 else v27
+    v29 = np.sqrt(v15)
+    v30 = v28 * v29
+    v31 = v15 * v15
+    v32 = (1.0) / v31
+    v34 = (0.01524698625788054) * v32
+    v36 = v34 + (0.5334320651111477)
+    v37 = v36 * v32
+    v39 = v37 + (2.250488865813539)
+    v40 = v39 * v32
+    v42 = v40 + (2.8612106440066865)
+    v43 = v42 * v32
+    v45 = v43 + (1.3794681629043655)
+    v46 = v45 * v32
+    v48 = v46 + (0.2596058532893223)
+    v49 = v48 * v32
+    v51 = v49 + (0.015624999999999823)
+    v53 = (3.278794792785737) * v32
+    v55 = v53 + (49.328555418276075)
+    v56 = v55 * v32
+    v58 = v56 + (167.28648538571198)
+    v59 = v58 * v32
+    v61 = v59 + (195.37226190335065)
+    v62 = v61 * v32
+    v64 = v62 + (90.69722535867314)
+    v65 = v64 * v32
+    v67 = v65 + (16.763212110504565)
+    v68 = v67 * v32
+    v69 = v68 + (1.0)
+    v70 = v51 / v69
+    v71 = v32 * v70
+    v72 = (1.0) + v71
+    v73 = v30 * v72
+    v75 = (1.7724538509055159) * A
+    v76 = v75 * v73
+    v79 = (3.5449077018110318) * n
+    v80 = v79 * A
+    v81 = v80 / v7
+    v82 = v81 * v73
+    v85 = n + (0.0)
+    v86 = (1.0) / v85
+    v102 = eta * v8
+    return (v, n, E, v76, v82, v85, v86, v102)
+
+
+def block_ramp_force_kelvin_voigt_t(out, t, v, n, E, v76, v82, v85, v86, v102, w0, w1, w2, w3, w4, m0, m1, m2):
+    size = out.size
+    np.equal(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some107 = np.count_nonzero(m0)
+    if some107:
+        np.copyto(out, C0)
+    if some107 != size:
+        other107 = w0 if some107 else out
+        np.multiply(v, t, other107)
+        np.divide(other107, v76, other107)
+        np.multiply(v82, other107, w1)
+        np.power(other107, v86, w2)
+        np.greater(other107, C0, m1)
+        np.less(other107, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some100 = np.count_nonzero(m2)
+        if some100:
+            np.power(w2, n, w3)
+            np.power(w2, C0, w4)
+            np.multiply(w3, w4, w4)
+            np.divide(other107, w4, w4)
+            np.subtract(w4, C2, w4)
+            np.divide(w4, v85, w4)
+            np.multiply(w2, w4, w4)
+            np.add(w2, w4, w3)
+        if some100 != size:
+            np.copyto(w3, w2, where=~m2)
+        np.multiply(w1, w3, w3)
+        np.divide(v102, t, w1)
+        np.add(E, w1, w1)
+        np.multiply(w3, w1, other107)
+        if some107:
+            np.copyto(out, other107, where=~m0)
+
+
+def prepare_ramp_force_kelvin_voigt_all():
+    return ()
+
+
+def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, m2):
+    size = out.size
+    np.equal(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some107 = np.count_nonzero(m0)
+    if some107:
+        np.copyto(out, C0)
+    if some107 != size:
+        other107 = w0 if some107 else out
+        np.add(n, C2, other107)
+        np.divide(other107, n, w1)
+        np.multiply(v, t, w2)
+        np.multiply(n, C3, w3)
+        np.add(w3, C3, w3)
+        np.add(w3, C4, w4)
+        np.add(w3, C3, w5)
+        np.add(w3, C5, w6)
+        np.multiply(w5, w6, w6)
+        np.less(w3, C2, m1)
+        some28 = np.count_nonzero(m1)
+        if some28:
+            np.add(w3, C2, w5)
+            np.multiply(w3, w5, w5)
+            np.divide(w5, w6, w5)
+        if some28 != size:
+            other28 = w7 if some28 else w5
+            np.add(w3, C6, other28)
+            np.divide(other28, w6, other28)
+            np.subtract(C2, other28, other28)
+            if some28:
+                np.copyto(w5, other28, where=~m1)
+        np.sqrt(w4, w6)
+        np.multiply(w5, w6, w6)
+        np.multiply(w4, w4, w4)
+        np.divide(C2, w4, w4)
+        np.multiply(C7, w4, w5)
+        np.add(w5, C8, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C9, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C10, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C11, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C12, w5)
+        np.multiply(w5, w4, w5)
+        np.add(w5, C13, w5)
+        np.multiply(C14, w4, w3)
+        np.add(w3, C15, w3)
+        np.multiply(w3, w4, w3)
+        np.add(w3, C16, w3)
+        np.multiply(w3, w4, w3)
+        np.add(w3, C17, w3)
+        np.multiply(w3, w4, w3)
+        np.add(w3, C18, w3)
+        np.multiply(w3, w4, w3)
+        np.add(w3, C19, w3)
+        np.multiply(w3, w4, w3)
+        np.add(w3, C2, w3)
+        np.divide(w5, w3, w3)
+        np.multiply(w4, w3, w3)
+        np.add(C2, w3, w3)
+        np.multiply(w6, w3, w3)
+        np.multiply(C20, A, w6)
+        np.multiply(w6, w3, w6)
+        np.divide(w2, w6, w6)
+        np.multiply(C21, n, w2)
+        np.multiply(w2, A, w2)
+        np.divide(w2, other107, other107)
+        np.multiply(other107, w3, w3)
+        np.multiply(w3, w6, w3)
+        np.add(n, C0, other107)
+        np.divide(C2, other107, w2)
+        np.power(w6, w2, w2)
+        np.greater(w6, C0, m1)
+        np.less(w6, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some100 = np.count_nonzero(m2)
+        if some100:
+            np.power(w2, n, w4)
+            np.power(w2, C0, w5)
+            np.multiply(w4, w5, w5)
+            np.divide(w6, w5, w5)
+            np.subtract(w5, C2, w5)
+            np.divide(w5, other107, w5)
+            np.multiply(w2, w5, w5)
+            np.add(w2, w5, w4)
+        if some100 != size:
+            np.copyto(w4, w2, where=~m2)
+        np.multiply(w3, w4, w4)
+        np.multiply(eta, w1, w1)
+        np.divide(w1, t, w1)
+        np.add(E, w1, w1)
+        np.multiply(w4, w1, other107)
+        if some107:
+            np.copyto(out, other107, where=~m0)
+
+
+def step_force_kelvin_voigt(t, d, A, n, E, eta):
+    if t.__class__ is d.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v13 = n / 2.0 + 0.5
+            v15 = v13 + 1.75
+            v19 = (v13 + 0.5) * (v13 + 1.5)
+            v33 = 1.0 / (v15 * v15)
+            v74 = (v13 * (v13 + 1.0) / v19 if v13 < 1.0 else 1.0 - (v13 + 0.75) / v19) * sqrt(v15) * (1.0 + v33 * (((((((0.01524698625788054 * v33 + 0.5334320651111477) * v33 + 2.250488865813539) * v33 + 2.8612106440066865) * v33 + 1.3794681629043655) * v33 + 0.2596058532893223) * v33 + 0.015624999999999823) / ((((((3.278794792785737 * v33 + 49.328555418276075) * v33 + 167.28648538571198) * v33 + 195.37226190335065) * v33 + 90.69722535867314) * v33 + 16.763212110504565) * v33 + 1.0)))
+            v78 = d / (1.7724538509055159 * A * v74)
+            v86 = n + 0.0
+            v88 = pow(v78, 1.0 / v86)
+            value = (E if t > 0.0 else inf) * (3.5449077018110318 * n * A / (n + 1.0) * v74 * v78 * (v88 + v88 * ((v78 / (pow(v88, n) * pow(v88, 0.0)) - 1.0) / v86) if v78 > 0.0 and v78 < inf else v88))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_kelvin_voigt_t(d, A, n, E, eta):
+    v10 = n / (2.0)
+    v12 = v10 + (0.5)
+    v14 = v12 + (1.75)
+    v15 = v12 + (0.5)
+    v17 = v12 + (1.5)
+    v18 = v15 * v17
+    v20 = np.less(v12, (1.0))
+    v21 = v12 + (1.0)
+    v22 = v12 * v21
+    v23 = v22 / v18
+    v25 = v12 + (0.75)
+    v26 = v25 / v18
+    v27 = (1.0) - v26
+    v28 = v23 if v20 else v27
+    v29 = np.sqrt(v14)
+    v30 = v28 * v29
+    v31 = v14 * v14
+    v32 = (1.0) / v31
+    v34 = (0.01524698625788054) * v32
+    v36 = v34 + (0.5334320651111477)
+    v37 = v36 * v32
+    v39 = v37 + (2.250488865813539)
+    v40 = v39 * v32
+    v42 = v40 + (2.8612106440066865)
+    v43 = v42 * v32
+    v45 = v43 + (1.3794681629043655)
+    v46 = v45 * v32
+    v48 = v46 + (0.2596058532893223)
+    v49 = v48 * v32
+    v51 = v49 + (0.015624999999999823)
+    v53 = (3.278794792785737) * v32
+    v55 = v53 + (49.328555418276075)
+    v56 = v55 * v32
+    v58 = v56 + (167.28648538571198)
+    v59 = v58 * v32
+    v61 = v59 + (195.37226190335065)
+    v62 = v61 * v32
+    v64 = v62 + (90.69722535867314)
+    v65 = v64 * v32
+    v67 = v65 + (16.763212110504565)
+    v68 = v67 * v32
+    v69 = v68 + (1.0)
+    v70 = v51 / v69
+    v71 = v32 * v70
+    v72 = (1.0) + v71
+    v73 = v30 * v72
+    v75 = (1.7724538509055159) * A
+    v76 = v75 * v73
+    v77 = d / v76
+    v79 = (3.5449077018110318) * n
+    v80 = v79 * A
+    v81 = n + (1.0)
+    v82 = v80 / v81
+    v83 = v82 * v73
+    v84 = v83 * v77
+    v85 = n + (0.0)
+    v86 = (1.0) / v85
+    v87 = np.power(v77, v86)
+    v88 = np.greater(v77, (0.0))
+    v89 = np.less(v77, (np.inf))
+    v90 = np.bitwise_and(v88, v89)
+    v91 = np.power(v87, n)
+    v92 = np.power(v87, (0.0))
+    v93 = v91 * v92
+    v94 = v77 / v93
+    v95 = v94 - (1.0)
+    v96 = v95 / v85
+    v97 = v87 * v96
+    v98 = v87 + v97
+    v99 = v98 if v90 else v87
+    v100 = v84 * v99
+    return (E, v100)
+
+
+def block_step_force_kelvin_voigt_t(out, t, E, v100, m0):
+    size = out.size
+    np.greater(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some8 = np.count_nonzero(m0)
+    if some8:
+        np.copyto(out, E)
+    if some8 != size:
+        np.copyto(out, C1, where=~m0)
+    np.multiply(out, v100, out)
+
+
+def prepare_step_force_kelvin_voigt_all():
+    return ()
+
+
+def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.greater(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some8 = np.count_nonzero(m0)
+    if some8:
+        np.copyto(out, E)
+    if some8 != size:
+        np.copyto(out, C1, where=~m0)
+    np.multiply(n, C3, w0)
+    np.add(w0, C3, w0)
+    np.add(w0, C4, w1)
+    np.add(w0, C3, w2)
+    np.add(w0, C5, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w0, C2, m0)
+    some28 = np.count_nonzero(m0)
+    if some28:
+        np.add(w0, C2, w2)
+        np.multiply(w0, w2, w2)
+        np.divide(w2, w3, w2)
+    if some28 != size:
+        other28 = w4 if some28 else w2
+        np.add(w0, C6, other28)
+        np.divide(other28, w3, other28)
+        np.subtract(C2, other28, other28)
+        if some28:
+            np.copyto(w2, other28, where=~m0)
+    np.sqrt(w1, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(w1, w1, w1)
+    np.divide(C2, w1, w1)
+    np.multiply(C7, w1, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C11, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C12, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C13, w2)
+    np.multiply(C14, w1, w0)
+    np.add(w0, C15, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C16, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C17, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C18, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C19, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C2, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w1, w0, w0)
+    np.add(C2, w0, w0)
+    np.multiply(w3, w0, w0)
+    np.multiply(C20, A, w3)
+    np.multiply(w3, w0, w3)
+    np.divide(d, w3, w3)
+    np.multiply(C21, n, w1)
+    np.multiply(w1, A, w1)
+    np.add(n, C2, w2)
+    np.divide(w1, w2, w2)
+    np.multiply(w2, w0, w0)
+    np.multiply(w0, w3, w0)
+    np.add(n, C0, w2)
+    np.divide(C2, w2, w1)
+    np.power(w3, w1, w1)
+    np.greater(w3, C0, m0)
+    np.less(w3, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some99 = np.count_nonzero(m1)
+    if some99:
+        np.power(w1, n, w4)
+        np.power(w1, C0, w5)
+        np.multiply(w4, w5, w5)
+        np.divide(w3, w5, w5)
+        np.subtract(w5, C2, w5)
+        np.divide(w5, w2, w5)
+        np.multiply(w1, w5, w5)
+        np.add(w1, w5, w4)
+    if some99 != size:
+        np.copyto(w4, w1, where=~m1)
+    np.multiply(w0, w4, w4)
+    np.multiply(out, w4, out)
+
+
+def step_force_maxwell(t, d, A, n, E, tau):
+    if t.__class__ is d.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v13 = n / 2.0 + 0.5
+            v15 = v13 + 1.75
+            v19 = (v13 + 0.5) * (v13 + 1.5)
+            v33 = 1.0 / (v15 * v15)
+            v74 = (v13 * (v13 + 1.0) / v19 if v13 < 1.0 else 1.0 - (v13 + 0.75) / v19) * sqrt(v15) * (1.0 + v33 * (((((((0.01524698625788054 * v33 + 0.5334320651111477) * v33 + 2.250488865813539) * v33 + 2.8612106440066865) * v33 + 1.3794681629043655) * v33 + 0.2596058532893223) * v33 + 0.015624999999999823) / ((((((3.278794792785737 * v33 + 49.328555418276075) * v33 + 167.28648538571198) * v33 + 195.37226190335065) * v33 + 90.69722535867314) * v33 + 16.763212110504565) * v33 + 1.0)))
+            v78 = d / (1.7724538509055159 * A * v74)
+            v87 = n + 0.0
+            v89 = pow(v78, 1.0 / v87)
+            value = E * exp(-t / tau) * (3.5449077018110318 * n * A / (n + 1.0) * v74 * v78 * (v89 + v89 * ((v78 / (pow(v89, n) * pow(v89, 0.0)) - 1.0) / v87) if v78 > 0.0 and v78 < inf else v89))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_maxwell_t(d, A, n, E, tau):
+    v11 = n / (2.0)
+    v13 = v11 + (0.5)
+    v15 = v13 + (1.75)
+    v16 = v13 + (0.5)
+    v18 = v13 + (1.5)
+    v19 = v16 * v18
+    v21 = np.less(v13, (1.0))
+    v22 = v13 + (1.0)
+    v23 = v13 * v22
+    v24 = v23 / v19
+    v26 = v13 + (0.75)
+    v27 = v26 / v19
+    v28 = (1.0) - v27
+    v29 = v24 if v21 else v28
+    v30 = np.sqrt(v15)
+    v31 = v29 * v30
+    v32 = v15 * v15
+    v33 = (1.0) / v32
+    v35 = (0.01524698625788054) * v33
+    v37 = v35 + (0.5334320651111477)
+    v38 = v37 * v33
+    v40 = v38 + (2.250488865813539)
+    v41 = v40 * v33
+    v43 = v41 + (2.8612106440066865)
+    v44 = v43 * v33
+    v46 = v44 + (1.3794681629043655)
+    v47 = v46 * v33
+    v49 = v47 + (0.2596058532893223)
+    v50 = v49 * v33
+    v52 = v50 + (0.015624999999999823)
+    v54 = (3.278794792785737) * v33
+    v56 = v54 + (49.328555418276075)
+    v57 = v56 * v33
+    v59 = v57 + (167.28648538571198)
+    v60 = v59 * v33
+    v62 = v60 + (195.37226190335065)
+    v63 = v62 * v33
+    v65 = v63 + (90.69722535867314)
+    v66 = v65 * v33
+    v68 = v66 + (16.763212110504565)
+    v69 = v68 * v33
+    v70 = v69 + (1.0)
+    v71 = v52 / v70
+    v72 = v33 * v71
+    v73 = (1.0) + v72
+    v74 = v31 * v73
+    v76 = (1.7724538509055159) * A
+    v77 = v76 * v74
+    v78 = d / v77
+    v80 = (3.5449077018110318) * n
+    v81 = v80 * A
+    v82 = n + (1.0)
+    v83 = v81 / v82
+    v84 = v83 * v74
+    v85 = v84 * v78
+    v87 = n + (0.0)
+    v88 = (1.0) / v87
+    v89 = np.power(v78, v88)
+    v90 = np.greater(v78, (0.0))
+    v92 = np.less(v78, (np.inf))
+    v93 = np.bitwise_and(v90, v92)
+    v94 = np.power(v89, n)
+    v95 = np.power(v89, (0.0))
+    v96 = v94 * v95
+    v97 = v78 / v96
+    v98 = v97 - (1.0)
+    v99 = v98 / v87
+    v100 = v89 * v99
+    v101 = v89 + v100
+    v102 = v101 if v93 else v89
+    v103 = v85 * v102
+    return (E, tau, v103)
+
+
+def block_step_force_maxwell_t(out, t, E, tau, v103):
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E, out, out)
+    np.multiply(out, v103, out)
+
+
+def prepare_step_force_maxwell_all():
+    return ()
+
+
+def block_step_force_maxwell_all(out, t, d, A, n, E, tau, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E, out, out)
+    np.multiply(n, C3, w0)
+    np.add(w0, C3, w0)
+    np.add(w0, C4, w1)
+    np.add(w0, C3, w2)
+    np.add(w0, C5, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w0, C2, m0)
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.add(w0, C2, w2)
+        np.multiply(w0, w2, w2)
+        np.divide(w2, w3, w2)
+    if some29 != size:
+        other29 = w4 if some29 else w2
+        np.add(w0, C6, other29)
+        np.divide(other29, w3, other29)
+        np.subtract(C2, other29, other29)
+        if some29:
+            np.copyto(w2, other29, where=~m0)
+    np.sqrt(w1, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(w1, w1, w1)
+    np.divide(C2, w1, w1)
+    np.multiply(C7, w1, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C11, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C12, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C13, w2)
+    np.multiply(C14, w1, w0)
+    np.add(w0, C15, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C16, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C17, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C18, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C19, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C2, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w1, w0, w0)
+    np.add(C2, w0, w0)
+    np.multiply(w3, w0, w0)
+    np.multiply(C20, A, w3)
+    np.multiply(w3, w0, w3)
+    np.divide(d, w3, w3)
+    np.multiply(C21, n, w1)
+    np.multiply(w1, A, w1)
+    np.add(n, C2, w2)
+    np.divide(w1, w2, w2)
+    np.multiply(w2, w0, w0)
+    np.multiply(w0, w3, w0)
+    np.add(n, C0, w2)
+    np.divide(C2, w2, w1)
+    np.power(w3, w1, w1)
+    np.greater(w3, C0, m0)
+    np.less(w3, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some102 = np.count_nonzero(m1)
+    if some102:
+        np.power(w1, n, w4)
+        np.power(w1, C0, w5)
+        np.multiply(w4, w5, w5)
+        np.divide(w3, w5, w5)
+        np.subtract(w5, C2, w5)
+        np.divide(w5, w2, w5)
+        np.multiply(w1, w5, w5)
+        np.add(w1, w5, w4)
+    if some102 != size:
+        np.copyto(w4, w1, where=~m1)
+    np.multiply(w0, w4, w4)
+    np.multiply(out, w4, out)
+
+
+def step_force_power_creep(t, d, A, n, E, alpha, t_0):
+    if t.__class__ is d.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v11 = 3.141592653589793 * alpha
+            v18 = n / 2.0 + 0.5
+            v20 = v18 + 1.75
+            v24 = (v18 + 0.5) * (v18 + 1.5)
+            v38 = 1.0 / (v20 * v20)
+            v79 = (v18 * (v18 + 1.0) / v24 if v18 < 1.0 else 1.0 - (v18 + 0.75) / v24) * sqrt(v20) * (1.0 + v38 * (((((((0.01524698625788054 * v38 + 0.5334320651111477) * v38 + 2.250488865813539) * v38 + 2.8612106440066865) * v38 + 1.3794681629043655) * v38 + 0.2596058532893223) * v38 + 0.015624999999999823) / ((((((3.278794792785737 * v38 + 49.328555418276075) * v38 + 167.28648538571198) * v38 + 195.37226190335065) * v38 + 90.69722535867314) * v38 + 16.763212110504565) * v38 + 1.0)))
+            v83 = d / (1.7724538509055159 * A * v79)
+            v92 = n + 0.0
+            v94 = pow(v83, 1.0 / v92)
+            value = E * pow(t_0 / t, alpha) * sin(v11) / v11 * (3.5449077018110318 * n * A / (n + 1.0) * v79 * v83 * (v94 + v94 * ((v83 / (pow(v94, n) * pow(v94, 0.0)) - 1.0) / v92) if v83 > 0.0 and v83 < inf else v94))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_power_creep_t(d, A, n, E, alpha, t_0):
+    v11 = (3.141592653589793) * alpha
+    v12 = np.sin(v11)
+    v16 = n / (2.0)
+    v18 = v16 + (0.5)
+    v20 = v18 + (1.75)
+    v21 = v18 + (0.5)
+    v23 = v18 + (1.5)
+    v24 = v21 * v23
+    v26 = np.less(v18, (1.0))
+    v27 = v18 + (1.0)
+    v28 = v18 * v27
+    v29 = v28 / v24
+    v31 = v18 + (0.75)
+    v32 = v31 / v24
+    v33 = (1.0) - v32
+    v34 = v29 if v26 else v33
+    v35 = np.sqrt(v20)
+    v36 = v34 * v35
+    v37 = v20 * v20
+    v38 = (1.0) / v37
+    v40 = (0.01524698625788054) * v38
+    v42 = v40 + (0.5334320651111477)
+    v43 = v42 * v38
+    v45 = v43 + (2.250488865813539)
+    v46 = v45 * v38
+    v48 = v46 + (2.8612106440066865)
+    v49 = v48 * v38
+    v51 = v49 + (1.3794681629043655)
+    v52 = v51 * v38
+    v54 = v52 + (0.2596058532893223)
+    v55 = v54 * v38
+    v57 = v55 + (0.015624999999999823)
+    v59 = (3.278794792785737) * v38
+    v61 = v59 + (49.328555418276075)
+    v62 = v61 * v38
+    v64 = v62 + (167.28648538571198)
+    v65 = v64 * v38
+    v67 = v65 + (195.37226190335065)
+    v68 = v67 * v38
+    v70 = v68 + (90.69722535867314)
+    v71 = v70 * v38
+    v73 = v71 + (16.763212110504565)
+    v74 = v73 * v38
+    v75 = v74 + (1.0)
+    v76 = v57 / v75
+    v77 = v38 * v76
+    v78 = (1.0) + v77
+    v79 = v36 * v78
+    v81 = (1.7724538509055159) * A
+    v82 = v81 * v79
+    v83 = d / v82
+    v85 = (3.5449077018110318) * n
+    v86 = v85 * A
+    v87 = n + (1.0)
+    v88 = v86 / v87
+    v89 = v88 * v79
+    v90 = v89 * v83
+    v92 = n + (0.0)
+    v93 = (1.0) / v92
+    v94 = np.power(v83, v93)
+    v95 = np.greater(v83, (0.0))
+    v97 = np.less(v83, (np.inf))
+    v98 = np.bitwise_and(v95, v97)
+    v99 = np.power(v94, n)
+    v100 = np.power(v94, (0.0))
+    v101 = v99 * v100
+    v102 = v83 / v101
+    v103 = v102 - (1.0)
+    v104 = v103 / v92
+    v105 = v94 * v104
+    v106 = v94 + v105
+    v107 = v106 if v98 else v94
+    v108 = v90 * v107
+    return (E, alpha, t_0, v11, v12, v108)
+
+
+def block_step_force_power_creep_t(out, t, E, alpha, t_0, v11, v12, v108):
+    np.divide(t_0, t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(out, alpha, out)
+    np.multiply(E, out, out)
+    np.multiply(out, v12, out)
+    np.divide(out, v11, out)
+    np.multiply(out, v108, out)
+
+
+def prepare_step_force_power_creep_all():
+    return ()
+
+
+def block_step_force_power_creep_all(out, t, d, A, n, E, alpha, t_0, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.divide(t_0, t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(out, alpha, out)
+    np.multiply(E, out, out)
+    np.multiply(C22, alpha, w0)
+    np.sin(w0, w1)
+    np.multiply(out, w1, w1)
+    np.divide(w1, w0, w0)
+    np.multiply(n, C3, w1)
+    np.add(w1, C3, w1)
+    np.add(w1, C4, out)
+    np.add(w1, C3, w2)
+    np.add(w1, C5, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w1, C2, m0)
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.add(w1, C2, w2)
+        np.multiply(w1, w2, w2)
+        np.divide(w2, w3, w2)
+    if some34 != size:
+        other34 = w4 if some34 else w2
+        np.add(w1, C6, other34)
+        np.divide(other34, w3, other34)
+        np.subtract(C2, other34, other34)
+        if some34:
+            np.copyto(w2, other34, where=~m0)
+    np.sqrt(out, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(out, out, out)
+    np.divide(C2, out, out)
+    np.multiply(C7, out, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, out, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, out, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, out, w2)
+    np.add(w2, C11, w2)
+    np.multiply(w2, out, w2)
+    np.add(w2, C12, w2)
+    np.multiply(w2, out, w2)
+    np.add(w2, C13, w2)
+    np.multiply(C14, out, w1)
+    np.add(w1, C15, w1)
+    np.multiply(w1, out, w1)
+    np.add(w1, C16, w1)
+    np.multiply(w1, out, w1)
+    np.add(w1, C17, w1)
+    np.multiply(w1, out, w1)
+    np.add(w1, C18, w1)
+    np.multiply(w1, out, w1)
+    np.add(w1, C19, w1)
+    np.multiply(w1, out, w1)
+    np.add(w1, C2, w1)
+    np.divide(w2, w1, w1)
+    np.multiply(out, w1, w1)
+    np.add(C2, w1, w1)
+    np.multiply(w3, w1, w1)
+    np.multiply(C20, A, w3)
+    np.multiply(w3, w1, w3)
+    np.divide(d, w3, w3)
+    np.multiply(C21, n, out)
+    np.multiply(out, A, out)
+    np.add(n, C2, w2)
+    np.divide(out, w2, w2)
+    np.multiply(w2, w1, w1)
+    np.multiply(w1, w3, w1)
+    np.add(n, C0, w2)
+    np.divide(C2, w2, out)
+    np.power(w3, out, out)
+    np.greater(w3, C0, m0)
+    np.less(w3, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some107 = np.count_nonzero(m1)
+    if some107:
+        np.power(out, n, w4)
+        np.power(out, C0, w5)
+        np.multiply(w4, w5, w5)
+        np.divide(w3, w5, w5)
+        np.subtract(w5, C2, w5)
+        np.divide(w5, w2, w5)
+        np.multiply(out, w5, w5)
+        np.add(out, w5, w4)
+    if some107 != size:
+        np.copyto(w4, out, where=~m1)
+    np.multiply(w1, w4, w4)
+    np.multiply(w0, w4, out)
+
+
+def step_force_standard_solid(t, d, A, n, E_inf, E_1, tau):
+    if t.__class__ is d.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v15 = n / 2.0 + 0.5
+            v17 = v15 + 1.75
+            v21 = (v15 + 0.5) * (v15 + 1.5)
+            v35 = 1.0 / (v17 * v17)
+            v76 = (v15 * (v15 + 1.0) / v21 if v15 < 1.0 else 1.0 - (v15 + 0.75) / v21) * sqrt(v17) * (1.0 + v35 * (((((((0.01524698625788054 * v35 + 0.5334320651111477) * v35 + 2.250488865813539) * v35 + 2.8612106440066865) * v35 + 1.3794681629043655) * v35 + 0.2596058532893223) * v35 + 0.015624999999999823) / ((((((3.278794792785737 * v35 + 49.328555418276075) * v35 + 167.28648538571198) * v35 + 195.37226190335065) * v35 + 90.69722535867314) * v35 + 16.763212110504565) * v35 + 1.0)))
+            v80 = d / (1.7724538509055159 * A * v76)
+            v89 = n + 0.0
+            v91 = pow(v80, 1.0 / v89)
+            value = (E_inf + E_1 * exp(-t / tau)) * (3.5449077018110318 * n * A / (n + 1.0) * v76 * v80 * (v91 + v91 * ((v80 / (pow(v91, n) * pow(v91, 0.0)) - 1.0) / v89) if v80 > 0.0 and v80 < inf else v91))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_standard_solid_t(d, A, n, E_inf, E_1, tau):
+    v13 = n / (2.0)
+    v15 = v13 + (0.5)
+    v17 = v15 + (1.75)
+    v18 = v15 + (0.5)
+    v20 = v15 + (1.5)
+    v21 = v18 * v20
+    v23 = np.less(v15, (1.0))
+    v24 = v15 + (1.0)
+    v25 = v15 * v24
+    v26 = v25 / v21
+    v28 = v15 + (0.75)
+    v29 = v28 / v21
+    v30 = (1.0) - v29
+    v31 = v26 if v23 else v30
+    v32 = np.sqrt(v17)
+    v33 = v31 * v32
+    v34 = v17 * v17
+    v35 = (1.0) / v34
+    v37 = (0.01524698625788054) * v35
+    v39 = v37 + (0.5334320651111477)
+    v40 = v39 * v35
+    v42 = v40 + (2.250488865813539)
+    v43 = v42 * v35
+    v45 = v43 + (2.8612106440066865)
+    v46 = v45 * v35
+    v48 = v46 + (1.3794681629043655)
+    v49 = v48 * v35
+    v51 = v49 + (0.2596058532893223)
+    v52 = v51 * v35
+    v54 = v52 + (0.015624999999999823)
+    v56 = (3.278794792785737) * v35
+    v58 = v56 + (49.328555418276075)
+    v59 = v58 * v35
+    v61 = v59 + (167.28648538571198)
+    v62 = v61 * v35
+    v64 = v62 + (195.37226190335065)
+    v65 = v64 * v35
+    v67 = v65 + (90.69722535867314)
+    v68 = v67 * v35
+    v70 = v68 + (16.763212110504565)
+    v71 = v70 * v35
+    v72 = v71 + (1.0)
+    v73 = v54 / v72
+    v74 = v35 * v73
+    v75 = (1.0) + v74
+    v76 = v33 * v75
+    v78 = (1.7724538509055159) * A
+    v79 = v78 * v76
+    v80 = d / v79
+    v82 = (3.5449077018110318) * n
+    v83 = v82 * A
+    v84 = n + (1.0)
+    v85 = v83 / v84
+    v86 = v85 * v76
+    v87 = v86 * v80
+    v89 = n + (0.0)
+    v90 = (1.0) / v89
+    v91 = np.power(v80, v90)
+    v92 = np.greater(v80, (0.0))
+    v94 = np.less(v80, (np.inf))
+    v95 = np.bitwise_and(v92, v94)
+    v96 = np.power(v91, n)
+    v97 = np.power(v91, (0.0))
+    v98 = v96 * v97
+    v99 = v80 / v98
+    v100 = v99 - (1.0)
+    v101 = v100 / v89
+    v102 = v91 * v101
+    v103 = v91 + v102
+    v104 = v103 if v95 else v91
+    v105 = v87 * v104
+    return (E_inf, E_1, tau, v105)
+
+
+def block_step_force_standard_solid_t(out, t, E_inf, E_1, tau, v105):
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E_1, out, out)
+    np.add(E_inf, out, out)
+    np.multiply(out, v105, out)
+
+
+def prepare_step_force_standard_solid_all():
+    return ()
+
+
+def block_step_force_standard_solid_all(out, t, d, A, n, E_inf, E_1, tau, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E_1, out, out)
+    np.add(E_inf, out, out)
+    np.multiply(n, C3, w0)
+    np.add(w0, C3, w0)
+    np.add(w0, C4, w1)
+    np.add(w0, C3, w2)
+    np.add(w0, C5, w3)
+    np.multiply(w2, w3, w3)
+    np.less(w0, C2, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.add(w0, C2, w2)
+        np.multiply(w0, w2, w2)
+        np.divide(w2, w3, w2)
+    if some31 != size:
+        other31 = w4 if some31 else w2
+        np.add(w0, C6, other31)
+        np.divide(other31, w3, other31)
+        np.subtract(C2, other31, other31)
+        if some31:
+            np.copyto(w2, other31, where=~m0)
+    np.sqrt(w1, w3)
+    np.multiply(w2, w3, w3)
+    np.multiply(w1, w1, w1)
+    np.divide(C2, w1, w1)
+    np.multiply(C7, w1, w2)
+    np.add(w2, C8, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C9, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C10, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C11, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C12, w2)
+    np.multiply(w2, w1, w2)
+    np.add(w2, C13, w2)
+    np.multiply(C14, w1, w0)
+    np.add(w0, C15, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C16, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C17, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C18, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C19, w0)
+    np.multiply(w0, w1, w0)
+    np.add(w0, C2, w0)
+    np.divide(w2, w0, w0)
+    np.multiply(w1, w0, w0)
+    np.add(C2, w0, w0)
+    np.multiply(w3, w0, w0)
+    np.multiply(C20, A, w3)
+    np.multiply(w3, w0, w3)
+    np.divide(d, w3, w3)
+    np.multiply(C21, n, w1)
+    np.multiply(w1, A, w1)
+    np.add(n, C2, w2)
+    np.divide(w1, w2, w2)
+    np.multiply(w2, w0, w0)
+    np.multiply(w0, w3, w0)
+    np.add(n, C0, w2)
+    np.divide(C2, w2, w1)
+    np.power(w3, w1, w1)
+    np.greater(w3, C0, m0)
+    np.less(w3, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some104 = np.count_nonzero(m1)
+    if some104:
+        np.power(w1, n, w4)
+        np.power(w1, C0, w5)
+        np.multiply(w4, w5, w5)
+        np.divide(w3, w5, w5)
+        np.subtract(w5, C2, w5)
+        np.divide(w5, w2, w5)
+        np.multiply(w1, w5, w5)
+        np.add(w1, w5, w4)
+    if some104 != size:
+        np.copyto(w4, w1, where=~m1)
+    np.multiply(w0, w4, w4)
+    np.multiply(out, w4, out)
+
+
+def step_load_radius_kelvin_voigt(t, F, A, n, E, eta):
+    if t.__class__ is F.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v16 = n / 2.0 + 0.5
+            v18 = v16 + 1.75
+            v22 = (v16 + 0.5) * (v16 + 1.5)
+            v36 = 1.0 / (v18 * v18)
+            v78 = n + 1.0
+            v84 = v78 * (F * (-expm1(-E * t / eta) / E)) / (3.5449077018110318 * n * A * ((v16 * (v16 + 1.0) / v22 if v16 < 1.0 else 1.0 - (v16 + 0.75) / v22) * sqrt(v18) * (1.0 + v36 * (((((((0.01524698625788054 * v36 + 0.5334320651111477) * v36 + 2.250488865813539) * v36 + 2.8612106440066865) * v36 + 1.3794681629043655) * v36 + 0.2596058532893223) * v36 + 0.015624999999999823) / ((((((3.278794792785737 * v36 + 49.328555418276075) * v36 + 167.28648538571198) * v36 + 195.37226190335065) * v36 + 90.69722535867314) * v36 + 16.763212110504565) * v36 + 1.0)))))
+            v86 = pow(v84, 1.0 / v78)
+            if v84 > 0.0 and v84 < inf:
+                value = v86 + v86 * ((v84 / (pow(v86, n) * pow(v86, 1.0)) - 1.0) / v78)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v86
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_kelvin_voigt_t(F, A, n, E, eta):
+    v6 = np.negative(E)
+    v14 = n / (2.0)
+    v16 = v14 + (0.5)
+    v18 = v16 + (1.75)
+    v19 = v16 + (0.5)
+    v21 = v16 + (1.5)
+    v22 = v19 * v21
+    v24 = np.less(v16, (1.0))
+    v25 = v16 + (1.0)
+    v26 = v16 * v25
+    v27 = v26 / v22
+    v29 = v16 + (0.75)
+    v30 = v29 / v22
+    v31 = (1.0) - v30
+    v32 = v27 if v24 else v31
+    v33 = np.sqrt(v18)
+    v34 = v32 * v33
+    v35 = v18 * v18
+    v36 = (1.0) / v35
+    v38 = (0.01524698625788054) * v36
+    v40 = v38 + (0.5334320651111477)
+    v41 = v40 * v36
+    v43 = v41 + (2.250488865813539)
+    v44 = v43 * v36
+    v46 = v44 + (2.8612106440066865)
+    v47 = v46 * v36
+    v49 = v47 + (1.3794681629043655)
+    v50 = v49 * v36
+    v52 = v50 + (0.2596058532893223)
+    v53 = v52 * v36
+    v55 = v53 + (0.015624999999999823)
+    v57 = (3.278794792785737) * v36
+    v59 = v57 + (49.328555418276075)
+    v60 = v59 * v36
+    v62 = v60 + (167.28648538571198)
+    v63 = v62 * v36
+    v65 = v63 + (195.37226190335065)
+    v66 = v65 * v36
+    v68 = v66 + (90.69722535867314)
+    v69 = v68 * v36
+    v71 = v69 + (16.763212110504565)
+    v72 = v71 * v36
+    v73 = v72 + (1.0)
+    v74 = v55 / v73
+    v75 = v36 * v74
+    v76 = (1.0) + v75
+    v77 = v34 * v76
+    v78 = n + (1.0)
+    v81 = (3.5449077018110318) * n
+    v82 = v81 * A
+    v83 = v82 * v77
+    v85 = (1.0) / v78
+    return (F, n, E, eta, v6, v78, v83, v85)
+
+
+def block_step_load_radius_kelvin_voigt_t(out, t, F, n, E, eta, v6, v78, v83, v85, w0, w1, w2, m0, m1):
+    size = out.size
+    np.multiply(v6, t, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(w0, eta, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(v78, w0, w0)
+    np.divide(w0, v83, w0)
+    np.power(w0, v85, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some100 = np.count_nonzero(m1)
+    if some100:
+        np.power(w1, n, out)
+        np.power(w1, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, v78, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some100 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_kelvin_voigt_all():
+    return ()
+
+
+def block_step_load_radius_kelvin_voigt_all(out, t, F, A, n, E, eta, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.negative(E, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, t, w0)
+    np.divide(w0, eta, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(n, C3, w1)
+    np.add(w1, C3, w1)
+    np.add(w1, C4, w2)
+    np.add(w1, C3, w3)
+    np.add(w1, C5, w4)
+    np.multiply(w3, w4, w4)
+    np.less(w1, C2, m0)
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.add(w1, C2, w3)
+        np.multiply(w1, w3, w3)
+        np.divide(w3, w4, w3)
+    if some32 != size:
+        other32 = w5 if some32 else w3
+        np.add(w1, C6, other32)
+        np.divide(other32, w4, other32)
+        np.subtract(C2, other32, other32)
+        if some32:
+            np.copyto(w3, other32, where=~m0)
+    np.sqrt(w2, w4)
+    np.multiply(w3, w4, w4)
+    np.multiply(w2, w2, w2)
+    np.divide(C2, w2, w2)
+    np.multiply(C7, w2, w3)
+    np.add(w3, C8, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C9, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C10, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C11, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C12, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C13, w3)
+    np.multiply(C14, w2, w1)
+    np.add(w1, C15, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C16, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C17, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C18, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C19, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C2, w1)
+    np.divide(w3, w1, w1)
+    np.multiply(w2, w1, w1)
+    np.add(C2, w1, w1)
+    np.multiply(w4, w1, w1)
+    np.add(n, C2, w4)
+    np.multiply(w4, w0, w0)
+    np.multiply(C21, n, w2)
+    np.multiply(w2, A, w2)
+    np.multiply(w2, w1, w1)
+    np.divide(w0, w1, w1)
+    np.divide(C2, w4, w0)
+    np.power(w1, w0, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some100 = np.count_nonzero(m1)
+    if some100:
+        np.power(w0, n, out)
+        np.power(w0, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, w4, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some100 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_maxwell(t, F, A, n, E, tau):
+    if t.__class__ is F.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v14 = n / 2.0 + 0.5
+            v16 = v14 + 1.75
+            v20 = (v14 + 0.5) * (v14 + 1.5)
+            v33 = 1.0 / (v16 * v16)
+            v75 = n + 1.0
+            v81 = v75 * (F * ((1.0 + t / tau) / E)) / (3.5449077018110318 * n * A * ((v14 * (v14 + 1.0) / v20 if v14 < 1.0 else 1.0 - (v14 + 0.75) / v20) * sqrt(v16) * (1.0 + v33 * (((((((0.01524698625788054 * v33 + 0.5334320651111477) * v33 + 2.250488865813539) * v33 + 2.8612106440066865) * v33 + 1.3794681629043655) * v33 + 0.2596058532893223) * v33 + 0.015624999999999823) / ((((((3.278794792785737 * v33 + 49.328555418276075) * v33 + 167.28648538571198) * v33 + 195.37226190335065) * v33 + 90.69722535867314) * v33 + 16.763212110504565) * v33 + 1.0)))))
+            v83 = pow(v81, 1.0 / v75)
+            if v81 > 0.0 and v81 < inf:
+                value = v83 + v83 * ((v81 / (pow(v83, n) * pow(v83, 1.0)) - 1.0) / v75)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v83
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_maxwell_t(F, A, n, E, tau):
+    v12 = n / (2.0)
+    v14 = v12 + (0.5)
+    v16 = v14 + (1.75)
+    v17 = v14 + (0.5)
+    v19 = v14 + (1.5)
+    v20 = v17 * v19
+    v21 = np.less(v14, (1.0))
+    v22 = v14 + (1.0)
+    v23 = v14 * v22
+    v24 = v23 / v20
+    v26 = v14 + (0.75)
+    v27 = v26 / v20
+    v28 = (1.0) - v27
+    v29 = v24 if v21 else v28
+    v30 = np.sqrt(v16)
+    v31 = v29 * v30
+    v32 = v16 * v16
+    v33 = (1.0) / v32
+    v35 = (0.01524698625788054) * v33
+    v37 = v35 + (0.5334320651111477)
+    v38 = v37 * v33
+    v40 = v38 + (2.250488865813539)
+    v41 = v40 * v33
+    v43 = v41 + (2.8612106440066865)
+    v44 = v43 * v33
+    v46 = v44 + (1.3794681629043655)
+    v47 = v46 * v33
+    v49 = v47 + (0.2596058532893223)
+    v50 = v49 * v33
+    v52 = v50 + (0.015624999999999823)
+    v54 = (3.278794792785737) * v33
+    v56 = v54 + (49.328555418276075)
+    v57 = v56 * v33
+    v59 = v57 + (167.28648538571198)
+    v60 = v59 * v33
+    v62 = v60 + (195.37226190335065)
+    v63 = v62 * v33
+    v65 = v63 + (90.69722535867314)
+    v66 = v65 * v33
+    v68 = v66 + (16.763212110504565)
+    v69 = v68 * v33
+    v70 = v69 + (1.0)
+    v71 = v52 / v70
+    v72 = v33 * v71
+    v73 = (1.0) + v72
+    v74 = v31 * v73
+    v75 = n + (1.0)
+    v78 = (3.5449077018110318) * n
+    v79 = v78 * A
+    v80 = v79 * v74
+    v82 = (1.0) / v75
+    return (F, n, E, tau, v75, v80, v82)
+
+
+def block_step_load_radius_maxwell_t(out, t, F, n, E, tau, v75, v80, v82, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.add(C2, w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(v75, w0, w0)
+    np.divide(w0, v80, w0)
+    np.power(w0, v82, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.power(w1, n, out)
+        np.power(w1, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, v75, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some97 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_maxwell_all():
+    return ()
+
+
+def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.add(C2, w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(n, C3, w1)
+    np.add(w1, C3, w1)
+    np.add(w1, C4, w2)
+    np.add(w1, C3, w3)
+    np.add(w1, C5, w4)
+    np.multiply(w3, w4, w4)
+    np.less(w1, C2, m0)
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.add(w1, C2, w3)
+        np.multiply(w1, w3, w3)
+        np.divide(w3, w4, w3)
+    if some29 != size:
+        other29 = w5 if some29 else w3
+        np.add(w1, C6, other29)
+        np.divide(other29, w4, other29)
+        np.subtract(C2, other29, other29)
+        if some29:
+            np.copyto(w3, other29, where=~m0)
+    np.sqrt(w2, w4)
+    np.multiply(w3, w4, w4)
+    np.multiply(w2, w2, w2)
+    np.divide(C2, w2, w2)
+    np.multiply(C7, w2, w3)
+    np.add(w3, C8, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C9, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C10, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C11, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C12, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C13, w3)
+    np.multiply(C14, w2, w1)
+    np.add(w1, C15, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C16, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C17, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C18, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C19, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C2, w1)
+    np.divide(w3, w1, w1)
+    np.multiply(w2, w1, w1)
+    np.add(C2, w1, w1)
+    np.multiply(w4, w1, w1)
+    np.add(n, C2, w4)
+    np.multiply(w4, w0, w0)
+    np.multiply(C21, n, w2)
+    np.multiply(w2, A, w2)
+    np.multiply(w2, w1, w1)
+    np.divide(w0, w1, w1)
+    np.divide(C2, w4, w0)
+    np.power(w1, w0, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some97 = np.count_nonzero(m1)
+    if some97:
+        np.power(w0, n, out)
+        np.power(w0, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, w4, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some97 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_power_creep(t, F, A, n, E, alpha, t_0):
+    if t.__class__ is F.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v14 = n / 2.0 + 0.5
+            v16 = v14 + 1.75
+            v20 = (v14 + 0.5) * (v14 + 1.5)
+            v34 = 1.0 / (v16 * v16)
+            v76 = n + 1.0
+            v82 = v76 * (F * (pow(t / t_0, alpha) / E)) / (3.5449077018110318 * n * A * ((v14 * (v14 + 1.0) / v20 if v14 < 1.0 else 1.0 - (v14 + 0.75) / v20) * sqrt(v16) * (1.0 + v34 * (((((((0.01524698625788054 * v34 + 0.5334320651111477) * v34 + 2.250488865813539) * v34 + 2.8612106440066865) * v34 + 1.3794681629043655) * v34 + 0.2596058532893223) * v34 + 0.015624999999999823) / ((((((3.278794792785737 * v34 + 49.328555418276075) * v34 + 167.28648538571198) * v34 + 195.37226190335065) * v34 + 90.69722535867314) * v34 + 16.763212110504565) * v34 + 1.0)))))
+            v84 = pow(v82, 1.0 / v76)
+            if v82 > 0.0 and v82 < inf:
+                value = v84 + v84 * ((v82 / (pow(v84, n) * pow(v84, 1.0)) - 1.0) / v76)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v84
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_power_creep_t(F, A, n, E, alpha, t_0):
+    v12 = n / (2.0)
+    v14 = v12 + (0.5)
+    v16 = v14 + (1.75)
+    v17 = v14 + (0.5)
+    v19 = v14 + (1.5)
+    v20 = v17 * v19
+    v22 = np.less(v14, (1.0))
+    v23 = v14 + (1.0)
+    v24 = v14 * v23
+    v25 = v24 / v20
+    v27 = v14 + (0.75)
+    v28 = v27 / v20
+    v29 = (1.0) - v28
+    v30 = v25 if v22 else v29
+    v31 = np.sqrt(v16)
+    v32 = v30 * v31
+    v33 = v16 * v16
+    v34 = (1.0) / v33
+    v36 = (0.01524698625788054) * v34
+    v38 = v36 + (0.5334320651111477)
+    v39 = v38 * v34
+    v41 = v39 + (2.250488865813539)
+    v42 = v41 * v34
+    v44 = v42 + (2.8612106440066865)
+    v45 = v44 * v34
+    v47 = v45 + (1.3794681629043655)
+    v48 = v47 * v34
+    v50 = v48 + (0.2596058532893223)
+    v51 = v50 * v34
+    v53 = v51 + (0.015624999999999823)
+    v55 = (3.278794792785737) * v34
+    v57 = v55 + (49.328555418276075)
+    v58 = v57 * v34
+    v60 = v58 + (167.28648538571198)
+    v61 = v60 * v34
+    v63 = v61 + (195.37226190335065)
+    v64 = v63 * v34
+    v66 = v64 + (90.69722535867314)
+    v67 = v66 * v34
+    v69 = v67 + (16.763212110504565)
+    v70 = v69 * v34
+    v71 = v70 + (1.0)
+    v72 = v53 / v71
+    v73 = v34 * v72
+    v74 = (1.0) + v73
+    v75 = v32 * v74
+    v76 = n + (1.0)
+    v79 = (3.5449077018110318) * n
+    v80 = v79 * A
+    v81 = v80 * v75
+    v83 = (1.0) / v76
+    return (F, n, E, alpha, t_0, v76, v81, v83)
+
+
+def block_step_load_radius_power_creep_t(out, t, F, n, E, alpha, t_0, v76, v81, v83, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, t_0, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(w0, alpha, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(v76, w0, w0)
+    np.divide(w0, v81, w0)
+    np.power(w0, v83, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some98 = np.count_nonzero(m1)
+    if some98:
+        np.power(w1, n, out)
+        np.power(w1, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, v76, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some98 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_power_creep_all():
+    return ()
+
+
+def block_step_load_radius_power_creep_all(out, t, F, A, n, E, alpha, t_0, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.divide(t, t_0, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(w0, alpha, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(n, C3, w1)
+    np.add(w1, C3, w1)
+    np.add(w1, C4, w2)
+    np.add(w1, C3, w3)
+    np.add(w1, C5, w4)
+    np.multiply(w3, w4, w4)
+    np.less(w1, C2, m0)
+    some30 = np.count_nonzero(m0)
+    if some30:
+        np.add(w1, C2, w3)
+        np.multiply(w1, w3, w3)
+        np.divide(w3, w4, w3)
+    if some30 != size:
+        other30 = w5 if some30 else w3
+        np.add(w1, C6, other30)
+        np.divide(other30, w4, other30)
+        np.subtract(C2, other30, other30)
+        if some30:
+            np.copyto(w3, other30, where=~m0)
+    np.sqrt(w2, w4)
+    np.multiply(w3, w4, w4)
+    np.multiply(w2, w2, w2)
+    np.divide(C2, w2, w2)
+    np.multiply(C7, w2, w3)
+    np.add(w3, C8, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C9, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C10, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C11, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C12, w3)
+    np.multiply(w3, w2, w3)
+    np.add(w3, C13, w3)
+    np.multiply(C14, w2, w1)
+    np.add(w1, C15, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C16, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C17, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C18, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C19, w1)
+    np.multiply(w1, w2, w1)
+    np.add(w1, C2, w1)
+    np.divide(w3, w1, w1)
+    np.multiply(w2, w1, w1)
+    np.add(C2, w1, w1)
+    np.multiply(w4, w1, w1)
+    np.add(n, C2, w4)
+    np.multiply(w4, w0, w0)
+    np.multiply(C21, n, w2)
+    np.multiply(w2, A, w2)
+    np.multiply(w2, w1, w1)
+    np.divide(w0, w1, w1)
+    np.divide(C2, w4, w0)
+    np.power(w1, w0, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some98 = np.count_nonzero(m1)
+    if some98:
+        np.power(w0, n, out)
+        np.power(w0, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, w4, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some98 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_standard_solid(t, F, A, n, E_inf, E_1, tau):
+    if t.__class__ is F.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v7 = E_inf + E_1
+            v23 = n / 2.0 + 0.5
+            v25 = v23 + 1.75
+            v29 = (v23 + 0.5) * (v23 + 1.5)
+            v42 = 1.0 / (v25 * v25)
+            v84 = n + 1.0
+            v90 = v84 * (F * (1.0 / v7 - E_1 / v7 * expm1(-(t / tau * (E_inf / v7))) / E_inf)) / (3.5449077018110318 * n * A * ((v23 * (v23 + 1.0) / v29 if v23 < 1.0 else 1.0 - (v23 + 0.75) / v29) * sqrt(v25) * (1.0 + v42 * (((((((0.01524698625788054 * v42 + 0.5334320651111477) * v42 + 2.250488865813539) * v42 + 2.8612106440066865) * v42 + 1.3794681629043655) * v42 + 0.2596058532893223) * v42 + 0.015624999999999823) / ((((((3.278794792785737 * v42 + 49.328555418276075) * v42 + 167.28648538571198) * v42 + 195.37226190335065) * v42 + 90.69722535867314) * v42 + 16.763212110504565) * v42 + 1.0)))))
+            v92 = pow(v90, 1.0 / v84)
+            if v90 > 0.0 and v90 < inf:
+                value = v92 + v92 * ((v90 / (pow(v92, n) * pow(v92, 1.0)) - 1.0) / v84)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v92
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_standard_solid_t(F, A, n, E_inf, E_1, tau):
+    v7 = E_inf + E_1
+    v9 = E_inf / v7
+    v12 = (1.0) / v7
+    v13 = E_1 / v7
+    v21 = n / (2.0)
+    v23 = v21 + (0.5)
+    v25 = v23 + (1.75)
+    v26 = v23 + (0.5)
+    v28 = v23 + (1.5)
+    v29 = v26 * v28
+    v30 = np.less(v23, (1.0))
+    v31 = v23 + (1.0)
+    v32 = v23 * v31
+    v33 = v32 / v29
+    v35 = v23 + (0.75)
+    v36 = v35 / v29
+    v37 = (1.0) - v36
+    v38 = v33 if v30 else v37
+    v39 = np.sqrt(v25)
+    v40 = v38 * v39
+    v41 = v25 * v25
+    v42 = (1.0) / v41
+    v44 = (0.01524698625788054) * v42
+    v46 = v44 + (0.5334320651111477)
+    v47 = v46 * v42
+    v49 = v47 + (2.250488865813539)
+    v50 = v49 * v42
+    v52 = v50 + (2.8612106440066865)
+    v53 = v52 * v42
+    v55 = v53 + (1.3794681629043655)
+    v56 = v55 * v42
+    v58 = v56 + (0.2596058532893223)
+    v59 = v58 * v42
+    v61 = v59 + (0.015624999999999823)
+    v63 = (3.278794792785737) * v42
+    v65 = v63 + (49.328555418276075)
+    v66 = v65 * v42
+    v68 = v66 + (167.28648538571198)
+    v69 = v68 * v42
+    v71 = v69 + (195.37226190335065)
+    v72 = v71 * v42
+    v74 = v72 + (90.69722535867314)
+    v75 = v74 * v42
+    v77 = v75 + (16.763212110504565)
+    v78 = v77 * v42
+    v79 = v78 + (1.0)
+    v80 = v61 / v79
+    v81 = v42 * v80
+    v82 = (1.0) + v81
+    v83 = v40 * v82
+    v84 = n + (1.0)
+    v87 = (3.5449077018110318) * n
+    v88 = v87 * A
+    v89 = v88 * v83
+    v91 = (1.0) / v84
+    return (F, n, E_inf, tau, v9, v12, v13, v84, v89, v91)
+
+
+def block_step_load_radius_standard_solid_t(out, t, F, n, E_inf, tau, v9, v12, v13, v84, v89, v91, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, v9, w0)
+    np.negative(w0, w0)
+    np.expm1(w0, w0)
+    np.multiply(v13, w0, w0)
+    np.divide(w0, E_inf, w0)
+    np.subtract(v12, w0, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(v84, w0, w0)
+    np.divide(w0, v89, w0)
+    np.power(w0, v91, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some106 = np.count_nonzero(m1)
+    if some106:
+        np.power(w1, n, out)
+        np.power(w1, C2, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C2, w2)
+        np.divide(w2, v84, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some106 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_standard_solid_all():
+    return ()
+
+
+def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, w0, w1, w2, w3, w4, w5, m0, m1):
+    size = out.size
+    np.add(E_inf, E_1, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(t, tau, w1)
+    np.divide(E_inf, w0, w2)
+    np.multiply(w1, w2, w2)
+    np.divide(C2, w0, w1)
+    np.divide(E_1, w0, w0)
+    np.negative(w2, w2)
+    np.expm1(w2, w2)
+    np.multiply(w0, w2, w2)
+    np.divide(w2, E_inf, w2)
+    np.subtract(w1, w2, w2)
+    np.multiply(F, w2, w2)
+    np.multiply(n, C3, w1)
+    np.add(w1, C3, w1)
+    np.add(w1, C4, w0)
+    np.add(w1, C3, w3)
+    np.add(w1, C5, w4)
+    np.multiply(w3, w4, w4)
+    np.less(w1, C2, m0)
+    some38 = np.count_nonzero(m0)
+    if some38:
+        np.add(w1, C2, w3)
+        np.multiply(w1, w3, w3)
+        np.divide(w3, w4, w3)
+    if some38 != size:
+        other38 = w5 if some38 else w3
+        np.add(w1, C6, other38)
+        np.divide(other38, w4, other38)
+        np.subtract(C2, other38, other38)
+        if some38:
+            np.copyto(w3, other38, where=~m0)
+    np.sqrt(w0, w4)
+    np.multiply(w3, w4, w4)
+    np.multiply(w0, w0, w0)
+    np.divide(C2, w0, w0)
+    np.multiply(C7, w0, w3)
+    np.add(w3, C8, w3)
+    np.multiply(w3, w0, w3)
+    np.add(w3, C9, w3)
+    np.multiply(w3, w0, w3)
+    np.add(w3, C10, w3)
+    np.multiply(w3, w0, w3)
+    np.add(w3, C11, w3)
+    np.multiply(w3, w0, w3)
+    np.add(w3, C12, w3)
+    np.multiply(w3, w0, w3)
+    np.add(w3, C13, w3)
+    np.multiply(C14, w0, w1)
+    np.add(w1, C15, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C16, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C17, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C18, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C19, w1)
+    np.multiply(w1, w0, w1)
+    np.add(w1, C2, w1)
+    np.divide(w3, w1, w1)
+    np.multiply(w0, w1, w1)
+    np.add(C2, w1, w1)
+    np.multiply(w4, w1, w1)
+    np.add(n, C2, w4)
+    np.multiply(w4, w2, w2)
+    np.multiply(C21, n, w0)
+    np.multiply(w0, A, w0)
+    np.multiply(w0, w1, w1)
+    np.divide(w2, w1, w1)
+    np.divide(C2, w4, w2)
+    np.power(w1, w2, w2)
+    np.greater(w1, C0, m0)
+    np.less(w1, C1, m1)
+    np.bitwise_and(m0, m1, m1)
+    some106 = np.count_nonzero(m1)
+    if some106:
+        np.power(w2, n, out)
+        np.power(w2, C2, w0)
+        np.multiply(out, w0, w0)
+        np.divide(w1, w0, w0)
+        np.subtract(w0, C2, w0)
+        np.divide(w0, w4, w0)
+        np.multiply(w2, w0, w0)
+        np.add(w2, w0, out)
+    if some106 != size:
+        np.copyto(out, w2, where=~m1)
+
+
+BLOCKS = {
+    ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, scratch=5, masks=3),
+        ('t', 'A', 'n', 'v', 'E', 'eta'): Program(('t', 'A', 'n', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, scratch=8, masks=3),
+    },
+    ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'n', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
+        ('t', 'd', 'A', 'n', 'E', 'eta'): Program(('t', 'd', 'A', 'n', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=6, masks=2),
+    },
+    ('_step_force_maxwell', 1, 't', 'd', 'A', 'n', 'E', 'tau'): {
+        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
+        ('t', 'd', 'A', 'n', 'E', 'tau'): Program(('t', 'd', 'A', 'n', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=6, masks=2),
+    },
+    ('_step_force_power_creep', 1, 't', 'd', 'A', 'n', 'E', 'alpha', 't_0'): {
+        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
+        ('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'): Program(('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=6, masks=2),
+    },
+    ('_step_force_standard_solid', 1, 't', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'): {
+        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
+        ('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=6, masks=2),
+    },
+    ('_step_load_radius_kelvin_voigt', 1, 't', 'F', 'A', 'n', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'n', 'E', 'eta'): Program(('t', 'F', 'A', 'n', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, scratch=6, masks=2),
+    },
+    ('_step_load_radius_maxwell', 1, 't', 'F', 'A', 'n', 'E', 'tau'): {
+        ('t',): Program(('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'n', 'E', 'tau'): Program(('t', 'F', 'A', 'n', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, scratch=6, masks=2),
+    },
+    ('_step_load_radius_power_creep', 1, 't', 'F', 'A', 'n', 'E', 'alpha', 't_0'): {
+        ('t',): Program(('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'): Program(('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, scratch=6, masks=2),
+    },
+    ('_step_load_radius_standard_solid', 1, 't', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'): {
+        ('t',): Program(('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'): Program(('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, scratch=6, masks=2),
+    },
+}

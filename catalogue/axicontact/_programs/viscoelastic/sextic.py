@@ -1,0 +1,878 @@
+"""Programs of axicontact.viscoelastic.sextic."""
+
+from __future__ import annotations
+
+from math import exp, expm1, inf, pow, sin
+
+import numpy as np
+
+from ..._runtime.arrays.blocks import Program, largest
+
+C0 = np.array(0.0)
+C1 = np.array(0.8571428571428571)
+C2 = np.array(20.0)
+C3 = np.array(0.16666666666666666)
+C4 = np.array(np.inf)
+C5 = np.array(6.0)
+C6 = np.array(1.0)
+C7 = np.array(1.1666666666666667)
+C8 = np.array(3.141592653589793)
+C9 = np.array(35.0)
+C10 = np.array(0.14285714285714285)
+C11 = np.array(7.0)
+C12 = np.array(192.0)
+
+
+def ramp_force_kelvin_voigt(t, v, A, E, eta):
+    if t.__class__ is v.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t == 0.0:
+                return 0.0
+            v5 = v * t
+            v10 = 20.0 * v5 / A
+            v12 = pow(v10, 0.16666666666666666)
+            value = 0.8571428571428571 * v5 * (v12 + v12 * ((v10 / (pow(v12, 6.0) * pow(v12, 0.0)) - 1.0) / 6.0) if v10 > 0.0 and v10 < inf else v12) * (E + eta * 1.1666666666666667 / t)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_ramp_force_kelvin_voigt_t(A, v, E, eta):
+    v31 = eta * (1.1666666666666667)
+    return (v, A, E, v31)
+
+
+def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, w0, w1, w2, w3, w4, m0, m1, m2):
+    size = out.size
+    np.equal(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.copyto(out, C0)
+    if some36 != size:
+        other36 = w0 if some36 else out
+        np.multiply(v, t, other36)
+        np.multiply(C1, other36, w1)
+        np.multiply(C2, other36, other36)
+        np.divide(other36, A, other36)
+        np.power(other36, C3, w2)
+        np.greater(other36, C0, m1)
+        np.less(other36, C4, m2)
+        np.bitwise_and(m1, m2, m2)
+        some28 = np.count_nonzero(m2)
+        if some28:
+            np.power(w2, C5, w3)
+            np.power(w2, C0, w4)
+            np.multiply(w3, w4, w4)
+            np.divide(other36, w4, w4)
+            np.subtract(w4, C6, w4)
+            np.divide(w4, C5, w4)
+            np.multiply(w2, w4, w4)
+            np.add(w2, w4, w3)
+        if some28 != size:
+            np.copyto(w3, w2, where=~m2)
+        np.multiply(w1, w3, w3)
+        np.divide(v31, t, w1)
+        np.add(E, w1, w1)
+        np.multiply(w3, w1, other36)
+        if some36:
+            np.copyto(out, other36, where=~m0)
+
+
+def prepare_ramp_force_kelvin_voigt_all():
+    return ()
+
+
+def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, w0, w1, w2, w3, w4, m0, m1, m2):
+    size = out.size
+    np.equal(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.copyto(out, C0)
+    if some36 != size:
+        other36 = w0 if some36 else out
+        np.multiply(v, t, other36)
+        np.multiply(C1, other36, w1)
+        np.multiply(C2, other36, other36)
+        np.divide(other36, A, other36)
+        np.power(other36, C3, w2)
+        np.greater(other36, C0, m1)
+        np.less(other36, C4, m2)
+        np.bitwise_and(m1, m2, m2)
+        some28 = np.count_nonzero(m2)
+        if some28:
+            np.power(w2, C5, w3)
+            np.power(w2, C0, w4)
+            np.multiply(w3, w4, w4)
+            np.divide(other36, w4, w4)
+            np.subtract(w4, C6, w4)
+            np.divide(w4, C5, w4)
+            np.multiply(w2, w4, w4)
+            np.add(w2, w4, w3)
+        if some28 != size:
+            np.copyto(w3, w2, where=~m2)
+        np.multiply(w1, w3, w3)
+        np.multiply(eta, C7, w1)
+        np.divide(w1, t, w1)
+        np.add(E, w1, w1)
+        np.multiply(w3, w1, other36)
+        if some36:
+            np.copyto(out, other36, where=~m0)
+
+
+def step_force_kelvin_voigt(t, d, A, E, eta):
+    if t.__class__ is d.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v13 = 20.0 * d / A
+            v15 = pow(v13, 0.16666666666666666)
+            value = (E if t > 0.0 else inf) * (0.8571428571428571 * d * (v15 + v15 * ((v13 / (pow(v15, 6.0) * pow(v15, 0.0)) - 1.0) / 6.0) if v13 > 0.0 and v13 < inf else v15))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_kelvin_voigt_t(d, A, E, eta):
+    v9 = (0.8571428571428571) * d
+    v11 = (20.0) * d
+    v12 = v11 / A
+    v14 = np.power(v12, (0.16666666666666666))
+    v15 = np.greater(v12, (0.0))
+    v16 = np.less(v12, (np.inf))
+    v17 = np.bitwise_and(v15, v16)
+    v19 = np.power(v14, (6.0))
+    v20 = np.power(v14, (0.0))
+    v21 = v19 * v20
+    v22 = v12 / v21
+    v24 = v22 - (1.0)
+    v25 = v24 / (6.0)
+    v26 = v14 * v25
+    v27 = v14 + v26
+    v28 = v27 if v17 else v14
+    v29 = v9 * v28
+    return (E, v29)
+
+
+def block_step_force_kelvin_voigt_t(out, t, E, v29, m0):
+    size = out.size
+    np.greater(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some7 = np.count_nonzero(m0)
+    if some7:
+        np.copyto(out, E)
+    if some7 != size:
+        np.copyto(out, C4, where=~m0)
+    np.multiply(out, v29, out)
+
+
+def prepare_step_force_kelvin_voigt_all():
+    return ()
+
+
+def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.greater(t, C0, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some7 = np.count_nonzero(m0)
+    if some7:
+        np.copyto(out, E)
+    if some7 != size:
+        np.copyto(out, C4, where=~m0)
+    np.multiply(C1, d, w0)
+    np.multiply(C2, d, w1)
+    np.divide(w1, A, w1)
+    np.power(w1, C3, w2)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some28 = np.count_nonzero(m1)
+    if some28:
+        np.power(w2, C5, w3)
+        np.power(w2, C0, w4)
+        np.multiply(w3, w4, w4)
+        np.divide(w1, w4, w4)
+        np.subtract(w4, C6, w4)
+        np.divide(w4, C5, w4)
+        np.multiply(w2, w4, w4)
+        np.add(w2, w4, w3)
+    if some28 != size:
+        np.copyto(w3, w2, where=~m1)
+    np.multiply(w0, w3, w3)
+    np.multiply(out, w3, out)
+
+
+def step_force_maxwell(t, d, A, E, tau):
+    if t.__class__ is d.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v13 = 20.0 * d / A
+            v15 = pow(v13, 0.16666666666666666)
+            value = E * exp(-t / tau) * (0.8571428571428571 * d * (v15 + v15 * ((v13 / (pow(v15, 6.0) * pow(v15, 0.0)) - 1.0) / 6.0) if v13 > 0.0 and v13 < inf else v15))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_maxwell_t(d, A, E, tau):
+    v10 = (0.8571428571428571) * d
+    v12 = (20.0) * d
+    v13 = v12 / A
+    v15 = np.power(v13, (0.16666666666666666))
+    v17 = np.greater(v13, (0.0))
+    v19 = np.less(v13, (np.inf))
+    v20 = np.bitwise_and(v17, v19)
+    v22 = np.power(v15, (6.0))
+    v23 = np.power(v15, (0.0))
+    v24 = v22 * v23
+    v25 = v13 / v24
+    v27 = v25 - (1.0)
+    v28 = v27 / (6.0)
+    v29 = v15 * v28
+    v30 = v15 + v29
+    v31 = v30 if v20 else v15
+    v32 = v10 * v31
+    return (E, tau, v32)
+
+
+def block_step_force_maxwell_t(out, t, E, tau, v32):
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E, out, out)
+    np.multiply(out, v32, out)
+
+
+def prepare_step_force_maxwell_all():
+    return ()
+
+
+def block_step_force_maxwell_all(out, t, d, A, E, tau, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E, out, out)
+    np.multiply(C1, d, w0)
+    np.multiply(C2, d, w1)
+    np.divide(w1, A, w1)
+    np.power(w1, C3, w2)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.power(w2, C5, w3)
+        np.power(w2, C0, w4)
+        np.multiply(w3, w4, w4)
+        np.divide(w1, w4, w4)
+        np.subtract(w4, C6, w4)
+        np.divide(w4, C5, w4)
+        np.multiply(w2, w4, w4)
+        np.add(w2, w4, w3)
+    if some31 != size:
+        np.copyto(w3, w2, where=~m1)
+    np.multiply(w0, w3, w3)
+    np.multiply(out, w3, out)
+
+
+def step_force_power_creep(t, d, A, E, alpha, t_0):
+    if t.__class__ is d.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v10 = 3.141592653589793 * alpha
+            v18 = 20.0 * d / A
+            v20 = pow(v18, 0.16666666666666666)
+            value = E * pow(t_0 / t, alpha) * sin(v10) / v10 * (0.8571428571428571 * d * (v20 + v20 * ((v18 / (pow(v20, 6.0) * pow(v20, 0.0)) - 1.0) / 6.0) if v18 > 0.0 and v18 < inf else v20))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_power_creep_t(d, A, E, alpha, t_0):
+    v10 = (3.141592653589793) * alpha
+    v11 = np.sin(v10)
+    v15 = (0.8571428571428571) * d
+    v17 = (20.0) * d
+    v18 = v17 / A
+    v20 = np.power(v18, (0.16666666666666666))
+    v22 = np.greater(v18, (0.0))
+    v24 = np.less(v18, (np.inf))
+    v25 = np.bitwise_and(v22, v24)
+    v27 = np.power(v20, (6.0))
+    v28 = np.power(v20, (0.0))
+    v29 = v27 * v28
+    v30 = v18 / v29
+    v32 = v30 - (1.0)
+    v33 = v32 / (6.0)
+    v34 = v20 * v33
+    v35 = v20 + v34
+    v36 = v35 if v25 else v20
+    v37 = v15 * v36
+    return (E, alpha, t_0, v10, v11, v37)
+
+
+def block_step_force_power_creep_t(out, t, E, alpha, t_0, v10, v11, v37):
+    np.divide(t_0, t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(out, alpha, out)
+    np.multiply(E, out, out)
+    np.multiply(out, v11, out)
+    np.divide(out, v10, out)
+    np.multiply(out, v37, out)
+
+
+def prepare_step_force_power_creep_all():
+    return ()
+
+
+def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.divide(t_0, t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(out, alpha, out)
+    np.multiply(E, out, out)
+    np.multiply(C8, alpha, w0)
+    np.sin(w0, w1)
+    np.multiply(out, w1, w1)
+    np.divide(w1, w0, w0)
+    np.multiply(C1, d, w1)
+    np.multiply(C2, d, out)
+    np.divide(out, A, out)
+    np.power(out, C3, w2)
+    np.greater(out, C0, m0)
+    np.less(out, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some36 = np.count_nonzero(m1)
+    if some36:
+        np.power(w2, C5, w3)
+        np.power(w2, C0, w4)
+        np.multiply(w3, w4, w4)
+        np.divide(out, w4, w4)
+        np.subtract(w4, C6, w4)
+        np.divide(w4, C5, w4)
+        np.multiply(w2, w4, w4)
+        np.add(w2, w4, w3)
+    if some36 != size:
+        np.copyto(w3, w2, where=~m1)
+    np.multiply(w1, w3, w3)
+    np.multiply(w0, w3, out)
+
+
+def step_force_standard_solid(t, d, A, E_inf, E_1, tau):
+    if t.__class__ is d.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v15 = 20.0 * d / A
+            v17 = pow(v15, 0.16666666666666666)
+            value = (E_inf + E_1 * exp(-t / tau)) * (0.8571428571428571 * d * (v17 + v17 * ((v15 / (pow(v17, 6.0) * pow(v17, 0.0)) - 1.0) / 6.0) if v15 > 0.0 and v15 < inf else v17))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_force_standard_solid_t(d, A, E_inf, E_1, tau):
+    v12 = (0.8571428571428571) * d
+    v14 = (20.0) * d
+    v15 = v14 / A
+    v17 = np.power(v15, (0.16666666666666666))
+    v19 = np.greater(v15, (0.0))
+    v21 = np.less(v15, (np.inf))
+    v22 = np.bitwise_and(v19, v21)
+    v24 = np.power(v17, (6.0))
+    v25 = np.power(v17, (0.0))
+    v26 = v24 * v25
+    v27 = v15 / v26
+    v29 = v27 - (1.0)
+    v30 = v29 / (6.0)
+    v31 = v17 * v30
+    v32 = v17 + v31
+    v33 = v32 if v22 else v17
+    v34 = v12 * v33
+    return (E_inf, E_1, tau, v34)
+
+
+def block_step_force_standard_solid_t(out, t, E_inf, E_1, tau, v34):
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E_1, out, out)
+    np.add(E_inf, out, out)
+    np.multiply(out, v34, out)
+
+
+def prepare_step_force_standard_solid_all():
+    return ()
+
+
+def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, w0, w1, w2, w3, w4, m0, m1):
+    size = out.size
+    np.negative(t, out)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(out, tau, out)
+    np.exp(out, out)
+    np.multiply(E_1, out, out)
+    np.add(E_inf, out, out)
+    np.multiply(C1, d, w0)
+    np.multiply(C2, d, w1)
+    np.divide(w1, A, w1)
+    np.power(w1, C3, w2)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some33 = np.count_nonzero(m1)
+    if some33:
+        np.power(w2, C5, w3)
+        np.power(w2, C0, w4)
+        np.multiply(w3, w4, w4)
+        np.divide(w1, w4, w4)
+        np.subtract(w4, C6, w4)
+        np.divide(w4, C5, w4)
+        np.multiply(w2, w4, w4)
+        np.add(w2, w4, w3)
+    if some33 != size:
+        np.copyto(w3, w2, where=~m1)
+    np.multiply(w0, w3, w3)
+    np.multiply(out, w3, out)
+
+
+def step_load_radius_kelvin_voigt(t, F, A, E, eta):
+    if t.__class__ is F.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v16 = 35.0 * (F * (-expm1(-E * t / eta) / E)) / (192.0 * A)
+            v18 = pow(v16, 0.14285714285714285)
+            if v16 > 0.0 and v16 < inf:
+                value = v18 + v18 * ((v16 / (pow(v18, 7.0) * pow(v18, 0.0)) - 1.0) / 7.0)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v18
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_kelvin_voigt_t(F, A, E, eta):
+    v5 = np.negative(E)
+    v15 = (192.0) * A
+    return (F, E, eta, v5, v15)
+
+
+def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, w0, w1, w2, m0, m1):
+    size = out.size
+    np.multiply(v5, t, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(w0, eta, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.divide(w0, v15, w0)
+    np.power(w0, C10, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some34 = np.count_nonzero(m1)
+    if some34:
+        np.power(w1, C11, out)
+        np.power(w1, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some34 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_kelvin_voigt_all():
+    return ()
+
+
+def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, w0, w1, w2, m0, m1):
+    size = out.size
+    np.negative(E, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, t, w0)
+    np.divide(w0, eta, w0)
+    np.expm1(w0, w0)
+    np.negative(w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.multiply(C12, A, w1)
+    np.divide(w0, w1, w1)
+    np.power(w1, C10, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some34 = np.count_nonzero(m1)
+    if some34:
+        np.power(w0, C11, out)
+        np.power(w0, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some34 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_maxwell(t, F, A, E, tau):
+    if t.__class__ is F.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v14 = 35.0 * (F * ((1.0 + t / tau) / E)) / (192.0 * A)
+            v16 = pow(v14, 0.14285714285714285)
+            if v14 > 0.0 and v14 < inf:
+                value = v16 + v16 * ((v14 / (pow(v16, 7.0) * pow(v16, 0.0)) - 1.0) / 7.0)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return v16
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_maxwell_t(F, A, E, tau):
+    v13 = (192.0) * A
+    return (F, E, tau, v13)
+
+
+def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.add(C6, w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.divide(w0, v13, w0)
+    np.power(w0, C10, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.power(w1, C11, out)
+        np.power(w1, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some31 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_maxwell_all():
+    return ()
+
+
+def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.add(C6, w0, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.multiply(C12, A, w1)
+    np.divide(w0, w1, w1)
+    np.power(w1, C10, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some31 = np.count_nonzero(m1)
+    if some31:
+        np.power(w0, C11, out)
+        np.power(w0, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some31 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_power_creep(t, F, A, E, alpha, t_0):
+    if t.__class__ is F.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v14 = 35.0 * (F * (pow(t / t_0, alpha) / E)) / (192.0 * A)
+            v16 = pow(v14, 0.14285714285714285)
+            if v14 > 0.0 and v14 < inf:
+                value = v16 + v16 * ((v14 / (pow(v16, 7.0) * pow(v16, 0.0)) - 1.0) / 7.0)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v16
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_power_creep_t(F, A, E, alpha, t_0):
+    v13 = (192.0) * A
+    return (F, E, alpha, t_0, v13)
+
+
+def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, t_0, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(w0, alpha, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.divide(w0, v13, w0)
+    np.power(w0, C10, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some32 = np.count_nonzero(m1)
+    if some32:
+        np.power(w1, C11, out)
+        np.power(w1, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some32 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_power_creep_all():
+    return ()
+
+
+def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, t_0, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.power(w0, alpha, w0)
+    np.divide(w0, E, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.multiply(C12, A, w1)
+    np.divide(w0, w1, w1)
+    np.power(w1, C10, w0)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some32 = np.count_nonzero(m1)
+    if some32:
+        np.power(w0, C11, out)
+        np.power(w0, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w1, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w0, w2, w2)
+        np.add(w0, w2, out)
+    if some32 != size:
+        np.copyto(out, w0, where=~m1)
+
+
+def step_load_radius_standard_solid(t, F, A, E_inf, E_1, tau):
+    if t.__class__ is F.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (F > 1e-30) and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            v6 = E_inf + E_1
+            v23 = 35.0 * (F * (1.0 / v6 - E_1 / v6 * expm1(-(t / tau * (E_inf / v6))) / E_inf)) / (192.0 * A)
+            v25 = pow(v23, 0.14285714285714285)
+            if v23 > 0.0 and v23 < inf:
+                value = v25 + v25 * ((v23 / (pow(v25, 7.0) * pow(v25, 0.0)) - 1.0) / 7.0)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v25
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_step_load_radius_standard_solid_t(F, A, E_inf, E_1, tau):
+    v6 = E_inf + E_1
+    v8 = E_inf / v6
+    v11 = (1.0) / v6
+    v12 = E_1 / v6
+    v22 = (192.0) * A
+    return (F, E_inf, tau, v8, v11, v12, v22)
+
+
+def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12, v22, w0, w1, w2, m0, m1):
+    size = out.size
+    np.divide(t, tau, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.multiply(w0, v8, w0)
+    np.negative(w0, w0)
+    np.expm1(w0, w0)
+    np.multiply(v12, w0, w0)
+    np.divide(w0, E_inf, w0)
+    np.subtract(v11, w0, w0)
+    np.multiply(F, w0, w0)
+    np.multiply(C9, w0, w0)
+    np.divide(w0, v22, w0)
+    np.power(w0, C10, w1)
+    np.greater(w0, C0, m0)
+    np.less(w0, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some40 = np.count_nonzero(m1)
+    if some40:
+        np.power(w1, C11, out)
+        np.power(w1, C0, w2)
+        np.multiply(out, w2, w2)
+        np.divide(w0, w2, w2)
+        np.subtract(w2, C6, w2)
+        np.divide(w2, C11, w2)
+        np.multiply(w1, w2, w2)
+        np.add(w1, w2, out)
+    if some40 != size:
+        np.copyto(out, w1, where=~m1)
+
+
+def prepare_step_load_radius_standard_solid_all():
+    return ()
+
+
+def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, w0, w1, w2, m0, m1):
+    size = out.size
+    np.add(E_inf, E_1, w0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.divide(t, tau, w1)
+    np.divide(E_inf, w0, w2)
+    np.multiply(w1, w2, w2)
+    np.divide(C6, w0, w1)
+    np.divide(E_1, w0, w0)
+    np.negative(w2, w2)
+    np.expm1(w2, w2)
+    np.multiply(w0, w2, w2)
+    np.divide(w2, E_inf, w2)
+    np.subtract(w1, w2, w2)
+    np.multiply(F, w2, w2)
+    np.multiply(C9, w2, w2)
+    np.multiply(C12, A, w1)
+    np.divide(w2, w1, w1)
+    np.power(w1, C10, w2)
+    np.greater(w1, C0, m0)
+    np.less(w1, C4, m1)
+    np.bitwise_and(m0, m1, m1)
+    some40 = np.count_nonzero(m1)
+    if some40:
+        np.power(w2, C11, out)
+        np.power(w2, C0, w0)
+        np.multiply(out, w0, w0)
+        np.divide(w1, w0, w0)
+        np.subtract(w0, C6, w0)
+        np.divide(w0, C11, w0)
+        np.multiply(w2, w0, w0)
+        np.add(w2, w0, out)
+    if some40 != size:
+        np.copyto(out, w2, where=~m1)
+
+
+BLOCKS = {
+    ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'v', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, scratch=5, masks=3),
+        ('t', 'A', 'v', 'E', 'eta'): Program(('t', 'A', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, scratch=5, masks=3),
+    },
+    ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
+        ('t', 'd', 'A', 'E', 'eta'): Program(('t', 'd', 'A', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=5, masks=2),
+    },
+    ('_step_force_maxwell', 1, 't', 'd', 'A', 'E', 'tau'): {
+        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
+        ('t', 'd', 'A', 'E', 'tau'): Program(('t', 'd', 'A', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=5, masks=2),
+    },
+    ('_step_force_power_creep', 1, 't', 'd', 'A', 'E', 'alpha', 't_0'): {
+        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
+        ('t', 'd', 'A', 'E', 'alpha', 't_0'): Program(('t', 'd', 'A', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=5, masks=2),
+    },
+    ('_step_force_standard_solid', 1, 't', 'd', 'A', 'E_inf', 'E_1', 'tau'): {
+        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
+        ('t', 'd', 'A', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'A', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=5, masks=2),
+    },
+    ('_step_load_radius_kelvin_voigt', 1, 't', 'F', 'A', 'E', 'eta'): {
+        ('t',): Program(('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'E', 'eta'): Program(('t', 'F', 'A', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, scratch=3, masks=2),
+    },
+    ('_step_load_radius_maxwell', 1, 't', 'F', 'A', 'E', 'tau'): {
+        ('t',): Program(('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'E', 'tau'): Program(('t', 'F', 'A', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, scratch=3, masks=2),
+    },
+    ('_step_load_radius_power_creep', 1, 't', 'F', 'A', 'E', 'alpha', 't_0'): {
+        ('t',): Program(('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'E', 'alpha', 't_0'): Program(('t', 'F', 'A', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, scratch=3, masks=2),
+    },
+    ('_step_load_radius_standard_solid', 1, 't', 'F', 'A', 'E_inf', 'E_1', 'tau'): {
+        ('t',): Program(('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t, scratch=3, masks=2),
+        ('t', 'F', 'A', 'E_inf', 'E_1', 'tau'): Program(('t', 'F', 'A', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, scratch=3, masks=2),
+    },
+}

@@ -1,0 +1,1 @@
+"""What runs over arrays: in blocks that stay in cache, and with numbers without a range where doubles end."""

@@ -1,1 +1,0 @@
-"""Formulas as graphs, and what is compiled of them at the first call."""
